@@ -23,7 +23,7 @@ from .arm import Arm
 from .controller import Controller
 from .egm import PoseStream
 from .login import Login, open_login
-from .mailbox import FAILED, REFUSED, Answer, Identity, Mailbox, own_name
+from .mailbox import FAILED, REFUSED, Answer, Identity, own_name
 from .motion import predicted_s
 from .settings import AbbSettings
 from .stopping import StopFlag, StopLadder
@@ -185,7 +185,7 @@ class AbbRobot:
             if answer.beat != beat:
                 beat, beat_at = answer.beat, now
             if now - beat_at > BEAT_S:
-                raise MotionError(f"{self.name}: the program in the controller hangs.", "Look at the FlexPendant, then connect again.")
+                raise MotionError(f"{self.name}: the program in the controller hangs.", "Read the event log on the FlexPendant, then connect again.")
             if now > end:
                 raise DeviceTimeout(
                     f"{self.name} has not reached its goal in time; it was stopped.",

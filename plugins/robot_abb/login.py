@@ -10,7 +10,7 @@ from collections.abc import Callable
 from pathlib import Path
 from types import TracebackType
 
-import psutil
+import psutil  # type: ignore[import-untyped]
 
 from .controller import Controller
 from .dialect import VERSIONS, Dialect
@@ -99,7 +99,7 @@ def _close_left_logins(access: Access, dialect: Dialect) -> None:
                 continue
             with http_session(access, dialect) as http:
                 http.get(access.address + dialect.path("logout", {}), cookies=noted["cookies"], timeout=access.reply_timeout_s)
-            _log.warning("a login that an ended program had left open at %s was closed", access.address)
+            _log.warning("the login of a crashed program at %s was closed", access.address)
         except (OSError, ValueError, KeyError, TypeError) as error:
             _log.warning("%s: %s", path, error)
         path.unlink(missing_ok=True)

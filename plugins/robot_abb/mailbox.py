@@ -11,7 +11,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-import psutil
+import psutil  # type: ignore[import-untyped]
 
 from measureapp.arrays import FloatArray
 from measureapp.errors import DeviceError, MotionError

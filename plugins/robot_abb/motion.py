@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 
 from measureapp.arrays import FloatArray
@@ -26,8 +28,8 @@ def predicted_s(
     """
     shares = np.linspace(0.0, 1.0, SAMPLES)[:, None]
     poses = [arm.pose(joints) for joints in from_deg + shares * (to_deg - from_deg)]
-    steps = [_step(before, after) for before, after in zip(poses[:-1], poses[1:], strict=True)]
-    path_mm, turn_deg = np.sum(steps, axis=0) if steps else (0.0, 0.0)
+    steps = [_step(before, after) for before, after in pairwise(poses)]
+    path_mm, turn_deg = np.sum(steps, axis=0)
     slowest_joint_s = float(np.max(np.abs(to_deg - from_deg) / arm.speeds_deg_per_s))
     seconds = max(float(path_mm) / speed_mm_per_s, float(turn_deg) / speed_deg_per_s, slowest_joint_s)
     return seconds / max(speed_ratio, LOWEST_RATIO) + RAMPS_S

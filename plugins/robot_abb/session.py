@@ -251,7 +251,7 @@ class _PinnedAdapter(HTTPAdapter):
 
     def init_poolmanager(self, *args: Any, **kwargs: Any) -> None:
         """Hand the fingerprint on."""
-        super().init_poolmanager(*args, **kwargs, assert_fingerprint=self._sha256)  # type: ignore[no-untyped-call]
+        super().init_poolmanager(*args, **kwargs, assert_fingerprint=self._sha256)
 
 
 def _body(response: requests.Response, end: float, what: str) -> bytes:

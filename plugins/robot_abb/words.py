@@ -26,7 +26,7 @@ MODES = {
 
 def state_words(ctrlstate: str) -> tuple[str, str]:
     """Return a state of the motors and its remedy."""
-    return STATES.get(ctrlstate, (f"state {ctrlstate}", "Look at the FlexPendant."))
+    return STATES.get(ctrlstate, (f"state {ctrlstate}", "Read the event log on the FlexPendant."))
 
 
 def mode_words(opmode: str) -> tuple[str, str]:

@@ -149,7 +149,7 @@ class LineRobotDriver:
             _log.warning("%s: no reply to move %d: reading the state back", self.name, number)
             if whole(self._link, self._state(), "move") != number:
                 raise MotionError(
-                    f"{self.name}: it is unknown whether move {number} will be carried out; the robot was stopped.",
+                    f"{self.name}: it is unknown whether move {number} was accepted; the robot was stopped.",
                     "Check the network, then connect again.",
                 ) from error
 

@@ -60,7 +60,7 @@ class Machine:
         self._module_text, self._time_scale, self._on_rest = module_text, time_scale, on_rest
         scale = max(time_scale, AT_ONCE)
         self._rested_at = time.monotonic() - 1e9
-        self.axes = MovingAxes(start_deg, SPEED_DEG_PER_S / scale, ACCELERATION_DEG_PER_S2 / scale**2, on_rest=self._rest)
+        self.axes = MovingAxes(start_deg, list(SPEED_DEG_PER_S / scale), list(ACCELERATION_DEG_PER_S2 / scale**2), on_rest=self._rest)
         self.program = self._loaded()
 
     def joints_deg(self) -> FloatArray:
@@ -137,7 +137,7 @@ class Machine:
     def flange_position_mm(self) -> tuple[FloatArray, FloatArray]:
         """Return the flange's position (3,) and quaternion (w, x, y, z) in the base, as read back."""
         pose = flange_pose(self.joints_deg())
-        return pose.translation_mm + [self.robtarget_offset_mm, 0.0, 0.0], pose.quaternion_wxyz
+        return pose.translation_mm + np.array([self.robtarget_offset_mm, 0.0, 0.0]), pose.quaternion_wxyz
 
     def _loaded(self) -> MailboxProgram:
         return MailboxProgram(Symbols(self._module_text), self.axes, LIMITS_DEG, time.monotonic, self._time_scale, self.stop_program)

@@ -8,11 +8,12 @@ import numpy as np
 
 from measureapp.arrays import FloatArray
 from measureapp.peers.moving_axes import MovingAxes
-from measureapp.peers.rws.symbols import Symbols
+from measureapp.peers.rws.symbols import Symbols, Value
 
 IDLE, MOVING, SETTLING, REFUSED = 1.0, 2.0, 3.0, 7.0
 RUN, DONE, STATE, ERROR, BEAT = range(5)  # components of mm_answer
 BEAT_S = 0.2
+FULL_SPEED_DEG_PER_S = 300.0  # reorientation that the axes drive at their own speed
 OUTSIDE = "50027: Joint Out of Range"
 
 
@@ -58,7 +59,7 @@ class MailboxProgram:
         if self._at_main:
             self._begin_main()
         elif self._goal is not None:
-            self._axes.move(self._goal, self._share * self.speed_ratio)
+            self._axes.move(list(self._goal), self._share * self.speed_ratio)
 
     def stop(self) -> None:
         """Stop the program and the axes; a move stays interrupted until `reset_pointer`."""
@@ -72,7 +73,7 @@ class MailboxProgram:
 
     def written(self, name: str) -> None:
         """React to data written from outside."""
-        if name == "mm_abort" and self.running and self.symbols.find("mm_abort").value is True:  # type: ignore[union-attr]
+        if name == "mm_abort" and self.running and self.symbols.text("mm_abort") == "TRUE":
             self._axes.stop()
             self.reset_pointer()
             self._begin_main()
@@ -101,18 +102,19 @@ class MailboxProgram:
 
     def _take_order(self) -> None:
         self._seen = self.symbols.number("mm_cmd")
-        order_id, target, speed = self.symbols.find("mm_order").value  # type: ignore[union-attr,misc]
-        if order_id != self._seen:
+        order = self.symbols.record("mm_order")
+        if order[0] != self._seen:
             self._report(STATE, REFUSED)
             return
-        goal = np.array(target[0], float)  # type: ignore[index]
+        (joints, _external), (_path, turn, *_) = _lists(order[1]), _lists(order[2])
+        goal = np.array(joints, float)
         if ((goal < self._limits_deg[:, 0]) | (goal > self._limits_deg[:, 1])).any():
             self._fail(OUTSIDE)
             return
         self._goal = goal + self.goal_error_deg
-        self._share = min(1.0, float(speed[1]) / 300.0)  # type: ignore[index,arg-type]
+        self._share = min(1.0, float(np.array(turn)) / FULL_SPEED_DEG_PER_S)
         self._report(STATE, MOVING)
-        self._axes.move(self._goal, self._share * self.speed_ratio)
+        self._axes.move(list(self._goal), self._share * self.speed_ratio)
 
     def _finish_move(self) -> None:
         if self._goal is None or self._axes.is_moving:
@@ -127,9 +129,14 @@ class MailboxProgram:
         self._goal = self._settled_at = None
 
     def _reported(self, component: int) -> float:
-        return float(self.symbols.find("mm_answer").value[component])  # type: ignore[union-attr,index,arg-type]
+        return float(np.array(self.symbols.record("mm_answer")[component]))
 
     def _report(self, component: int, value: float) -> None:
-        report = list(self.symbols.find("mm_answer").value)  # type: ignore[union-attr,arg-type]
+        report = self.symbols.record("mm_answer")
         report[component] = value
         self.symbols.put("mm_answer", report)
+
+
+def _lists(value: Value) -> list[Value]:
+    assert isinstance(value, list)
+    return value

@@ -48,6 +48,12 @@ class Symbols:
         assert isinstance(value, float)
         return value
 
+    def record(self, name: str) -> list[Value]:
+        """Return a copy of the components of the record ``name``."""
+        value = self._symbols[name].value
+        assert isinstance(value, list)
+        return list(value)
+
     def put(self, name: str, value: Value) -> None:
         """Set ``name`` from the program."""
         self._symbols[name].value = rounded(value)

@@ -89,7 +89,7 @@ def test_r1_a_program_that_forgets_to_close_logs_out_at_its_end() -> None:
         assert controller.sessions.active == {}
 
 
-# R2: refusals
+# R2: calls that are refused
 
 
 def test_r2_mastership_held_by_another_client_is_named_and_not_retried() -> None:

@@ -266,6 +266,6 @@ def test_a_kinematic_model_of_another_arm_is_refused() -> None:
 
 def test_an_address_without_a_controller_is_told_within_two_seconds() -> None:
     began = time.monotonic()
-    with pytest.raises(DeviceLost, match="127.0.0.1:9"):
+    with pytest.raises(DeviceLost, match=r"127\.0\.0\.1:9"):
         connect_robot("robot_abb", address="http://127.0.0.1:9")
     assert time.monotonic() - began < 2.0

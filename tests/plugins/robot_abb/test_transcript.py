@@ -88,7 +88,7 @@ class Recorded(BaseHTTPRequestHandler):
         cookies = {} if has_cookie else {"Set-Cookie": "-http-session-=14::http.session::aaf5a5; path=/; domain=localhost; httponly"}
         return self._say(status, body, {"Content-Type": "application/json", **cookies})
 
-    do_POST = do_GET
+    do_POST = do_GET  # noqa: N815
 
     def _say(self, status: int, body: str, headers: dict[str, str]) -> None:
         self.send_response(status)

@@ -199,7 +199,7 @@ def test_a_stop_takes_effect_within_200_ms_a_hundred_times() -> None:
             moving = Background(
                 lambda: robot.move_to(goal(200.0 if np.allclose(peer.here().matrix, ORIGIN.matrix) else 0.0), timeout_s=30.0)
             )
-            until(lambda: len(peer.moves) > turn)
+            until(lambda: len(peer.moves) > turn)  # noqa: B023
             time.sleep(random.Random(turn).uniform(0.0, 0.05))
             began = time.monotonic()
             robot.stop()
