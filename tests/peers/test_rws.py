@@ -11,6 +11,7 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 import requests
+from robot_requests import until
 
 from measureapp.peers.rws import VirtualController, virtual_controller
 from measureapp.peers.rws.arm import flange_pose
@@ -104,6 +105,36 @@ def test_a_foreign_client_is_told_when_no_session_is_left(client: Any, controlle
     controller.sessions.limit = 0
     with pytest.raises(Exception, match="Robot returning"):
         client.get_controller_state()
+
+
+def test_a_foreign_client_is_sent_events_of_what_it_subscribed(client: Any, controller: VirtualController) -> None:
+    abb = pytest.importorskip("abb_robot_client.rws")
+    kinds, normal = abb.SubscriptionResourceType, abb.SubscriptionResourcePriority.Medium
+    received: list[Any] = []
+    watched = [
+        abb.SubscriptionResourceRequest(kind, normal)
+        for kind in (kinds.ControllerState, kinds.OperationalMode, kinds.ExecutionState, kinds.Elog)
+    ]
+    watched.append(abb.SubscriptionResourceRequest(kinds.PersVar, abb.SubscriptionResourcePriority.High, "mm_settle"))
+    subscription = client.subscribe(watched, received.append)
+    try:
+        until(lambda: any(path.startswith("/poll/") for _, path in controller.server.requests))
+        time.sleep(0.1)
+        client.set_rapid_variable("mm_settle", "0.75")
+        client.start()
+        until(lambda: abb.RAPIDExecutionState("running", "") in received)
+        controller.machine.turn_key("MANR")
+        until(lambda: len(received) >= 6)
+    finally:
+        while subscription.thread.is_alive():  # this client opens its websocket again when it is closed while an event arrives
+            subscription.close()
+            subscription.thread.join(0.3)
+    assert abb.OperationalMode("MANR") in received
+    assert abb.ControllerState("motoroff") in received
+    assert abb.RAPIDExecutionState("stopped", "") in received
+    assert abb.EventLogEntryEvent("1") in received
+    assert abb.VariableValue("T_ROB1", "0.75", "mm_settle") in received
+    assert len(controller.sessions.active) == 1
 
 
 @pytest.fixture

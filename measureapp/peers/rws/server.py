@@ -13,10 +13,11 @@ from typing import Any
 from urllib.parse import parse_qsl, urlsplit
 
 from measureapp.peers.rws.link_faults import LinkFaults, Request
-from measureapp.peers.rws.replies import NOT_FOUND, Answer, json_body, refusal, xhtml_body
+from measureapp.peers.rws.replies import BAD_FORM, NOT_FOUND, Answer, json_body, refusal, xhtml_body
 from measureapp.peers.rws.resources import Call, Cell, answer
 from measureapp.peers.rws.second_version import ACCEPTED, FORM_TYPE, translate
 from measureapp.peers.rws.sessions import Session
+from measureapp.peers.rws.subscriptions import PROTOCOL, Subscriptions, accept_key, page, send_events
 
 LOGGED_OUT = b'<?xml version="1.0" encoding="UTF-8"?><html xmlns="http://www.w3.org/1999/xhtml"><body>Logged out</body></html>'
 LONGEST_FORM = 1 << 20
@@ -34,6 +35,7 @@ class RwsServer(ThreadingHTTPServer):
         self.cell, self.faults, self.second_version = cell, faults, second_version
         self.closing = threading.Event()
         self.requests: list[Request] = []
+        self.subscriptions = Subscriptions()
         self._connections: set[socket.socket] = set()
         self._lock = threading.Lock()
         self._tls = tls
@@ -107,6 +109,9 @@ class _Handler(BaseHTTPRequestHandler):
             self.close_connection = True
             return
         self.server.requests.append(request)
+        if self.command == "GET" and self.headers.get("Upgrade", "").lower() == "websocket":
+            self._send_events()
+            return
         raw = self._answer(form)
         self.server.closing.wait(faults.delay_after_s(request))
         self._calls += 1
@@ -133,6 +138,8 @@ class _Handler(BaseHTTPRequestHandler):
             with cell.machine.lock:
                 cell.sessions.end(session.key)
             return self._raw(200, {"Content-Type": "application/xhtml+xml"}, LOGGED_OUT)
+        if url.path.startswith("/subscription"):
+            return self._subscription(url.path, form, cookies)
         return self._wrapped(self._resource(url.path, dict(parse_qsl(url.query)), form, session), cookies)
 
     def _resource(self, path: str, query: dict[str, str], form: dict[str, str], session: Session) -> Answer:
@@ -145,10 +152,37 @@ class _Handler(BaseHTTPRequestHandler):
             path, action = translate(self.command, path)
         return answer(self.server.cell, Call(self.command, path.strip("/").removeprefix("rw/"), action, query, form, session))
 
+    def _subscription(self, path: str, form: dict[str, str], cookies: dict[str, str]) -> bytes:
+        subscriptions = self.server.subscriptions
+        if self.command == "DELETE":
+            number = path.rpartition("/")[2]
+            known = number.isdecimal() and subscriptions.watched.pop(int(number), None)
+            return self._wrapped(Answer() if known else refusal(404, NOT_FOUND, "There is no such subscription."))
+        made = subscriptions.add(form)
+        if made is None:
+            return self._wrapped(refusal(400, BAD_FORM, "A resource cannot be subscribed."))
+        url = f"ws://{self.headers.get('Host', '')}/poll/{made}"
+        return self._raw(201, {"Location": url, "Content-Type": "application/xhtml+xml"}, page(url), cookies)
+
+    def _send_events(self) -> None:
+        """Turn the connection into a websocket and send events on it."""
+        self.close_connection = True
+        number = self.path.rpartition("/")[2]
+        resources = self.server.subscriptions.watched.get(int(number)) if number.isdecimal() else None
+        refused = self._session()[2]
+        if resources is None or refused is not None:
+            self._send(self._wrapped(refused or refusal(404, NOT_FOUND, "There is no such subscription.")), None)
+            return
+        accepted = accept_key(self.headers.get("Sec-WebSocket-Key", ""))
+        lines = ("HTTP/1.1 101 Switching Protocols", "Upgrade: websocket", "Connection: Upgrade", f"Sec-WebSocket-Accept: {accepted}")
+        self._send("\r\n".join([*lines, f"Sec-WebSocket-Protocol: {PROTOCOL}", "", ""]).encode(), None)
+        send_events(self.connection, self.server.cell.machine, resources, self.server.closing)
+
     def _session(self) -> tuple[Session | None, dict[str, str], Answer | None]:
         """Return the session of the request, cookies to set, and a refusal instead of these."""
         sessions = self.server.cell.sessions
         session = sessions.find(self._cookie("-http-session-").partition("::")[0])
+        session = session or sessions.numbered(self._cookie("ABBCX"))
         if session is not None:
             return session, {}, None
         if not sessions.allows(self.headers.get("Authorization") or "", self.command, self.server.second_version):

@@ -64,6 +64,10 @@ class Sessions:
             session.used_at = now
         return session
 
+    def numbered(self, number: str) -> Session | None:
+        """Return the live session of a number: websockets bring the second cookie alone."""
+        return next((session for session in self.active.values() if str(session.number) == number), None)
+
     def open(self) -> Session | None:
         """Return a new session, None beyond the limit."""
         self.find("")
