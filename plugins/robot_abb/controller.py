@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from measureapp.arrays import FloatArray
-from measureapp.errors import DeviceError, MotionError
+from measureapp.errors import DeviceError, DeviceLost, MotionError
 from measureapp.geometry.transform import RigidTransform
 
 from . import rapid
@@ -162,12 +162,13 @@ class Controller:
             raise self.explained(error, f"Mastership of RAPID is held by {self._master() or 'nobody'}.") from error
         try:
             yield
-        finally:
-            try:
-                self.session.post("release mastership")
-            except (Unanswered, Refused) as error:
-                _log.warning("mastership was not released: %s", error)
-                self._release_again()
+        except DeviceLost:
+            _log.warning("mastership ends with the session: the controller does not answer")
+            raise
+        except BaseException:
+            self._release()
+            raise
+        self._release()
 
     def messages(self, after: int = 0) -> list[Message]:
         """Read the event log, newest first: messages with a number greater than ``after``."""
@@ -192,7 +193,12 @@ class Controller:
         nobody = row.get("mastership", "nomaster") == "nomaster"
         return "" if nobody else f"{row.get('application') or 'another client'} ({row.get('mastership')}, user {row.get('uid')})"
 
-    def _release_again(self) -> None:
+    def _release(self) -> None:
+        try:
+            self.session.post("release mastership")
+            return
+        except (Unanswered, Refused) as error:
+            _log.warning("mastership was not released: %s", error)
         try:
             if self._is_master():
                 self.session.post("release mastership")

@@ -185,7 +185,9 @@ class AbbRobot:
             if answer.beat != beat:
                 beat, beat_at = answer.beat, now
             if now - beat_at > BEAT_S:
-                raise MotionError(f"{self.name}: the program in the controller hangs.", "Read the event log on the FlexPendant, then connect again.")
+                raise MotionError(
+                    f"{self.name}: the program in the controller hangs.", "Read the event log on the FlexPendant, then connect again."
+                )
             if now > end:
                 raise DeviceTimeout(
                     f"{self.name} has not reached its goal in time; it was stopped.",
@@ -237,7 +239,9 @@ class AbbRobot:
         except BaseException as error:
             self._started_for = None
             if self._flag.count == stops:
-                self._quietly(self._ladder.stop)
+                self._quietly(self._ladder.stop_unheard if isinstance(error, DeviceLost) else self._ladder.stop)
+            elif not isinstance(error, DeviceLost):
+                self._quietly(self._ladder.forget_move)  # again: while mastership was held for an order, the stop could not do it
             if self._flag.count != stops and not isinstance(error, Cancelled | DeviceLost):
                 raise Cancelled from error  # what a stop causes is no fault
             raise

@@ -140,6 +140,11 @@ class Mailbox:
             raise DeviceError(f"mm_answer of the controller has {numbers.size} numbers instead of 5: {text[:60]!r}.", LOAD_IT)
         return Answer(*(int(number) for number in numbers))
 
+    def has_finished(self) -> bool:
+        """Whether no order is under way, interrupted or waiting."""
+        answer = self.answer()
+        return answer.state not in (MOVING, SETTLING) and answer.done == self._command()
+
     def was_restarted(self, answer: Answer) -> bool:
         """Whether the program was started again since `start`."""
         return answer.run != self._run
@@ -172,7 +177,7 @@ class Mailbox:
 
     def order(self, goal_deg: FloatArray, speed_mm_per_s: float, speed_deg_per_s: float, pause: Callable[[float], None]) -> int:
         """Order a move and return its number: the order first, read back, then its number, which starts it."""
-        number = int(rapid.read_numbers(self._controller.read("mm_cmd"))[0]) + 1
+        number = self._command() + 1
         if number >= rapid.LARGEST_COUNT:
             raise MotionError("The counter of orders is used up.", "Set mm_cmd to 0 on the FlexPendant while the program is stopped.")
         try:
@@ -188,6 +193,13 @@ class Mailbox:
         """Make the program drop its move."""
         with self._controller.mastership():
             self._controller.session.post("set symbol", {"value": "TRUE"}, name="mm_abort", **self._controller.symbols)
+
+    def _command(self) -> int:
+        text = self._controller.read("mm_cmd")
+        try:
+            return int(rapid.read_numbers(text)[0])
+        except ValueError as error:
+            raise DeviceError(f"mm_cmd of the controller is invalid: {error}.", LOAD_IT) from error
 
     def _switch_motors_on(self, allowed: bool, pause: Callable[[float], None]) -> None:
         situation = self._controller.situation()

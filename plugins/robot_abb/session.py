@@ -72,6 +72,7 @@ class RwsSession:
         self._authentication: AuthBase = (HTTPDigestAuth if dialect.digest else HTTPBasicAuth)(access.user, access.password)
         self._asks_always = False  # a controller that wants authentication in spite of the cookie
         self._checking = False
+        self._silent_since: float | None = None  # when the controller did not answer for the first time since its last answer
 
     @property
     def cookies(self) -> dict[str, str]:
@@ -174,20 +175,20 @@ class RwsSession:
     def _call(
         self, method: str, what: str, form: Mapping[str, str], names: Mapping[str, str], authentication: AuthBase | None
     ) -> list[Row]:
-        """Send a call; a read as often as time allows."""
-        end = time.monotonic() + self._access.loss_s
+        """Send a call; a read as often as time allows, counted from the first call that was not answered."""
         while True:
-            left = end - time.monotonic()
+            began = time.monotonic()
             try:
-                return self._send(method, what, form, names, authentication, min(self._access.reply_timeout_s, max(left, 0.05)))
+                return self._send(method, what, form, names, authentication, self._access.reply_timeout_s)
             except TRANSPORT as error:
                 self._http.close()  # the next call opens a fresh connection
+                self._silent_since = self._silent_since or began
                 _refuse_garbage(error, what)
                 _log.warning("%s: no answer to %s %s: %s", self._access.address, method, what, type(error).__name__)
                 if method != "GET":
                     raise Unanswered(f"The controller at {self._access.address} did not answer to {what!r}.") from error
                 time.sleep(0.05)
-                if time.monotonic() >= end - 0.05:
+                if time.monotonic() >= self._silent_since + self._access.loss_s:
                     raise DeviceLost(
                         f"The controller at {self._access.address} does not answer any more ({what}).",
                         "Check that it is on and its network cable is plugged in, then connect again. The robot's state is unknown.",
@@ -204,6 +205,7 @@ class RwsSession:
     ) -> list[Row]:
         data = dict(form) if method == "POST" else None
         status, body = self._exchange(method, what, names, data, authentication, timeout_s)
+        self._silent_since = None
         if status == 401:
             raise _NoSession
         return _states(status, body, what)

@@ -31,7 +31,11 @@ class AbbSettings(Model):
     task: str = Field(default="T_ROB1", pattern=NAME, description="RAPID task that runs MeasureApp.mod")
     module: str = Field(default="MeasureApp", pattern=NAME, description="name of this module")
     mechanical_unit: str = Field(default="ROB_1", pattern=NAME, description="mechanical unit of the arm")
-    arm: str = Field(default="irb1200_7_07", min_length=1, description="kinematic model: a name in resources/robots, or the path of a file")
+    arm: str = Field(
+        default="irb1200_7_07",
+        min_length=1,
+        description="kinematic model: a name in the folder `arms` of this driver, or the path of a file",
+    )
     speed_mm_per_s: float = Field(default=150.0, gt=0, le=250, description="speed of the flange")
     speed_deg_per_s: float = Field(default=30.0, gt=0, le=90, description="reorientation of the flange")
     joint_margin_deg: float = Field(default=2.0, ge=0, le=30, description="distance that every joint keeps from its limits")
@@ -47,7 +51,7 @@ class AbbSettings(Model):
     poll_s: float = Field(default=0.1, gt=0, le=1, description="interval of polls while the robot moves")
     reads_apart_s: float = Field(default=0.1, gt=0, le=1, description="time between two read-backs that must agree")
     reply_timeout_s: float = Field(default=0.6, gt=0, le=2, description="longest wait for one answer")
-    loss_s: float = Field(default=1.6, gt=0, le=2, description="a controller that does not answer for so long is lost")
+    loss_s: float = Field(default=1.2, gt=0, le=2, description="a controller that does not answer for so long is lost")
     login_patience_s: float = Field(default=10.0, ge=0, le=120, description="wait for a free session of the controller")
 
     @model_validator(mode="after")

@@ -11,10 +11,11 @@ from measureapp.errors import DeviceError, DeviceLost
 from measureapp.progress import Cancelled
 
 from .controller import Controller
-from .mailbox import MOVING, SETTLING, Mailbox
+from .mailbox import Mailbox
 from .session import Unanswered
 
 STOP_FORM = {"stopmode": "stop", "usetsp": "normal"}
+MOTORS_OFF = {"ctrl-state": "motoroff"}
 _log = logging.getLogger(__name__)
 
 
@@ -93,6 +94,20 @@ class StopLadder:
                     _log.warning("%s is not confirmed: %s", name, error)
         raise DeviceLost("The robot's controller confirms no stop.", "Press the emergency stop.")
 
+    def forget_move(self) -> None:
+        """Make sure that whatever starts the program later does not go on with an order that was interrupted, or not begun yet."""
+        with self._lock:
+            self._forget_move()
+
+    def stop_unheard(self) -> None:
+        """Request a stop from a controller that does not answer any more: it may still hear. Takes two time limits at most."""
+        for what, form in (("stop", STOP_FORM), ("set ctrlstate", MOTORS_OFF)):
+            try:
+                self._controller.session.post(what, form)
+                return
+            except DeviceError as error:
+                _log.warning("%s is not confirmed: %s", what, error)
+
     def _stop_program(self) -> bool:
         try:
             self._controller.session.post("stop", STOP_FORM)
@@ -110,15 +125,15 @@ class StopLadder:
 
     def _switch_off(self) -> bool:
         try:
-            self._controller.session.post("set ctrlstate", {"ctrl-state": "motoroff"})
+            self._controller.session.post("set ctrlstate", MOTORS_OFF)
         except Unanswered as error:
             _log.warning("motors off was not answered: %s", error)
         return self._controller.situation().ctrlstate != "motoron"
 
     def _forget_move(self) -> None:
-        """Set the pointer to main: whatever starts the program later, it does not go on with an interrupted move."""
+        """Set the pointer to main, unless the last order was carried out to its end."""
         try:
-            if self._mailbox.answer().state not in (MOVING, SETTLING):
+            if self._mailbox.has_finished():
                 return
             with self._controller.mastership():
                 self._controller.reset_pointer()

@@ -21,4 +21,4 @@ class LineRobotSettings(Model):
     poll_s: float = Field(default=0.1, gt=0, le=1, description="interval of polls while the robot moves")
     reads_apart_s: float = Field(default=0.1, gt=0, le=1, description="time between two read-backs that must agree")
     reply_timeout_s: float = Field(default=0.6, gt=0, le=2, description="longest wait for one reply")
-    loss_s: float = Field(default=1.6, gt=0, le=2, description="a robot that does not answer for so long is lost")
+    loss_s: float = Field(default=1.2, gt=0, le=2, description="a robot that does not answer for so long is lost")

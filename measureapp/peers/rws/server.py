@@ -156,7 +156,9 @@ class _Handler(BaseHTTPRequestHandler):
         subscriptions = self.server.subscriptions
         if self.command == "DELETE":
             number = path.rpartition("/")[2]
-            known = number.isdecimal() and subscriptions.watched.pop(int(number), None)
+            known = number.isdecimal() and int(number) in subscriptions.watched
+            if known:
+                del subscriptions.watched[int(number)]
             return self._wrapped(Answer() if known else refusal(404, NOT_FOUND, "There is no such subscription."))
         made = subscriptions.add(form)
         if made is None:

@@ -277,6 +277,19 @@ def test_a_half_open_connection_is_lost_within_two_seconds() -> None:
         assert not robot.status().ready
 
 
+def test_a_link_that_breaks_during_a_move_is_lost_within_two_seconds_and_latched() -> None:
+    with running(time_scale=1.0) as (peer, robot):
+        moving = Background(lambda: robot.move_to(goal(200.0), timeout_s=30.0))
+        until(lambda: bool(peer.moves))
+        broke_at = time.monotonic()
+        peer.faults.half_open = True
+        assert isinstance(moving.wait(), DeviceLost)
+        assert moving.ended_at - broke_at < 2.0
+        peer.faults.half_open = False
+        with pytest.raises(DeviceLost):
+            robot.move_to(goal(0.0), timeout_s=5.0)
+
+
 def test_replies_in_single_bytes_are_understood() -> None:
     with running() as (peer, robot):
         peer.faults.slice_s = 0.0005
