@@ -1,0 +1,84 @@
+"""Kinematics of the arm: joint angles and poses belong to each other, the nearest configuration is taken, and refusals say why."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import assume, given
+from hypothesis import strategies as st
+from robot_requests import plugin_module
+
+from measureapp.errors import InputError, LimitError
+from measureapp.geometry.transform import RigidTransform
+from measureapp.peers.rws.arm import LIMITS_DEG, flange_pose
+
+arms = plugin_module("robot_abb", "arm")
+ARM = arms.Arm.read("irb1200_7_07", 2.0)
+INSIDE = st.tuples(*(st.floats(low + 2.5, high - 2.5) for low, high in LIMITS_DEG)).map(np.array)
+START = np.array([0.0, 0.0, 0.0, 0.0, 30.0, 0.0])
+
+
+@given(INSIDE)
+def test_the_pose_is_that_of_the_virtual_controller_which_states_the_arm_itself(joints: np.ndarray) -> None:
+    np.testing.assert_allclose(ARM.pose(joints).matrix, flange_pose(joints).matrix, atol=1e-9)
+
+
+@given(INSIDE)
+def test_a_pose_seen_from_its_own_joints_has_these_joints(joints: np.ndarray) -> None:
+    assume(abs(joints[4]) > 1.0)
+    bend = abs(joints[2] + 90.0 - np.degrees(np.arctan2(42.0, 351.0)))
+    assume(1.0 < bend < 179.0)
+    wrist = ARM.pose(joints).translation_mm - ARM.pose(joints).rotation[:, 2] * 82.0
+    assume(np.hypot(wrist[0], wrist[1]) > 10.0)
+    np.testing.assert_allclose(ARM.joints_for(ARM.pose(joints), joints), joints, atol=1e-6)
+
+
+@given(INSIDE, INSIDE)
+def test_whatever_is_returned_is_inside_the_limits_and_has_the_pose(joints: np.ndarray, present: np.ndarray) -> None:
+    try:
+        found = ARM.joints_for(ARM.pose(joints), present)
+    except LimitError:
+        return
+    np.testing.assert_allclose(ARM.pose(found).matrix, ARM.pose(joints).matrix, atol=1e-6)
+    assert (found >= LIMITS_DEG[:, 0] + 2.0).all()
+    assert (found <= LIMITS_DEG[:, 1] - 2.0).all()
+
+
+def test_the_configuration_nearest_to_the_present_joints_is_taken() -> None:
+    flipped = np.array([10.0, 20.0, -10.0, 160.0, -40.0, 200.0])
+    near = flipped + 3.0
+    np.testing.assert_allclose(ARM.joints_for(ARM.pose(flipped), near), flipped, atol=1e-6)
+    from_start = ARM.joints_for(ARM.pose(flipped), START)
+    np.testing.assert_allclose(from_start, [10.0, 20.0, -10.0, -20.0, 40.0, 20.0], atol=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("pose", "words"),
+    [
+        (RigidTransform.from_parts(np.eye(3), [5000.0, 0.0, 0.0], "base", "flange"), r"from the shoulder; the arm reaches 4…704 mm"),
+        (RigidTransform.from_parts(np.eye(3), [0.0, 2.0, 900.0], "base", "flange"), "from axis 1"),
+        (ARM.pose(np.zeros(6)), "joint 5 at 0.00°, a singularity"),
+    ],
+    ids=["reach", "shoulder", "wrist"],
+)
+def test_a_pose_that_cannot_be_taken_is_refused_with_its_reason(pose: RigidTransform, words: str) -> None:
+    with pytest.raises(LimitError, match=words) as caught:
+        ARM.joints_for(pose, START)
+    assert "nothing was moved" in caught.value.hint
+
+
+def test_a_pose_beyond_a_joints_limit_is_refused_with_joint_angle_and_limit() -> None:
+    narrow = ARM.description.model_copy(update={"limits_deg": ((-10.0, 10.0), *ARM.description.limits_deg[1:])})
+    arm = arms.Arm(narrow, 2.0)
+    with pytest.raises(LimitError, match=r"needs joint 1 at 50\.0°, outside -8…8°"):
+        arm.joints_for(arm.pose(np.array([50.0, 0.0, 0.0, 0.0, 30.0, 0.0])), START)
+
+
+def test_a_model_that_does_not_exist_or_is_incomplete_is_named(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="irb9"):
+        arms.Arm.read("irb9", 0.0)
+    (tmp_path / "mine.toml").write_text("name = 'x'\n", encoding="utf-8")
+    with pytest.raises(InputError, match="shoulder_height_mm"):
+        arms.Arm.read(str(tmp_path / "mine.toml"), 0.0)
