@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -17,13 +18,16 @@ from measureapp.data.measurement import Measurement
 from measureapp.data.mesh import Mesh
 from measureapp.data.pattern_sets import DEFAULT_NAME
 from measureapp.data.rig import Resolution
+from measureapp.devices.connect import connect_rig
 from measureapp.devices.plugin_loader import load_driver
+from measureapp.devices.rig import Rig
 from measureapp.geometry.transform import RigidTransform, orthonormalise
 from measureapp.inspection.alignment.point_to_plane import register
 from measureapp.inspection.measured_points import MeasuredPoints
 from measureapp.inspection.settings import AlignmentSettings
 from measureapp.inspection.surface.deviation import signed_distances
 from measureapp.inspection.surface.nominal import NominalSurface
+from measureapp.peers.cell import rig_at, virtual_cell
 from measureapp.pipeline.assemble import assemble
 from measureapp.pipeline.events import Event
 from measureapp.pipeline.measure import check_space, scan
@@ -62,6 +66,7 @@ class DemoRequest:
     patterns: str = DEFAULT_NAME
     unit: LengthUnit = LengthUnit.MM  # of a mesh file
     bracket_s: float | None = None  # time budget per viewpoint for exposures chosen by a probe; None: default exposures
+    through_drivers: bool = False  # robot, guide and table through their drivers and virtual peers
 
 
 def run_demo(request: DemoRequest, on_event: OnEvent, progress: Progress) -> Outcome:
@@ -95,9 +100,8 @@ def run_demo(request: DemoRequest, on_event: OnEvent, progress: Progress) -> Out
     check_space(ProjectFolder(request.folder, settings), description, plan)
     project = ProjectFolder.create(request.folder, settings)
     world = World(description, part, request.seed, project.settings.board)
-    rig = load_driver(None, PLUGIN, "rig").module.rig_of(world)
     watch = Stopwatch()
-    with project.lock():
+    with project.lock(), _connected(world, request.through_drivers) as rig:
         project.save_plan(plan)
         _copy_nominal(project, request.part)
         with watch.stage("total"), RegistrationCache() as registration_cache:
@@ -105,6 +109,21 @@ def run_demo(request: DemoRequest, on_event: OnEvent, progress: Progress) -> Out
             views = scan(rig, project, calibration, on_event, PartOf(progress, 0.3, 0.8), watch, request.bracket_s, registration_cache)
             measurement = assemble(project, calibration, views, on_event, PartOf(progress, 0.8, 1.0), watch, registration_cache)
         return _add_truth(finish(project, measurement, watch), world, project)
+
+
+@contextmanager
+def _connected(world: World, through_drivers: bool) -> Iterator[Rig]:
+    """Connect the virtual rig: all of it in process, or its axes through their drivers and virtual peers."""
+    virtual: Rig = load_driver(None, PLUGIN, "rig").module.rig_of(world)
+    if not through_drivers:
+        yield virtual
+        return
+    with virtual_cell(world) as addresses:
+        rig = connect_rig(rig_at(addresses, world.description), given={"cell": virtual})
+        try:
+            yield replace(rig, place_on_table=virtual.place_on_table)
+        finally:
+            rig.close()
 
 
 def _copy_nominal(project: ProjectFolder, part: str) -> None:

@@ -29,6 +29,9 @@ def register(app: typer.Typer) -> None:
             float | None,
             typer.Option("--auto-bracket", min=0.1, help="Choose the exposures by a probe, for this many seconds per viewpoint."),
         ] = None,
+        through_drivers: Annotated[
+            bool, typer.Option("--through-drivers", help="Move robot, guide and table through their drivers and virtual peers on loopback.")
+        ] = False,
         unit: Annotated[LengthUnit | None, typer.Option(help=UNIT_HELP)] = None,
         as_json: JsonOption = False,
     ) -> None:
@@ -38,7 +41,7 @@ def register(app: typer.Typer) -> None:
         if unit is None:
             _ask_unit(Path(part))
         folder = out or Path(f"demo-{Path(part).stem}-{resolution}")
-        request = DemoRequest(folder, part, resolution, viewpoints, seed, patterns, unit or LengthUnit.MM, auto_bracket)
+        request = DemoRequest(folder, part, resolution, viewpoints, seed, patterns, unit or LengthUnit.MM, auto_bracket, through_drivers)
         outcome = run_demo(request, report_event, TerminalProgress())
         deviation = outcome.document["truth_deviation"]
         lines = [

@@ -19,12 +19,13 @@ from measureapp.errors import DeviceError, InputError, MeasureError
 KINDS: Mapping[str, PluginKind] = {"projector": "projector", "robot": "robot", "guide": "linear-guide", "table": "rotary-table"}
 
 
-def connect_rig(description: RigDescription, plugins: Path | None = None) -> Rig:
+def connect_rig(description: RigDescription, plugins: Path | None = None, given: Mapping[str, object] | None = None) -> Rig:
     """Connect all devices of a rig; the caller closes it.
 
     Parameters
     ----------
     plugins : folder of the plugins; None: those shipped with the program
+    given : links that exist already, by name
 
     Raises
     ------
@@ -35,7 +36,7 @@ def connect_rig(description: RigDescription, plugins: Path | None = None) -> Rig
     InputError
         A setting of a driver is invalid.
     """
-    links = Links(description.links)
+    links = Links(description.links, given)
     if description.driver:
         request = ("rig", description.driver, description.driver_settings)
         return _connect("rig", *request, description, links, plugins)

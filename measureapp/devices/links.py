@@ -17,11 +17,12 @@ class Links:
     Parameters
     ----------
     settings : by name, the tables ``[links.NAME]`` of the rig description; the driver that builds a link validates its table
+    given : links that exist already; they are not closed
     """
 
-    def __init__(self, settings: Mapping[str, Mapping[str, object]]) -> None:
+    def __init__(self, settings: Mapping[str, Mapping[str, object]], given: Mapping[str, object] | None = None) -> None:
         self._settings = settings
-        self._built: dict[str, Any] = {}
+        self._built: dict[str, Any] = dict(given or {})
         self._closing = ExitStack()
 
     def open(self, name: str, kind: type[T], build: Callable[[Mapping[str, object]], T], close: Callable[[T], None] | None = None) -> T:

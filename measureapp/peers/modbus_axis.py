@@ -34,13 +34,13 @@ class Drive:
         speed: float = 10_000.0,
         acceleration: float = 50_000.0,
         now: Now = time.monotonic,
-        on_rest: Callable[[float], None] = lambda _: None,
     ) -> None:
         self.faults = DriveFaults()
+        self.on_rest: Callable[[float], None] = lambda _: None  # called with the position in counts whenever it comes to rest
         self.moves: list[int] = []  # goals of all moves that were started
         self.stops = 0
         self._lock = threading.RLock()
-        self._axes = MovingAxes((counts,), (speed,), (acceleration,), now, lambda at: on_rest(float(at[0])))
+        self._axes = MovingAxes((counts,), (speed,), (acceleration,), now, lambda at: self.on_rest(float(at[0])))
         self._words: dict[int, int] = {}
         self._frozen_at = counts
 

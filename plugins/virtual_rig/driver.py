@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import cast
 
+from pydantic import ValidationError
+
+from measureapp.data.model import first_problem
+from measureapp.data.rig import RigDescription
 from measureapp.devices.request import DeviceRequest
 from measureapp.devices.rig import Rig
-from measureapp.errors import DeviceError
+from measureapp.errors import DeviceError, InputError
 from measureapp.simulate.parts import make_part
 from measureapp.simulate.world import TableContent, World
 
 from .axes import VirtualGuide, VirtualRobot, VirtualTable
 from .head import SharedLink, VirtualCamera, VirtualProjector
-from .settings import VirtualRigSettings
+from .settings import SharedRigSettings, VirtualRigSettings
 from .waiting import Clock, SteppingClock, clock_of
 
 THINGS = ("board", "part", "empty")
@@ -28,8 +33,38 @@ def connect(request: DeviceRequest) -> Rig:
     InputError
         The part cannot be read.
     """
-    description, chosen = request.rig, request.settings
-    assert isinstance(chosen, VirtualRigSettings)
+    assert isinstance(request.settings, VirtualRigSettings)
+    return _build(request.rig, request.settings)
+
+
+def connect_camera(request: DeviceRequest) -> VirtualCamera:
+    """Return one camera of the virtual rig that the devices of this rig share."""
+    camera = _shared(request).cameras[request.name]
+    assert isinstance(camera, VirtualCamera)
+    return camera
+
+
+def connect_projector(request: DeviceRequest) -> VirtualProjector:
+    """Return the projector of the virtual rig that the devices of this rig share."""
+    projector = _shared(request).projector
+    assert isinstance(projector, VirtualProjector)
+    return projector
+
+
+def _shared(request: DeviceRequest) -> Rig:
+    """Return the virtual rig behind a link, made from the link's settings by the first device. Raises InputError."""
+    assert isinstance(request.settings, SharedRigSettings)
+
+    def build(table: Mapping[str, object]) -> Rig:
+        try:
+            return _build(request.rig, VirtualRigSettings.model_validate(dict(table)))
+        except ValidationError as error:
+            raise InputError(f"[links]: {first_problem(error, 'the virtual rig')}.", "Correct it in the rig description.") from error
+
+    return request.links.open(request.settings.link, Rig, build)
+
+
+def _build(description: RigDescription, chosen: VirtualRigSettings) -> Rig:
     strangers = sorted(set(chosen.world.knocked_deg) - {camera.name for camera in description.cameras})
     if strangers:
         raise DeviceError(f"Virtual rig: setting world.knocked_deg names camera {strangers[0]!r}.", "Name cameras of this rig.")

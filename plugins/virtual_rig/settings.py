@@ -20,3 +20,9 @@ class VirtualRigSettings(Model):
     time_scale: float = Field(default=0.0, ge=0, description="1: moves and exposures take as long as on a real rig; 0: no waiting")
     board: AnyBoard = PAPER_BOARD
     world: WorldOptions = WorldOptions()
+
+
+class SharedRigSettings(Model):
+    """Settings of a camera or the projector of a virtual rig that several devices share."""
+
+    link: str = Field(default="cell", description="name of the shared rig; its table [links.NAME] has the settings of a virtual rig")
