@@ -11,7 +11,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 WINDOW = ("PySide6", "shiboken6", "qtpy", "qtawesome", "pyqtgraph", "vtk", "vtkmodules", "pyvista")
-VENDORS = ("pymodbus", "serial", "pypylon")
+VENDORS = ("pymodbus", "serial", "pypylon", "hid", "requests")
 WITHOUT_THEM = f"""
 import sys
 for name in {(*WINDOW, *VENDORS, "ui")!r}:
