@@ -10,6 +10,7 @@ from measureapp.data.calibration import RigCalibration
 from measureapp.data.plan import ScanPlan
 from measureapp.data.rig import RigDescription
 from measureapp.devices.head_timing import check_timing, period_us
+from measureapp.devices.link_budget import OnLink, check_link
 from measureapp.devices.projector import TriggeringProjector
 from measureapp.devices.rig import Rig
 from measureapp.errors import DeviceError, LimitError, MeasureError, PlanError
@@ -26,7 +27,7 @@ class Preflight:
     """What was found before a scan."""
 
     problems: tuple[MeasureError, ...]  # each would stop the scan
-    warnings: tuple[str, ...]  # of the calibration
+    warnings: tuple[str, ...]  # of the calibration, and of links that slow the cameras down
     bytes: int  # of all images of the plan
     images_s: float | None  # least time for all images of the plan, without moves; None without a connected rig
 
@@ -66,7 +67,16 @@ def check_connected(plan: ScanPlan, rig: Rig, project: ProjectFolder, calibratio
         if not state.status.ready
     ]
     exposures = [_exposure_check(rig, exposure_us) for exposure_us in plan.bracket.exposures_us]
-    problems = (*offline.problems, *unready, *_gather(validity, *exposures, lambda: _check_sequence(rig)))
+    linked = [camera.link for camera in rig.cameras.values() if isinstance(camera, OnLink) and camera.transfer_s]
+    overloads = check_link(linked)
+    problems = (
+        *offline.problems,
+        *unready,
+        *_gather(validity, *exposures, lambda: _check_sequence(rig)),
+        *(DeviceError(sentence) for sentence in overloads),
+    )
+    shortest_s = period_us(rig.cameras, min(plan.bracket.exposures_us)) * 1e-6
+    warnings += [sentence for sentence in check_link(linked, shortest_s) if sentence not in overloads]
     images_s = (
         sum(period_us(rig.cameras, exposure_us) for exposure_us in plan.bracket.exposures_us) * plan.patterns.count * len(plan) * 1e-6
     )

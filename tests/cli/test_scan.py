@@ -205,3 +205,23 @@ def test_a_folder_that_holds_something_else_is_left_as_it_was(rig: Path, plan: P
     (tmp_path / "full" / "letter.txt").write_text("dear reader")
     refused(capsys, "is not an empty folder", "empty folder", "scan", plan, "--rig", rig, "--project", tmp_path / "full")
     assert [path.name for path in (tmp_path / "full").iterdir()] == ["letter.txt"]
+
+
+def test_a_dry_run_tells_what_a_scan_needs_and_moves_and_writes_nothing(
+    rig: Path, plan: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], standing_still: None
+) -> None:
+    code, document = answer(capsys, "scan", plan, "--rig", rig, "--project", tmp_path / "new", "--dry-run")
+    assert (code, document["viewpoints"], document["problems"]) == (0, 2, [])
+    assert document["bytes"] > 0
+    assert not (tmp_path / "new").exists()
+
+
+def test_a_dry_run_lists_every_problem_and_is_refused(
+    rig: Path, demo_plan: ScanPlan, tmp_path: Path, capsys: pytest.CaptureFixture[str], standing_still: None
+) -> None:
+    far = demo_plan.viewpoints[0].model_copy(update={"guide_mm": 5000.0})
+    path = tmp_path / "plan.json"
+    path.write_text(demo_plan.model_copy(update={"viewpoints": (far,)}).model_dump_json(), encoding="utf-8")
+    code, document = answer(capsys, "scan", path, "--rig", rig, "--project", tmp_path / "new", "--dry-run")
+    assert code == 2
+    assert "5000" in document["problems"][0]["message"]
