@@ -36,11 +36,13 @@ def register(app: typer.Typer) -> None:
     ) -> None:
         """Move, project, capture and store every viewpoint of a plan, then process the images."""
         from measureapp.cli.scan_log import ScanLog
+        from measureapp.devices.recorded_rig import require_devices
         from measureapp.pipeline import ScanRequest, scan_into_project
         from measureapp.project.plan_file import read_plan
         from measureapp.project.rig_file import read_rig
 
         request = ScanRequest(read_plan(plan), read_rig(rig), project, resume, calibration, auto_bracket)
+        require_devices(request.rig)
         log = ScanLog(request.plan)
         outcome = scan_into_project(request, log.note, TerminalProgress())
         document = {} if outcome is None else outcome.document

@@ -12,6 +12,7 @@ from measureapp.geometry.transform import RigidTransform
 
 Vector = tuple[float, float, float]
 Resolution = Literal["full", "half", "quarter"]
+RECORDED = "recorded"  # driver of a rig that is a recording: there are no devices
 BINNING: dict[Resolution, int] = {"full": 1, "half": 2, "quarter": 4}
 
 

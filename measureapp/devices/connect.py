@@ -6,6 +6,7 @@ from pathlib import Path
 
 from measureapp.data.rig import RigDescription
 from measureapp.devices.plugin_loader import load_plugin
+from measureapp.devices.recorded_rig import require_devices
 from measureapp.devices.rig import Rig
 from measureapp.errors import DeviceError, MeasureError, PluginError
 
@@ -24,6 +25,7 @@ def connect_rig(description: RigDescription, plugins: Path | None = None) -> Rig
     DeviceError
         A device does not answer, or the driver raised an unexpected exception.
     """
+    require_devices(description)
     plugin = load_plugin(plugins, description.driver)
     if plugin.manifest.kind != "rig":
         raise PluginError(

@@ -24,6 +24,8 @@ from measureapp.pipeline.assemble import assemble
 from measureapp.pipeline.calibrate import calibrate_from_views
 from measureapp.pipeline.documents import outcome_document, write_reports
 from measureapp.pipeline.measure import check_space, compute_clouds, scan
+from measureapp.pipeline.recording.learn import calibrate_recording
+from measureapp.pipeline.recording.stages import is_recording
 from measureapp.pipeline.validity import check_before_scan, check_stored_images
 from measureapp.pipeline.watch import Stopwatch
 from measureapp.planning.calibration_views import calibration_viewpoints
@@ -158,6 +160,8 @@ def process(project: ProjectFolder, on_event: OnEvent, progress: Progress) -> Me
 
 
 def _calibration_of(project: ProjectFolder, on_event: OnEvent, progress: Progress, watch: Stopwatch) -> RigCalibration:
+    if is_recording(project):
+        return calibrate_recording(project, on_event, progress, watch)
     if project.board_views():
         return solve_calibration(project, on_event, progress, watch).calibration
     calibration = project.calibration()

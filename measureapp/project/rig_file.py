@@ -3,18 +3,45 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 from pydantic import ValidationError
 
 from measureapp.data.model import first_problem
-from measureapp.data.rig import RigDescription
+from measureapp.data.rig import RECORDED, RigDescription
 from measureapp.errors import InputError
 from measureapp.project.text_document import read_toml
 from measureapp.resources import resource
 
+ABSENT = "none"
+AT_ORIGIN = {"position_mm": (0.0, 0.0, 0.0), "rotation_deg": (0.0, 0.0, 0.0)}
+ABSENT_AXES: dict[str, Any] = {
+    "robot": {
+        "model": ABSENT,
+        "shoulder_mm": (0.0, 0.0, 0.0),
+        **dict.fromkeys(
+            ("min_reach_mm", "max_reach_mm", "repeatability_mm", "absolute_accuracy_mm", "absolute_accuracy_deg"),
+            0.0,
+        ),
+    },
+    "guide": {"model": ABSENT, "limits_mm": (0.0, 0.0), "repeatability_mm": 0.0},
+    "table": {
+        "model": ABSENT,
+        "diameter_mm": 0.0,
+        "limits_deg": (0.0, 0.0),
+        "accuracy_arcsec": 0.0,
+        "repeatability_arcsec": 0.0,
+        "centre_in_guide_mm": (0.0, 0.0, 0.0),
+    },
+    "flange_from_head": AT_ORIGIN,
+}
+"""Axes that a recorded rig may lack: at rest, and without any error of their own."""
+
 
 def read_rig(name_or_path: str | Path) -> RigDescription:
     """Read the rig description of this name in `resources/rigs`, or a TOML file.
+
+    A recorded rig (driver "recorded") may be described without the axes that it does not have.
 
     Raises
     ------
@@ -25,6 +52,8 @@ def read_rig(name_or_path: str | Path) -> RigDescription:
     if not path.suffix:
         path = _named(path.name)
     document = read_toml(path, "Name a rig description (TOML).")
+    if document.get("driver") == RECORDED:
+        document = {**ABSENT_AXES, **document}
     try:
         return RigDescription.model_validate(document)
     except ValidationError as error:
