@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
@@ -36,6 +37,13 @@ ABSENT_AXES: dict[str, Any] = {
     "flange_from_head": AT_ORIGIN,
 }
 """Axes that a recorded rig may lack: at rest, and without any error of their own."""
+UNKNOWN = "unknown"
+TYPICAL_AXES: dict[str, dict[str, Any]] = {
+    "robot": {"model": UNKNOWN, "repeatability_mm": 0.02, "absolute_accuracy_mm": 0.3, "absolute_accuracy_deg": 0.02},
+    "guide": {"model": UNKNOWN, "repeatability_mm": 0.002},
+    "table": {"model": UNKNOWN, "accuracy_arcsec": 20.0, "repeatability_arcsec": 6.0},
+}
+"""Typical errors of axes that have read-backs but no description."""
 
 
 def read_rig(name_or_path: str | Path) -> RigDescription:
@@ -58,6 +66,12 @@ def read_rig(name_or_path: str | Path) -> RigDescription:
         return RigDescription.model_validate(document)
     except ValidationError as error:
         raise InputError(f"{path}: {first_problem(error, 'the rig')}.", "Correct this field.") from error
+
+
+def assume_axes(rig: RigDescription, moving: Iterable[str]) -> RigDescription:
+    """Return a recorded rig with typical errors of the axes in ``moving`` ("robot", "guide", "table") that are not described."""
+    assumed = {name: getattr(rig, name).model_copy(update=TYPICAL_AXES[name]) for name in moving if getattr(rig, name).model == ABSENT}
+    return rig.model_copy(update=assumed)
 
 
 def _named(name: str) -> Path:

@@ -10,6 +10,7 @@ from measureapp.data.recording import AXES, AXIS_WORDS, RecordedAxes, RecordedBo
 from measureapp.geometry.transform import RigidTransform
 from measureapp.pipeline.recording.problems import Problems
 
+MOVED_BY = {"base_from_flange": "robot", "guide_mm": "guide", "table_deg": "table"}
 HEAD_AXES = frozenset({"base_from_flange", "guide_mm"})  # that move the cameras
 
 

@@ -11,7 +11,7 @@ from measureapp.data.board import AnyBoard
 from measureapp.data.calibration import CameraArrayCalibration
 from measureapp.data.recording import ID, Recording
 from measureapp.data.rig import RECORDED, RigDescription
-from measureapp.pipeline.recording.axes import RecordedViews, find_axes
+from measureapp.pipeline.recording.axes import MOVED_BY, RecordedViews, find_axes
 from measureapp.pipeline.recording.described_rig import rig_of_cameras
 from measureapp.pipeline.recording.images import is_deep
 from measureapp.pipeline.recording.problems import Problems
@@ -21,7 +21,7 @@ from measureapp.project.calibration.recording_file import certify, read_recordin
 from measureapp.project.geometry.files import read_mesh
 from measureapp.project.images import read_image
 from measureapp.project.program_file import read_program
-from measureapp.project.rig_file import read_rig
+from measureapp.project.rig_file import assume_axes, read_rig
 
 HOW_RELATIVE = "Correct the path, which is relative to the recording's folder, or copy the file there."
 
@@ -82,8 +82,9 @@ def check_recording(path: Path) -> CheckedRecording:
     views = find_axes(recording, problems)
     problems.raise_all()
     assert parts.rig is not None  # otherwise there were problems
+    rig = assume_axes(parts.rig, [MOVED_BY[axis] for axis in views.axes])
     digest = _digest(path, recording, parts.layouts)
-    return CheckedRecording(path, recording, parts.rig, views, parts.layouts, digest, parts.board, parts.cameras, parts.part)
+    return CheckedRecording(path, recording, rig, views, parts.layouts, digest, parts.board, parts.cameras, parts.part)
 
 
 def _read_parts(path: Path, recording: Recording, problems: Problems, missing: set[Path]) -> _Parts:

@@ -10,9 +10,8 @@ from typing import Any
 import numpy as np
 
 from measureapp.acquire.events import CalibrationReady, Event, ViewReady
-from measureapp.data.calibration import CameraArrayCalibration
 from measureapp.data.measurement import ViewResult
-from measureapp.errors import CalibrationError, ReconstructError
+from measureapp.errors import CalibrationError, ReconstructError, RegistrationError
 from measureapp.pipeline.assemble import assemble
 from measureapp.pipeline.documents import view_figures
 from measureapp.pipeline.measure import compute_clouds
@@ -53,8 +52,8 @@ def process_recording(project: ProjectFolder, on_event: OnEvent, progress: Progr
         The project was not imported from a recording.
     CalibrationError
         The cameras are neither known nor can they be calibrated.
-    ReconstructError, RegistrationError
-        No viewpoint gives a cloud, or no cloud can be used.
+    ReconstructError
+        No viewpoint gives a cloud.
     """
     watch = Stopwatch()
     with project.lock():
@@ -64,20 +63,23 @@ def process_recording(project: ProjectFolder, on_event: OnEvent, progress: Progr
         with watch.stage("calibration"):
             learnt = learn(project, PartOf(progress, 0.0, 0.2))
             files = _save_calibration(project, learnt)
-        if learnt.rig is None or "clouds" in missing:
-            views = () if "clouds" in missing else _clouds(project, learnt.cameras, on_event, PartOf(progress, 0.2, 1.0), watch)
-            failed = dict(learnt.failed)
-            if len(views) < len(found.viewpoints) and "clouds" not in missing:
+        failed = dict(learnt.failed)
+        views: tuple[ViewResult, ...] = ()
+        if "clouds" not in missing:
+            views = _clouds(project, learnt, on_event, PartOf(progress, 0.2, 0.7), watch)
+            if len(views) < len(found.viewpoints):
                 failed["clouds"] = f"{len(found.viewpoints) - len(views)} of {len(found.viewpoints)} viewpoints give no cloud."
-            if failed and "stitch" not in missing:
-                failed["stitch"] = why_not_placed(found, learnt.links)
-            document = _partial_document(project, learnt, views, watch, files)
-            return RecordingOutcome({**document, "missing": missing, "failed": failed}, None, missing, failed)
-        on_event(CalibrationReady(learnt.rig))
-        check_stored_images(project, learnt.rig)
-        clouds = compute_clouds(project, learnt.rig, on_event, PartOf(progress, 0.2, 0.7), watch)
-        whole = finish(project, assemble(project, learnt.rig, clouds, on_event, PartOf(progress, 0.7, 1.0), watch), watch)
-    return RecordingOutcome({**whole.document, "missing": missing, "failed": learnt.failed}, whole, missing, learnt.failed)
+        whole = None
+        if learnt.rig is not None and views:
+            try:
+                measurement = assemble(project, learnt.rig, views, on_event, PartOf(progress, 0.7, 1.0), watch)
+                whole = finish(project, measurement, watch)
+            except RegistrationError as error:
+                failed["stitch"] = str(error)
+        elif failed and "stitch" not in missing:
+            failed["stitch"] = why_not_placed(found, learnt.links)
+        document = whole.document if whole is not None else _partial_document(project, learnt, views, watch, files)
+    return RecordingOutcome({**document, "missing": missing, "failed": failed}, whole, missing, failed)
 
 
 def _save_calibration(project: ProjectFolder, learnt: Learnt) -> dict[str, Path]:
@@ -94,16 +96,19 @@ def _save_calibration(project: ProjectFolder, learnt: Learnt) -> dict[str, Path]
     return {"cameras": folder / CAMERAS, "links": folder / LINKS_FILE}
 
 
-def _clouds(
-    project: ProjectFolder, cameras: CameraArrayCalibration, on_event: OnEvent, progress: Progress, watch: Stopwatch
-) -> tuple[ViewResult, ...]:
-    """Compute and write the cloud of every viewpoint in the camera frame. Raises ReconstructError when there is none."""
+def _clouds(project: ProjectFolder, learnt: Learnt, on_event: OnEvent, progress: Progress, watch: Stopwatch) -> tuple[ViewResult, ...]:
+    """Compute and write the clouds of all viewpoints in their camera frames. Raises ReconstructError when there is none."""
 
     def without_places(event: Event) -> None:
         if not isinstance(event, ViewReady):  # its place on the part is not known
             on_event(event)
 
-    views = compute_clouds(project, stationary_rig(cameras), without_places, progress, watch)
+    if learnt.rig is not None:
+        on_event(CalibrationReady(learnt.rig))
+        check_stored_images(project, learnt.rig)
+    placed = learnt.rig is not None
+    rig = learnt.rig or stationary_rig(learnt.cameras)
+    views = compute_clouds(project, rig, on_event if placed else without_places, progress, watch)
     if not views:
         raise ReconstructError("No viewpoint gives a cloud; the reasons are stated above.", "Check the images and their manifests.")
     with watch.stage("saving"):
