@@ -32,7 +32,7 @@ class Chosen:
     part: bool = True
 
 
-def write_recording(project: ProjectFolder, folder: Path, chosen: Chosen = Chosen()) -> Path:  # noqa: B008 - immutable
+def write_recording(project: ProjectFolder, folder: Path, chosen: Chosen = Chosen()) -> Path:
     """Write images and read-backs of ``project`` into ``folder``; return the RECORDING.toml."""
     folder.mkdir(parents=True)
     lines = ["schema_version = 1"]

@@ -6,11 +6,15 @@ from dataclasses import dataclass
 from math import radians
 
 from measureapp.data.fringe import AxisReadback
-from measureapp.data.recording import AXES, AXIS_WORDS, RecordedAxes, RecordedBoardView, Recording
+from measureapp.data.recording import AXES, AXIS_WORDS, RecordedAxes, Recording
 from measureapp.geometry.transform import RigidTransform
-from measureapp.pipeline.recording.problems import Problems
+from measureapp.pipeline.recording.problems import Problems, list_places
 
 MOVED_BY = {"base_from_flange": "robot", "guide_mm": "guide", "table_deg": "table"}
+HINT = (
+    "Give it everywhere, or nowhere if the rig does not have that axis; "
+    "board views for the cameras alone need on_table = false and no read-backs."
+)
 HEAD_AXES = frozenset({"base_from_flange", "guide_mm"})  # that move the cameras
 
 
@@ -33,16 +37,21 @@ def find_axes(recording: Recording, problems: Problems) -> RecordedViews:
     views = {board_view_id(index, len(recording.board_view)): view for index, view in enumerate(recording.board_view)}
     axes = frozenset[str]().union(*(one.given for one in (*recording.viewpoint, *views.values())))
     in_cell, loose = [], []
+    lacking: dict[tuple[str, ...], list[str]] = {}
     for number, (name, view) in enumerate(views.items(), 1):
         needed = axes if view.on_table else axes & HEAD_AXES
         if not needed or (not view.on_table and not view.given & needed):
             loose.append(name)
-            continue
-        _require(f"[[board_view]] {number}", needed, view, problems)
-        if not view.on_table:
-            in_cell.append(name)
+        else:
+            lacking.setdefault(_lacking(needed, view), []).append(f"[[board_view]] {number}")
+            in_cell += [] if view.on_table else [name]
     for viewpoint in recording.viewpoint:
-        _require(f"viewpoint {viewpoint.id!r}", axes, viewpoint, problems)
+        lacking.setdefault(_lacking(axes, viewpoint), []).append(f"viewpoint {viewpoint.id!r}")
+    for missing, places in lacking.items():
+        if missing:
+            words = " and no ".join(f"{AXIS_WORDS[name]} ({name})" for name in missing)
+            verb = "has" if len(places) == 1 else "have"
+            problems.note(f"{list_places(places)} {verb} no {words}, but other entries have.", HINT)
     return RecordedViews(tuple(name for name in AXES if name in axes), tuple(in_cell), tuple(loose))
 
 
@@ -52,14 +61,5 @@ def readback_of(one: RecordedAxes) -> AxisReadback:
     return AxisReadback(pose, one.guide_mm or 0.0, radians(one.table_deg or 0.0))
 
 
-def _require(place: str, needed: frozenset[str], one: RecordedAxes, problems: Problems) -> None:
-    missing = [name for name in AXES if name in needed - one.given]
-    if not missing:
-        return
-    words = " and no ".join(f"{AXIS_WORDS[name]} ({name})" for name in missing)
-    held = isinstance(one, RecordedBoardView) and one.on_table and not one.given
-    hint = "Give it everywhere, or leave it out everywhere if the rig does not have that axis."
-    problems.note(
-        f"{place} has no {words}, but other entries have.",
-        f"{hint} A board that is not on the table needs on_table = false." if held else hint,
-    )
+def _lacking(needed: frozenset[str], one: RecordedAxes) -> tuple[str, ...]:
+    return tuple(name for name in AXES if name in needed - one.given)

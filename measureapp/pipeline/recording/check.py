@@ -14,7 +14,7 @@ from measureapp.data.rig import RECORDED, RigDescription
 from measureapp.pipeline.recording.axes import MOVED_BY, RecordedViews, find_axes
 from measureapp.pipeline.recording.described_rig import rig_of_cameras
 from measureapp.pipeline.recording.images import is_deep
-from measureapp.pipeline.recording.problems import Problems
+from measureapp.pipeline.recording.problems import Problems, list_places
 from measureapp.pipeline.recording.stack_layout import StackLayout, check_layout, read_stack_layout
 from measureapp.project.calibration.camera_file import read_cameras
 from measureapp.project.calibration.recording_file import certify, read_recording
@@ -170,10 +170,13 @@ def _check_known(rig: RigDescription, cameras: CameraArrayCalibration | None, pr
 
 def _check_board_views(recording: Recording, rig: RigDescription, problems: Problems) -> None:
     names = [camera.name for camera in rig.cameras]
+    unknown: dict[str, list[str]] = {}
     for number, view in enumerate(recording.board_view, 1):
-        unknown = [name for name in view.images if name not in names]
-        if unknown:
-            problems.note(f"[[board_view]] {number}: the rig has no camera {unknown[0]!r}.", f"Name its cameras: {', '.join(names)}.")
+        for name in view.images:
+            if name not in names:
+                unknown.setdefault(name, []).append(f"[[board_view]] {number}")
+    for name, places in unknown.items():
+        problems.note(f"{list_places(places)}: the rig has no camera {name!r}.", f"Name its cameras: {', '.join(names)}.")
 
 
 def _check_twice(folder: Path, recording: Recording, layouts: Mapping[str, StackLayout], problems: Problems) -> None:

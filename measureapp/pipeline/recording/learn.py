@@ -22,18 +22,19 @@ from measureapp.calibrate.rig.stages import PAPER_GUIDE, transform_axis
 from measureapp.calibrate.rig.stitch_uncertainty import RigUncertainty, uncertainty_of
 from measureapp.calibration_session.observing import Observed, Position, observe, solve_observed
 from measureapp.data.board import BoardDescription, BoardView
-from measureapp.data.calibration import CameraArrayCalibration, HandEye, RigCalibration, RobotStation, RotationAxis
-from measureapp.data.fringe import Readback
+from measureapp.data.calibration import CameraArrayCalibration, HandEye, LinearGuide, RigCalibration, RobotStation, RotationAxis
+from measureapp.data.fringe import AxisReadback, Readback
 from measureapp.data.rig import RigDescription
 from measureapp.errors import CalibrationError
 from measureapp.geometry.transform import RigidTransform
 from measureapp.pipeline.calibrate import calibrate_from_views, views_provenance
-from measureapp.pipeline.recording.motions import BoardReadback, determines_rig
+from measureapp.pipeline.recording.motions import BoardReadback, determines_rig, moved_axes
 from measureapp.pipeline.recording.stages import LINKS, Recorded, recorded, why_not_placed
 from measureapp.pipeline.watch import Stopwatch
 from measureapp.progress import PartOf, Progress
 from measureapp.project.folder import ProjectFolder
 
+ALTERNATIONS = 3  # of hand-eye and guide; the nominal direction is off by tenths of a degree, each turn leaves a small part of that
 METHOD = "link by link from a recording"
 STATIONARY = "none: the cameras stand still"
 
@@ -142,19 +143,22 @@ class _Calibrator:
     def solve_links(self, progress: Progress) -> Learnt:
         """Solve the links of the rig for which there are views; those that fail are told."""
         on_table = [view for view in self.found.board if view.on_table]
+        links: dict[str, Any] = {}
+        failed: dict[str, str] = {}
         if determines_rig(on_table):
             try:
                 return self._solve_jointly(on_table, progress)
             except CalibrationError as error:
-                return Learnt(self.cameras, failed={"rig": str(error)})
-        links: dict[str, Any] = {}
-        failed: dict[str, str] = {}
+                failed["rig"] = str(error)
         for index, link in enumerate(LINKS):
-            views = self.found.links[link]
+            views = self.found.groups[link]
             if not views or (link == "guide" and self.found.robot_moves and "hand_eye" not in links):
                 continue
             try:
-                links[link] = self._solve(link, views, links.get("hand_eye"), PartOf(progress, index / 3, (index + 1) / 3))
+                part = PartOf(progress, index / len(LINKS), (index + 1) / len(LINKS))
+                links[link] = self._solve(link, views, links.get("hand_eye"), part)
+                if link == "guide":
+                    links |= self._alternate(links, part)
             except CalibrationError as error:
                 failed[link] = str(error)
         is_rig = not why_not_placed(self.found, links) if self.found.viewpoints else {"hand_eye", "axis"} <= set(links)
@@ -171,11 +175,26 @@ class _Calibrator:
         calibration = replace(solution.calibration, cameras=self.cameras, provenance=provenance)
         return _of_joint(replace(solution, calibration=calibration), self.found)
 
-    def _solve(self, link: str, views: Sequence[BoardReadback], hand_eye: HandEye | None, progress: Progress) -> Any:
+    def _solve(
+        self, link: str, views: Sequence[BoardReadback], hand_eye: HandEye | None, progress: Progress, guide: LinearGuide = PAPER_GUIDE
+    ) -> Any:
+        """Solve one link; for hand-eye the guide, which may move, is taken as known."""
         kind = KINDS[link.replace("_", "-")]
-        hand_eye = hand_eye or stationary_rig(self.cameras).hand_eye
-        setup = self._setup(kind.name, hand_eye)
-        return kind.result(solve(Draft(setup, self._seen(views), _sizes_px(self.rig)), progress))
+        setup = self._setup(kind.name, hand_eye or stationary_rig(self.cameras).hand_eye)
+        seen = self._seen(views)
+        if kind.name == "hand-eye":
+            seen = tuple(replace(one, readback=_with_guide(one.axes, guide)) for one in seen)
+        return kind.result(solve(Draft(setup, seen, _sizes_px(self.rig)), progress))
+
+    def _alternate(self, links: Mapping[str, Any], progress: Progress) -> dict[str, Any]:
+        """Solve hand-eye and guide in turn where the guide moved between the views for hand-eye, which started from its nominal direction."""
+        views, guide, hand_eye = self.found.groups["hand_eye"], links["guide"], links.get("hand_eye")
+        if hand_eye is None or "guide" not in moved_axes([view.axes for view in views]):
+            return {}
+        for _ in range(ALTERNATIONS):
+            hand_eye = self._solve("hand_eye", views, None, progress, guide)
+            guide = self._solve("guide", self.found.groups["guide"], hand_eye, progress)
+        return {"hand_eye": hand_eye, "guide": guide}
 
     def _setup(self, kind: str, hand_eye: HandEye | None) -> Setup:
         return Setup(
@@ -196,7 +215,7 @@ class _Calibrator:
         found, rest = self.found, stationary_rig(self.cameras)
         rig = replace(rest, hand_eye=links.get("hand_eye", rest.hand_eye), guide=links.get("guide", rest.guide))
         if "axis" in links:
-            first = found.links["axis"][0].axes
+            first = found.groups["axis"][0].axes
             axis = transform_axis(links["axis"], rig.guide_from_camera(first))
             if "hand_eye" in links:
                 axis = propagate_robot_to_axis(axis, links["axis"], rig.hand_eye, expected_noise(self.rig))
@@ -206,6 +225,12 @@ class _Calibrator:
         poses = [readback.base_from_flange for readback in found.viewpoints]
         stations = () if "hand_eye" in found.needed or not poses else (RobotStation(poses[0], poses[0]),)
         return replace(rig, provenance=views_provenance(METHOD, self.rig, self.views), stations=stations)
+
+
+def _with_guide(readback: AxisReadback, guide: LinearGuide) -> AxisReadback:
+    """Return the read-back of a robot whose base, at position 0 of the guide, stands for the guide and the robot."""
+    carried = guide.guide_from_base(readback.guide_mm).matrix @ readback.base_from_flange.matrix
+    return AxisReadback(RigidTransform(carried, "base", "flange"), 0.0, readback.table_rad)
 
 
 def _sizes_px(rig: RigDescription) -> dict[str, tuple[int, int]]:

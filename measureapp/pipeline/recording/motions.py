@@ -51,31 +51,32 @@ def determines_rig(views: Sequence[BoardReadback]) -> bool:
     """Whether views on the table can be tried in one joint solution of hand-eye, guide and axis."""
     if any(not view.on_table for view in views) or len(views) < LEAST_OBSERVATIONS:
         return False
-    return float(np.ptp([view.axes.table_rad for view in views])) >= LEAST_SWEEP_RAD and _turns(views)
+    at_one_angle = _largest(views, lambda one, other: same_table(one.axes, other.axes), lambda _: True)
+    sweep = float(np.ptp([view.axes.table_rad for view in views]))
+    return sweep >= LEAST_SWEEP_RAD and _count(at_one_angle, same_robot) >= LEAST_POSES and _turns(at_one_angle)
 
 
 def hand_eye_views(views: Sequence[BoardReadback]) -> list[BoardReadback]:
-    """Return the largest group of views with a board at rest in the base frame and a turning robot; empty if there is none."""
+    """Return the largest group of views with a board at rest and a turning robot; empty if there is none.
 
-    def at_rest(one: BoardReadback, other: BoardReadback) -> bool:
-        return (
-            one.on_table == other.on_table and same_guide(one.axes, other.axes) and (not one.on_table or same_table(one.axes, other.axes))
-        )
+    The guide is at rest, too, in all of them if there is such a group.
+    """
 
-    return _largest(views, at_rest, lambda group: _count(group, same_robot) >= LEAST_POSES and _turns(group))
+    def useful(group: Sequence[BoardReadback]) -> bool:
+        return _count(group, same_robot) >= LEAST_POSES and _turns(group)
+
+    at_one_place = _largest(views, lambda one, other: _at_rest(one, other) and same_guide(one.axes, other.axes), useful)
+    return at_one_place or _largest(views, _at_rest, useful)
 
 
 def guide_views(views: Sequence[BoardReadback]) -> list[BoardReadback]:
     """Return the largest group of views with a board at rest in the cell and a moving guide; empty if there is none."""
 
-    def at_rest(one: BoardReadback, other: BoardReadback) -> bool:
-        return one.on_table == other.on_table and (not one.on_table or same_table(one.axes, other.axes))
-
     def moves(group: Sequence[BoardReadback]) -> bool:
         stroke = float(np.ptp([view.axes.guide_mm for view in group]))
         return _count(group, same_guide) >= LEAST_POSES and stroke >= LEAST_STROKE_MM
 
-    return _largest(views, at_rest, moves)
+    return _largest(views, _at_rest, moves)
 
 
 def axis_views(views: Sequence[BoardReadback]) -> list[BoardReadback]:
@@ -89,6 +90,11 @@ def axis_views(views: Sequence[BoardReadback]) -> list[BoardReadback]:
         return group[0].on_table and _count(group, same_table) >= LEAST_POSES and sweep >= LEAST_SWEEP_RAD
 
     return _largest(views, at_rest, turns)
+
+
+def _at_rest(one: BoardReadback, other: BoardReadback) -> bool:
+    """Whether the board is at one place in the cell."""
+    return one.on_table == other.on_table and (not one.on_table or same_table(one.axes, other.axes))
 
 
 def _largest(

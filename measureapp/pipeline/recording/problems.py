@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
 from measureapp.errors import InputError, MeasureError
 from measureapp.project.calibration.recording_file import MOST_NAMED
+
+
+def list_places(places: Sequence[str]) -> str:
+    """Return the first of places with the same problem, and the number of the others."""
+    return places[0] + (f" and {len(places) - 1} more" if len(places) > 1 else "")
 
 
 class Problems:

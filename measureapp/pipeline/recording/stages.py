@@ -26,7 +26,7 @@ LINKS = ("hand_eye", "guide", "axis")
 MOVED_BY = {"hand_eye": "robot", "guide": "guide", "axis": "table"}
 READ = {"hand_eye": ("base_from_flange", "robot poses"), "guide": ("guide_mm", "guide positions"), "axis": ("table_deg", "table angles")}
 NEEDED = {
-    "hand_eye": "three board views from robot poses that differ by rotations, with board, guide and table at rest",
+    "hand_eye": "three board views from robot poses that differ by rotations, with the board at rest",
     "guide": "three board views along the guide, with the board at rest",
     "axis": "three board views at different table angles, with robot and guide at rest",
 }
@@ -49,6 +49,11 @@ class Recorded:
         on_table = [view for view in self.board if view.on_table]
         if determines_rig(on_table):
             return {name: on_table if name != "guide" or self.guide_moves(on_table) else [] for name in LINKS}
+        return self.groups
+
+    @property
+    def groups(self) -> dict[str, list[BoardReadback]]:
+        """Views from which each link can be solved on its own."""
         return {"hand_eye": hand_eye_views(self.board), "guide": guide_views(self.board), "axis": axis_views(self.board)}
 
     @staticmethod
