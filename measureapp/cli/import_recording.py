@@ -45,8 +45,8 @@ def register(app: typer.Typer) -> None:
         = "file" }, on_table), one [[viewpoint]] per view of the part (id, manifest), each with base_from_flange = { position_mm,
         quaternion_wxyz }, guide_mm and table_deg as read back, and [part] with nominal and program. Paths are relative to the file.
 
-        An axis that the rig does not have is left out everywhere. With cameras = "cameras.json" the cameras are known, and board
-        views and rig may be left out. What is missing for which stage is stated; the other stages are processed all the same.
+        An axis that the rig does not have appears nowhere. With cameras = "cameras.json" the cameras are known, and neither board
+        views nor a rig description is needed. What is missing for which stage is stated; the other stages are processed.
         """
         from measureapp.pipeline.recording.store import import_recording
 

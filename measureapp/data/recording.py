@@ -19,7 +19,7 @@ ID = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_.-]{0,63}")
 
 
 class RecordedAxes(Model):
-    """Read-backs of the axes at the time of recording; an axis that the rig does not have is left out everywhere."""
+    """Read-backs of the axes at the time of recording; an axis that the rig does not have appears nowhere."""
 
     base_from_flange: FlangePose | None = None
     guide_mm: float | None = None
@@ -109,7 +109,7 @@ class Recording(Model):
     """Contents of the file; all paths are relative to it."""
 
     schema_version: Literal[1] = 1
-    rig: str | None = Field(default=None, description="nominal description of the rig; may be left out where the cameras are known")
+    rig: str | None = Field(default=None, description="nominal description of the rig; not needed where the cameras are known")
     cameras: str | None = Field(default=None, description="cameras.json of calibrated cameras")
     board: RecordedBoard | None = None
     board_view: tuple[RecordedBoardView, ...] = ()

@@ -113,6 +113,19 @@ def test_a_damaged_image_or_a_cancellation_leaves_nothing(recording: Path, tmp_p
     assert [path.name for path in tmp_path.iterdir()] == ["recording"]
 
 
+def test_ctrl_c_is_answered_in_words_and_leaves_nothing(recording: Path, tmp_path: Path, capsys, monkeypatch) -> None:
+    def interrupt(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("measureapp.pipeline.recording.store.read_manifest", interrupt)
+    command = ["import", str(recording), "--into", str(tmp_path / "project")]
+    assert main(command) == 130
+    assert capsys.readouterr().err == "measureapp: Cancelled. Nothing more was written.\n"
+    assert main([*command, "--json"]) == 130
+    assert json.loads(capsys.readouterr().out)["error"]["type"] == "Cancelled"
+    assert [path.name for path in tmp_path.iterdir()] == ["recording"]
+
+
 def test_what_a_killed_import_left_is_replaced(minimal: Path, tmp_path: Path, capsys) -> None:
     left = tmp_path / ".project.importing" / "project"
     left.mkdir(parents=True)

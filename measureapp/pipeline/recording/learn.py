@@ -36,7 +36,7 @@ from measureapp.project.folder import ProjectFolder
 
 ALTERNATIONS = 3  # of hand-eye and guide; the nominal direction is off by tenths of a degree, each turn leaves a small part of that
 METHOD = "link by link from a recording"
-STATIONARY = "none: the cameras stand still"
+STATIONARY = "none: the cameras are stationary"
 
 
 @dataclass(frozen=True, slots=True, eq=False)
