@@ -58,9 +58,9 @@ def register(app: typer.Typer) -> None:
             "missing": made.missing,
             "already_there": made.was_there,
         }
-        done = "was imported before and is unchanged" if made.was_there else "imported"
+        done = "were imported before; nothing was changed" if made.was_there else "imported"
         lines = [
-            f"{into}: {made.board_views} board views and {made.viewpoints} viewpoints {done}.",
+            f"{into}: {_count(made.board_views, 'board view')} and {_count(made.viewpoints, 'viewpoint')} {done}.",
             *stage_lines(made.missing, "not possible"),
         ]
         reply(document, "\n".join([*lines, f"Next: measureapp process {into}"]), as_json)
@@ -85,6 +85,10 @@ def stage_lines(reasons: Mapping[str, str], what: str) -> list[str]:
         if stage in reasons:
             stages.setdefault(reasons[stage], []).append(words)
     return [f"  {', '.join(names)} {what}: {reason}" for reason, names in stages.items()]
+
+
+def _count(number: int, what: str) -> str:
+    return f"{number} {what}" + ("" if number == 1 else "s")
 
 
 def _partial_lines(document: Mapping[str, Any]) -> list[str]:

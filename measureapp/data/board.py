@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Annotated, Any, Literal
 
 import numpy as np
-from pydantic import Discriminator, Field, Tag, model_validator
+from pydantic import Discriminator, Field, SerializerFunctionWrapHandler, Tag, model_serializer, model_validator
 
 from measureapp.arrays import FloatArray, ImageArray, IntArray
 from measureapp.data.conditions import Conditions
@@ -47,6 +47,12 @@ class BoardDescription(Model):
         if self.certified_mm is not None and len(self.certified_mm) != self.count:
             raise ValueError(f"certified_mm has {len(self.certified_mm)} marks, the {self.label} has {self.count}")
         return self
+
+    @model_serializer(mode="wrap")
+    def _without_empty_certificate(self, serialise: SerializerFunctionWrapHandler) -> dict[str, Any]:
+        """Write `certified_mm` only where there is a certificate: files without one keep the form they have always had."""
+        written: dict[str, Any] = serialise(self)
+        return {name: value for name, value in written.items() if name != "certified_mm" or value is not None}
 
     @property
     @abstractmethod

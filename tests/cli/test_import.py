@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import tomllib
 from collections.abc import Callable
 from pathlib import Path
 
@@ -11,6 +12,7 @@ import numpy as np
 import pytest
 
 from measureapp.cli import main
+from measureapp.data.recording import Recording
 from measureapp.errors import InputError
 from measureapp.pipeline.recording.store import import_recording
 from measureapp.progress import CallbackProgress, Cancelled
@@ -85,7 +87,7 @@ def test_it_answers_what_there_is_and_what_is_missing(recording: Path, minimal: 
     assert set(part["missing"]) == {*AXES, "dimensions"}
     assert main(["import", str(minimal), "--into", str(tmp_path / "again")]) == 0
     said = capsys.readouterr().out
-    assert "0 board views and 1 viewpoints imported" in said and "There are no robot poses" in said and "measureapp process" in said
+    assert "0 board views and 1 viewpoint imported" in said and "There are no robot poses" in said and "measureapp process" in said
 
 
 def test_the_same_recording_again_changes_nothing_and_another_one_is_refused(
@@ -216,6 +218,12 @@ def test_files_that_contradict_the_rig_are_refused(
     change(recording.parent)
     assert said in refused(capsys, ["import", str(recording), "--into", str(tmp_path / "project")])
     assert sorted(path.name for path in tmp_path.iterdir()) == ["recording"]
+
+
+def test_the_example_of_the_help_page_is_a_recording() -> None:
+    text = resource("help/scan.md").read_text(encoding="utf-8")
+    example = Recording.model_validate(tomllib.loads(text.partition("```toml\n")[2].partition("```")[0]))
+    assert len(example.board_view) == len(example.viewpoint) == 1 and example.board is not None
 
 
 def test_several_problems_are_told_at_once(recording: Path, tmp_path: Path, capsys) -> None:

@@ -22,6 +22,7 @@ from measureapp.project.calibration.camera_file import read_cameras
 from measureapp.project.calibration.recording_file import KNOWN_CAMERAS, RecordingNote, read_note
 from measureapp.project.folder import ProjectFolder
 
+NAMES = {"hand_eye": "hand-eye", "guide": "the guide", "axis": "the table's axis"}
 LINKS = ("hand_eye", "guide", "axis")
 MOVED_BY = {"hand_eye": "robot", "guide": "guide", "axis": "table"}
 READ = {"hand_eye": ("base_from_flange", "robot poses"), "guide": ("guide_mm", "guide positions"), "axis": ("table_deg", "table angles")}
@@ -148,7 +149,12 @@ def why_not_placed(found: Recorded, links: Mapping[str, object] | None = None) -
     lacking = [link for link in found.needed if not there.get(link)]
     if not lacking:
         return ""
-    moving = " and ".join(MOVED_BY[link] for link in lacking)
-    words = " and ".join({"hand_eye": "hand-eye", "guide": "the guide", "axis": "the table's axis"}[link] for link in lacking)
+    moving = _list([MOVED_BY[link] for link in lacking])
+    words = _list([NAMES[link] for link in lacking])
     verb = "is" if len(lacking) == 1 else "are"
     return f"The {moving} may move between the viewpoints, and {words} {verb} not calibrated, so each cloud stays in its camera frame."
+
+
+def _list(words: Sequence[str]) -> str:
+    """Return words as part of a sentence: a, b and c."""
+    return " and ".join(filter(None, (", ".join(words[:-1]), words[-1])))
