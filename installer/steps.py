@@ -61,6 +61,7 @@ def run(arguments: Sequence[str]) -> int:
 def test(arguments: Sequence[str]) -> int:
     """Run every check and return the worst exit code; pytest gets the arguments, and without any several processes."""
     system_libraries.ensure(screen=False)
+    system_libraries.ensure_for_tests()
     home = environment.ensure()
     checks = {
         "ruff check": [str(home.script("ruff")), "check", "."],

@@ -52,6 +52,11 @@ FOR_A_SCREEN = {
     "libwayland-client.so.0": "libwayland-client0",
     "libwayland-cursor.so.0": "libwayland-cursor0",
 }
+# library or program that single tests need, which are skipped without → package
+FOR_TESTS = {
+    "libaravis-0.8.so.0": "libaravis-0.8-0",
+    "arv-fake-gv-camera-0.8": "aravis-tools",
+}
 FONT_PACKAGE = "fonts-dejavu-core"
 FONT_FOLDERS = ("/usr/share/fonts", "/usr/local/share/fonts", "~/.fonts", "~/.local/share/fonts")
 
@@ -60,6 +65,16 @@ def ensure(screen: bool) -> None:
     """Install the missing libraries, or raise SetupTrouble with the line that does."""
     if sys.platform.startswith("linux"):
         install(missing_packages(screen))
+
+
+def ensure_for_tests() -> None:
+    """Install what single tests need where that takes no question: as root with apt. Elsewhere these tests are skipped and state why."""
+    if not sys.platform.startswith("linux") or shutil.which("apt-get") is None or os.geteuid() != 0:
+        return
+    try:
+        install(package for name, package in FOR_TESTS.items() if not (shutil.which(name) or _loads(name)))
+    except SetupTrouble as trouble:
+        print(f"{trouble.message} Tests that need them are skipped.", flush=True)
 
 
 def missing_packages(screen: bool, loads: Callable[[str], bool] | None = None, fonts: Callable[[], bool] | None = None) -> list[str]:

@@ -9,7 +9,6 @@ from typing import Any
 
 import numpy as np
 
-from measureapp.acquire.events import Event
 from measureapp.arrays import FloatArray
 from measureapp.data.calibration import RigCalibration
 from measureapp.data.cloud import StitchedCloud
@@ -18,7 +17,7 @@ from measureapp.data.measurement import Measurement
 from measureapp.data.mesh import Mesh
 from measureapp.data.pattern_sets import DEFAULT_NAME
 from measureapp.data.rig import Resolution
-from measureapp.devices.plugin_loader import load_plugin
+from measureapp.devices.plugin_loader import load_driver
 from measureapp.geometry.transform import RigidTransform, orthonormalise
 from measureapp.inspection.alignment.point_to_plane import register
 from measureapp.inspection.measured_points import MeasuredPoints
@@ -26,6 +25,7 @@ from measureapp.inspection.settings import AlignmentSettings
 from measureapp.inspection.surface.deviation import signed_distances
 from measureapp.inspection.surface.nominal import NominalSurface
 from measureapp.pipeline.assemble import assemble
+from measureapp.pipeline.events import Event
 from measureapp.pipeline.measure import check_space, scan
 from measureapp.pipeline.run import Outcome, calibrate_rig, finish
 from measureapp.pipeline.watch import Stopwatch
@@ -37,7 +37,7 @@ from measureapp.project.rig_file import read_rig
 from measureapp.register.joint.registration_cache import RegistrationCache
 from measureapp.register.settings import StitchSettings
 from measureapp.register.stitch import stitch
-from measureapp.resources import plugin_folder, resource
+from measureapp.resources import resource
 from measureapp.simulate.parts import SAMPLES, make_part
 from measureapp.simulate.truth import Truth
 from measureapp.simulate.world import World
@@ -95,7 +95,7 @@ def run_demo(request: DemoRequest, on_event: OnEvent, progress: Progress) -> Out
     check_space(ProjectFolder(request.folder, settings), description, plan)
     project = ProjectFolder.create(request.folder, settings)
     world = World(description, part, request.seed, project.settings.board)
-    rig = load_plugin(plugin_folder(), PLUGIN).module.rig_of(world)
+    rig = load_driver(None, PLUGIN, "rig").module.rig_of(world)
     watch = Stopwatch()
     with project.lock():
         project.save_plan(plan)

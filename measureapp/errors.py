@@ -88,5 +88,21 @@ class DeviceTimeout(DeviceError):
     """A device did not finish in time."""
 
 
+class MotionError(DeviceError):
+    """An axis did not reach its goal, or left it; nothing may move or be measured before the cause is found."""
+
+
+class FrameError(DeviceError):
+    """One image is damaged, incomplete or not the one requested; it can be taken again."""
+
+
+class SequenceError(FrameError):
+    """Images cannot be assigned to triggers and patterns any more; the whole sequence has to be taken again."""
+
+
+class DeviceLost(DeviceError):
+    """A device does not answer any more; it has to be connected again, and its state is unknown."""
+
+
 class PluginError(DeviceError):
     """A driver plugin cannot be loaded."""

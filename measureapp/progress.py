@@ -17,11 +17,17 @@ class Progress(Protocol):
     def report(self, done: float, total: float, note: str = "") -> None:
         """Report ``done`` of ``total``. Raises Cancelled when the user has cancelled."""
 
+    def check(self) -> None:
+        """Raise Cancelled when the user has cancelled; for loops that wait and have nothing to report."""
+
 
 class NoProgress:
     """Ignores reports and is never cancelled."""
 
     def report(self, done: float, total: float, note: str = "") -> None:
+        """Do nothing."""
+
+    def check(self) -> None:
         """Do nothing."""
 
 
@@ -39,6 +45,10 @@ class PartOf:
         share = min(1.0, max(0.0, done / total)) if total > 0 else 1.0
         self.whole.report(self.start + (self.end - self.start) * share, 1.0, self.prefix + note)
 
+    def check(self) -> None:
+        """Ask the larger task."""
+        self.whole.check()
+
 
 @dataclass(frozen=True)
 class CallbackProgress:
@@ -49,3 +59,6 @@ class CallbackProgress:
     def report(self, done: float, total: float, note: str = "") -> None:
         """Pass the report on."""
         self.listener(done, total, note)
+
+    def check(self) -> None:
+        """Do nothing: the listener is only asked at reports."""

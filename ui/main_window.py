@@ -22,7 +22,7 @@ from ui.pages.inspection.inspection import InspectionPage
 from ui.pages.page import Page
 from ui.pages.plan import PlanPage
 from ui.pages.report import ReportPage
-from ui.pages.rig import RigPage
+from ui.pages.rig.page import RigPage
 from ui.pages.scan import ScanPage
 from ui.session import Message, Session
 from ui.widgets.basic import column, row
@@ -142,6 +142,7 @@ class MainWindow(QMainWindow):
         controllers.files.unitAsked.connect(self._ask_unit)
         controllers.files.measured.connect(lambda: self.show_page("inspection"))
         self.header.helpClicked.connect(self._show_help)
+        self.header.stopClicked.connect(controllers.rig.stop)
         self.header.role.valueChanged.connect(self._change_role)
         self.strip.cancelClicked.connect(controllers.jobs.cancel)
         self.strip.messagesClicked.connect(self._show_messages)
@@ -151,6 +152,7 @@ class MainWindow(QMainWindow):
         session.projectChanged.connect(self._show_project)
         session.calibrationChanged.connect(self._show_calibration)
         session.rigChanged.connect(self._show_devices)
+        session.cellChanged.connect(self._show_devices)
         scan = self.pages["scan"]
         assert isinstance(scan, ScanPage)
         scan.next_step.clicked.connect(self._go_on)
@@ -161,6 +163,8 @@ class MainWindow(QMainWindow):
         inspection.measure_file.clicked.connect(self._choose_files)
         QShortcut(QKeySequence.StandardKey.HelpContents, self, self._show_help)
         QShortcut(QKeySequence.StandardKey.Open, self, self._choose_project)
+        self._escape = QShortcut(Qt.Key.Key_Escape, self, controllers.rig.stop)
+        self._escape.setEnabled(False)
 
     def _go_on(self) -> None:
         self.show_page("inspection" if self.session.role == "operator" else "clouds")
@@ -210,14 +214,24 @@ class MainWindow(QMainWindow):
         self._show_disk()
 
     def _show_devices(self) -> None:
-        rig = self.session.rig
+        rig, cell = self.session.rig, self.session.cell
+        can_move = cell.connected or self.session.moving
+        self.header.stop.setVisible(can_move)
+        self._escape.setEnabled(can_move)
+        unready = [device.name for device in cell.devices if not device.status.ready]
         problems = [driver for driver in self.session.drivers if driver.problem]
         if rig is None:
             self.header.devices.show_state("No rig", "verdict_not_proven")
+        elif cell.stopped:
+            self.header.devices.show_state("Stopped", "verdict_fail", cell.stopped)
+        elif unready:
+            self.header.devices.show_state(f"{several(len(unready), 'device')} not ready", "verdict_fail", ", ".join(unready))
         elif problems:
             self.header.devices.show_state(f"{several(len(problems), 'driver')} failed", "verdict_fail", problems[0].problem)
         else:
-            self.header.devices.show_state("Virtual rig" if rig.driver == "virtual_rig" else rig.name, "verdict_pass", rig.name)
+            words = "Virtual rig" if rig.driver == "virtual_rig" else rig.name
+            colour = "verdict_pass" if cell.connected or rig.driver == "virtual_rig" else "soft"
+            self.header.devices.show_state(words, colour, f"{rig.name}, {'connected' if cell.connected else 'not connected'}")
 
     def _show_calibration(self) -> None:
         state = calibration_state(self.session.calibration, self.session.rig, self.session.validity)

@@ -16,12 +16,15 @@ if TYPE_CHECKING:
     import numpy as np
 
     from measureapp.acquire.events import ImageTaken
+    from measureapp.acquire.states import DeviceState
     from measureapp.data.calibration import CameraArrayCalibration, RigCalibration
     from measureapp.data.cloud import StitchedCloud
+    from measureapp.data.fringe import AxisReadback
     from measureapp.data.measurement import Inspection, Measurement, ViewResult
     from measureapp.data.plan import ScanPlan
     from measureapp.data.rig import RigDescription
     from measureapp.data.validity import Validity
+    from measureapp.devices.rig import Rig
     from measureapp.inspection.section_curves import SectionCurves
     from measureapp.inspection.surface.deviation import Deviation
     from measureapp.inspection.surface.nominal import NominalSurface
@@ -74,11 +77,23 @@ class DriverRow:
     problem: str = ""
 
 
+@dataclass(frozen=True)
+class CellState:
+    """What is known of the connected rig: its devices, where it stands, and why it was stopped."""
+
+    connected: bool = False
+    devices: tuple[DeviceState, ...] = ()
+    readback: AxisReadback | None = None
+    stopped: str = ""  # reason; empty while the rig may run
+    live: bool = False  # images are being shown
+
+
 class Session(QObject):
     """The open project with its results so far."""
 
     projectChanged = Signal()
     rigChanged = Signal()
+    cellChanged = Signal()
     planChanged = Signal()
     calibrationChanged = Signal()
     viewpointsChanged = Signal()
@@ -100,6 +115,9 @@ class Session(QObject):
         self.graphics: GraphicsState = "preparing"
         self.graphics_problem = ""
         self.rig: RigDescription | None = None
+        self.cell = CellState()
+        self.connection: Rig | None = None  # of the Rig page
+        self.moving = False  # a job runs that may move axes
         self.drivers: tuple[DriverRow, ...] = ()
         self._reset()
 
@@ -151,6 +169,17 @@ class Session(QObject):
         self.rig = rig
         self.drivers = self.drivers if drivers is None else drivers
         self.rigChanged.emit()
+
+    def set_cell(self, cell: CellState) -> None:
+        """Set what is known of the connected rig."""
+        self.cell = cell
+        self.cellChanged.emit()
+
+    def set_moving(self, moving: bool) -> None:
+        """Set whether a job runs that may move axes."""
+        if moving != self.moving:
+            self.moving = moving
+            self.cellChanged.emit()
 
     def set_plan(self, plan: ScanPlan | None) -> None:
         """Set the scan plan."""

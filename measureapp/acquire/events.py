@@ -1,4 +1,4 @@
-"""Events of the engine and the pipeline; `RunEnded` is always the last event of a run and always sent."""
+"""Events of acquisition; `RunEnded` is always sent and always the last event of a run."""
 
 from __future__ import annotations
 
@@ -6,28 +6,14 @@ from dataclasses import dataclass
 from typing import Literal
 
 from measureapp.arrays import ImageArray
-from measureapp.data.calibration import RigCalibration
-from measureapp.data.cloud import StitchedCloud
-from measureapp.data.measurement import Inspection, ViewResult
-from measureapp.data.validity import Validity
 
 
 @dataclass(frozen=True, slots=True)
 class RunStarted:
-    """The plan was checked and the first move begins."""
+    """The rig is taken hold of and the first move begins."""
 
     plan: str
     viewpoint_ids: tuple[str, ...]
-
-
-@dataclass(frozen=True, slots=True)
-class ExposuresChosen:
-    """The exposures were chosen from a probe of the scene."""
-
-    exposures_us: tuple[int, ...]
-    decodable_share: float  # predicted, of the lit pixels
-    planned_share: float  # predicted for the exposures of the plan
-    note: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,8 +34,16 @@ class ImageTaken:
 
 
 @dataclass(frozen=True, slots=True)
+class ViewpointRetaken:
+    """The images of a viewpoint were refused, with the reason; they are taken again."""
+
+    viewpoint_id: str
+    reason: str
+
+
+@dataclass(frozen=True, slots=True)
 class ViewpointStored:
-    """The stack of a viewpoint is stored completely."""
+    """Everything taken from a viewpoint is stored completely."""
 
     viewpoint_id: str
     seconds: float
@@ -63,69 +57,12 @@ class ViewpointFailed:
     reason: str
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class CalibrationReady:
-    """The rig is calibrated."""
-
-    calibration: RigCalibration
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class ViewReady:
-    """The cloud of a viewpoint was computed."""
-
-    view: ViewResult
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class StitchReady:
-    """All clouds were stitched."""
-
-    stitched: StitchedCloud
-
-
-@dataclass(frozen=True, slots=True)
-class SurfaceFailed:
-    """No surface could be computed; points and dimensions do not need it."""
-
-    reason: str
-    remedy: str
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class InspectionReady:
-    """The dimensions were evaluated."""
-
-    inspection: Inspection
-
-
-@dataclass(frozen=True, slots=True)
-class ValidityKnown:
-    """Validity of the calibration: its age and temperature before the first move, its drift too after the last image."""
-
-    validity: Validity
-
-
 @dataclass(frozen=True, slots=True)
 class RunEnded:
-    """The run ended; always the last event."""
+    """The run ended; always the last event. After anything but "done" all devices were stopped."""
 
     reason: Literal["done", "cancelled", "failed"]
     message: str = ""
 
 
-Event = (
-    RunStarted
-    | ExposuresChosen
-    | ViewpointStarted
-    | ImageTaken
-    | ViewpointStored
-    | ViewpointFailed
-    | CalibrationReady
-    | ViewReady
-    | StitchReady
-    | SurfaceFailed
-    | InspectionReady
-    | ValidityKnown
-    | RunEnded
-)
+AcquisitionEvent = RunStarted | ViewpointStarted | ImageTaken | ViewpointRetaken | ViewpointStored | ViewpointFailed | RunEnded

@@ -8,19 +8,22 @@ from measureapp.cli.reply import say
 from measureapp.data.dimension import Verdict
 
 if TYPE_CHECKING:
-    from measureapp.acquire.events import Event, ExposuresChosen, ValidityKnown
     from measureapp.data.dimension import Dimension
     from measureapp.data.measurement import Alignment, Measurement
+    from measureapp.pipeline.events import Event, ExposuresChosen, ValidityKnown
 
 MARK = {Verdict.PASS: "✓", Verdict.FAIL: "✗", Verdict.NOT_PROVEN: "?", Verdict.NOT_MEASURED: "–"}
 
 
 def report_event(event: Event) -> None:
     """Print failed views, a missing surface, chosen exposures and warnings to standard error."""
-    from measureapp.acquire.events import ExposuresChosen, SurfaceFailed, ValidityKnown, ViewpointFailed
+    from measureapp.acquire.events import ViewpointFailed, ViewpointRetaken
+    from measureapp.pipeline.events import ExposuresChosen, SurfaceFailed, ValidityKnown, ViewFailed
 
-    if isinstance(event, ViewpointFailed):
+    if isinstance(event, ViewpointFailed | ViewFailed):
         say(f"{event.viewpoint_id}: {event.reason}")
+    elif isinstance(event, ViewpointRetaken):
+        say(f"{event.viewpoint_id}: taken again. {event.reason}")
     elif isinstance(event, SurfaceFailed):
         say(f"No surface: {event.reason} {event.remedy}")
     elif isinstance(event, ExposuresChosen):

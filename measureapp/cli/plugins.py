@@ -17,19 +17,42 @@ def register(app: typer.Typer) -> None:
     @app.command()
     def plugins(
         folder: Annotated[Path | None, typer.Option(help="Folder of the plugins; default: those shipped with the program.")] = None,
+        allow: Annotated[
+            str | None, typer.Option("--allow", metavar="ID", help="Allow this plugin of --folder to be loaded, as it is now.")
+        ] = None,
         as_json: JsonOption = False,
     ) -> None:
-        """List the device drivers, with the reason for any that failed to load."""
+        """List the device drivers, with the reason for any that failed to load.
+
+        A plugin that does not come with the program is loaded only after it was allowed; any change of its files withdraws that.
+        """
         from measureapp.devices.plugin_loader import PluginRow, examine
         from measureapp.errors import InputError
 
         if folder is not None and not folder.is_dir():
             raise InputError(f"{folder} is not a folder.", "Name the folder that contains the plugin folders.")
 
+        if allow is not None:
+            reply(*_allowed(folder, allow), as_json)
+            return
+
         def line(row: PluginRow) -> str:
-            start = f"{row.id:<20} {row.version or '–':<9} {row.kind or '–':<13} "
+            start = f"{row.id:<20} {row.version or '–':<9} {', '.join(row.kinds) or '–':<13} "
             return start + (f"NOT LOADED: {row.problem} {row.hint}" if row.problem else row.name)
 
         rows = examine(folder)
         document = {"plugins": [asdict(row) | {"loaded": not row.problem} for row in rows]}
         reply(document, "\n".join(line(row) for row in rows) or "There is no driver plugin.", as_json)
+
+
+def _allowed(folder: Path | None, plugin_id: str) -> tuple[dict[str, str], str]:
+    """Allow a plugin; return the JSON document and the sentence of the answer."""
+    from measureapp.devices.plugin_loader import discover
+    from measureapp.devices.plugin_permission import allow
+    from measureapp.errors import InputError
+
+    found = next((row for row in discover(folder) if row.id == plugin_id), None)
+    if folder is None or found is None:
+        raise InputError(f"There is no plugin {plugin_id} in {folder or 'the folder'}.", "Name its --folder and its id.")
+    digest = allow(found.folder)
+    return {"allowed": plugin_id, "sha256": digest}, f"{plugin_id} in {found.folder} may be loaded as it is now (SHA-256 {digest[:16]}…)."

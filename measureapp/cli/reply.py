@@ -67,3 +67,6 @@ class TerminalProgress:
         share = done / total if total > 0 else 1.0
         bar = "█" * round(24 * share)
         print(f"\r{bar:<24} {share:4.0%}  {note[:70]:<70}", end="\n" if done >= total else "", file=sys.stderr, flush=True)
+
+    def check(self) -> None:
+        """Do nothing: Ctrl-C raises KeyboardInterrupt by itself."""

@@ -2,18 +2,13 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import Annotated, Any
 
 import typer
 
 from measureapp.cli.reply import JsonOption, reply
-from measureapp.errors import DeviceError, MeasureError
-
-if TYPE_CHECKING:
-    from measureapp.devices.rig import Rig
+from measureapp.errors import DeviceError
 
 
 def register(app: typer.Typer) -> None:
@@ -35,6 +30,7 @@ def register(app: typer.Typer) -> None:
         as_json: JsonOption = False,
     ) -> None:
         """Connect every device of a rig and read its state back; nothing moves."""
+        from measureapp.acquire.states import read_states
         from measureapp.devices.connect import connect_rig
         from measureapp.pipeline.validity import check_before_scan
         from measureapp.project.folder import ProjectFolder
@@ -44,45 +40,23 @@ def register(app: typer.Typer) -> None:
         known = None if calibration is None else ProjectFolder.open(calibration).require_calibration()
         connected = connect_rig(description, plugins)
         try:
-            devices, problems = read_all(connected)
+            states = read_states(connected)
+            problems = [state for state in states if not state.status.ready]
             validity = None if known is None or problems else check_before_scan(connected, known)
         finally:
             connected.close()
         if problems:
-            raise DeviceError(f"Rig {description.name}: " + " ".join(problems), "Check the cables and the power of these devices.")
-        width = max(len(device["name"]) for device in devices)
-        lines = [f"{device['name']:<{width}}  {device['kind']:<13} {device['state']}" for device in devices]
-        document: dict[str, Any] = {"rig": description.name, "driver": description.driver, "devices": devices}
+            found = " ".join(f"{state.name}: {state.status.text} {state.status.remedy}".strip() for state in problems)
+            raise DeviceError(f"Rig {description.name}: {found}", "Check the cables and the power of these devices.")
+        lines = [f"{state.name:<10} {state.kind:<13} {state.status.identity:<14} {state.status.text}".rstrip() for state in states]
+        document: dict[str, Any] = {
+            "rig": description.name,
+            "drivers": description.drivers,
+            "devices": [
+                {"name": state.name, "kind": state.kind, "state": state.status.text, "identity": state.status.identity} for state in states
+            ],
+        }
         if validity is not None:
             document["calibration"] = {"warnings": list(validity.warnings), "temperature_c": validity.temperature_c}
             lines += [f"Calibration: {warning}" for warning in validity.warnings or ("matches these cameras and is valid.",)]
         reply(document, "\n".join(lines), as_json)
-
-
-def read_all(rig: Rig) -> tuple[list[dict[str, Any]], list[str]]:
-    """Read every device back; return their states, and the problems of those that did not answer."""
-    questions: list[tuple[str, str, Callable[[], str]]] = [
-        *((name, "camera", lambda camera=camera: camera_state(camera)) for name, camera in rig.cameras.items()),
-        (
-            rig.projector.name,
-            "projector",
-            lambda: f"{rig.projector.width_px} × {rig.projector.height_px} px, shows image {rig.projector.shown()}",
-        ),
-        (rig.robot.name, "robot", lambda: "flange at {:.1f} {:.1f} {:.1f} mm".format(*rig.robot.pose().translation_mm)),
-        (rig.guide.name, "linear guide", lambda: f"at {rig.guide.position_mm():.2f} mm"),
-        (rig.table.name, "rotary table", lambda: f"at {math.degrees(rig.table.angle_rad()):.4f}°"),
-    ]
-    devices, problems = [], []
-    for name, kind, ask in questions:
-        try:
-            devices.append({"name": name, "kind": kind, "state": ask()})
-        except MeasureError as error:
-            problems.append(f"{name}: {error}")
-    return devices, problems
-
-
-def camera_state(camera: Any) -> str:
-    """Describe the state of a camera."""
-    temperature_c = camera.temperature_c()
-    temperature = "no thermometer" if temperature_c is None else f"{temperature_c:.1f} °C"
-    return f"{camera.serial}, {camera.width_px} × {camera.height_px} px, exposure {camera.exposure_us()} µs, {temperature}"

@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from measureapp.cli.main import DEVICE_FAILED, OUT_OF_TOLERANCE
+from measureapp.cli.main import BAD_INPUT, DEVICE_FAILED, DONE, OUT_OF_TOLERANCE
 from measureapp.cli.outcome import has_passed, measurement_lines
 from measureapp.cli.reply import JsonOption, TerminalProgress, reply
+from measureapp.errors import DeviceError
+
+if TYPE_CHECKING:
+    from measureapp.pipeline import ScanRequest
 
 NOT_PROCESSED = (
     "The images are stored but not processed: the project has no calibration. Calibrate the rig, then run `measureapp process PROJECT`."
@@ -32,6 +36,9 @@ def register(app: typer.Typer) -> None:
             float | None,
             typer.Option("--auto-bracket", min=0.1, help="Choose the exposures by a probe, for this many seconds per viewpoint."),
         ] = None,
+        dry_run: Annotated[
+            bool, typer.Option("--dry-run", help="Connect the rig and list everything that would prevent the scan; nothing moves.")
+        ] = False,
         as_json: JsonOption = False,
     ) -> None:
         """Move, project, capture and store every viewpoint of a plan, then process the images."""
@@ -43,6 +50,8 @@ def register(app: typer.Typer) -> None:
 
         request = ScanRequest(read_plan(plan), read_rig(rig), project, resume, calibration, auto_bracket)
         require_devices(request.rig)
+        if dry_run:
+            raise typer.Exit(_rehearse(request, as_json))
         log = ScanLog(request.plan)
         outcome = scan_into_project(request, log.note, TerminalProgress())
         document = {} if outcome is None else outcome.document
@@ -55,3 +64,22 @@ def register(app: typer.Typer) -> None:
             raise typer.Exit(DEVICE_FAILED)
         if any("reason" in state for state in log.states.values()) or not (outcome is None or has_passed(outcome.measurement)):
             raise typer.Exit(OUT_OF_TOLERANCE)
+
+
+def _rehearse(request: ScanRequest, as_json: bool) -> int:
+    """Reply with what would prevent the scan; return the exit code."""
+    from measureapp.pipeline.preflight import preflight_lines
+    from measureapp.pipeline.run import rehearse
+
+    found = rehearse(request)
+    document = {
+        "viewpoints": len(request.plan),
+        "bytes": found.bytes,
+        "images_s": found.images_s,
+        "warnings": list(found.warnings),
+        "problems": [{"type": type(problem).__name__, "message": problem.message, "hint": problem.hint} for problem in found.problems],
+    }
+    reply(document, "\n".join(preflight_lines(found, request.plan)), as_json)
+    if any(isinstance(problem, DeviceError) for problem in found.problems):
+        return DEVICE_FAILED
+    return BAD_INPUT if found.problems else DONE

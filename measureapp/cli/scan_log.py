@@ -4,19 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
-from measureapp.acquire.events import (
-    Event,
-    ExposuresChosen,
-    RunEnded,
-    RunStarted,
-    ValidityKnown,
-    ViewpointFailed,
-    ViewpointStarted,
-    ViewpointStored,
-)
+from measureapp.acquire.events import RunEnded, RunStarted, ViewpointFailed, ViewpointRetaken, ViewpointStarted, ViewpointStored
 from measureapp.cli.outcome import exposures_line, report_warnings
 from measureapp.cli.reply import say
 from measureapp.data.plan import ScanPlan
+from measureapp.pipeline.events import Event, ExposuresChosen, ValidityKnown, ViewFailed
 
 
 class ScanLog:
@@ -40,7 +32,9 @@ class ScanLog:
         elif isinstance(event, ViewpointStored):
             self.states[event.viewpoint_id] |= {"state": "stored", "seconds": event.seconds}
             say(f"{event.viewpoint_id}: stored")
-        elif isinstance(event, ViewpointFailed):
+        elif isinstance(event, ViewpointRetaken):
+            say(f"{event.viewpoint_id}: taken again. {event.reason}")
+        elif isinstance(event, ViewpointFailed | ViewFailed):
             self.states[event.viewpoint_id]["reason"] = event.reason
             say(f"{event.viewpoint_id}: {event.reason}")
         elif isinstance(event, RunEnded):

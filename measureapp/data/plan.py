@@ -45,7 +45,7 @@ class FlangePose(Model):
 class Viewpoint(Model):
     """Planned pose of the sensor and angle of the table."""
 
-    id: str = Field(pattern=r"^[A-Za-z0-9_.-]+$")
+    id: str = Field(pattern=r"^[A-Za-z0-9_][A-Za-z0-9_.-]{0,99}$", description="also a part of file names")
     flange: FlangePose
     guide_mm: float
     table_deg: float

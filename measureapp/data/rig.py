@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-from pydantic import Field
+from pydantic import Field, model_validator
 from scipy.spatial.transform import Rotation
 
 from measureapp.data.model import Model
@@ -12,6 +12,8 @@ from measureapp.geometry.transform import RigidTransform
 
 Vector = tuple[float, float, float]
 Resolution = Literal["full", "half", "quarter"]
+NAME = r"^[A-Za-z0-9_][A-Za-z0-9_.-]{0,63}$"
+OTHER_DEVICES = ("projector", "robot", "guide", "table")
 RECORDED = "recorded"  # driver of a rig that is a recording: there are no devices
 BINNING: dict[Resolution, int] = {"full": 1, "half": 2, "quarter": 4}
 
@@ -31,7 +33,7 @@ class NominalPose(Model):
 class CameraDescription(Model):
     """One camera of the head. Frame `head`: origin midway between the lower cameras, x to the right, y down, z forward."""
 
-    name: str
+    name: str = Field(pattern=NAME, description="also a part of file names")
     model: str
     serial: str
     width_px: int = Field(gt=0)
@@ -108,13 +110,70 @@ class CalibrationRules(Model):
     when_exceeded: Literal["warn", "refuse"] = Field(default="warn", description="refuse: no scan starts with an invalid calibration")
 
 
+class DriverChoice(Model):
+    """A table ``[devices.NAME]``: the plugin that drives one device, and its settings."""
+
+    driver: str = Field(min_length=1, description="id of the plugin")
+    settings: dict[str, object] = Field(default_factory=dict)
+
+
+class KeepOutBox(Model):
+    """A box in the guide frame that the measuring head must not enter."""
+
+    name: str
+    low_mm: Vector
+    high_mm: Vector
+
+    @model_validator(mode="after")
+    def _has_a_volume(self) -> KeepOutBox:
+        if any(low >= high for low, high in zip(self.low_mm, self.high_mm, strict=True)):
+            raise ValueError("low_mm must be below high_mm in x, y and z")
+        return self
+
+
+class ParkPose(Model):
+    """Where the axes rest between scans: base_from_flange, guide position and table angle."""
+
+    position_mm: Vector
+    quaternion_wxyz: tuple[float, float, float, float]
+    guide_mm: float = 0.0
+    table_deg: float = 0.0
+
+
+class MotionRules(Model):
+    """How the axes are moved and when a pose counts as reached."""
+
+    position_tolerance_mm: float = Field(default=0.1, gt=0, description="largest difference of read-back and goal, robot and guide")
+    angle_tolerance_deg: float = Field(default=0.05, gt=0, description="largest difference of read-back and goal, robot and table")
+    settle_s: float = Field(default=0.0, ge=0, le=60, description="wait after the last axis has settled, before images are taken")
+    move_timeout_s: float = Field(default=120.0, gt=0, description="longest duration of one move of one axis")
+    keep_out: tuple[KeepOutBox, ...] = ()
+    park: ParkPose | None = None
+
+
+class HeadRules(Model):
+    """How patterns and cameras are synchronised."""
+
+    sequence: Literal["software", "hardware"] = Field(
+        default="software", description="software: the program shows a pattern, then triggers; hardware: the projector triggers the cameras"
+    )
+
+
 class RigDescription(Model):
-    """Nominal description of all devices. The guide frame is the robot base at guide position 0: x towards the table, z up."""
+    """Nominal description of all devices. The guide frame is the robot base at guide position 0: x towards the table, z up.
+
+    Either ``driver`` names one plugin that drives the whole rig, or ``devices`` names one for each device: every camera by its name,
+    "projector", "robot", "guide" and "table".
+    """
 
     schema_version: Literal[1] = 1
     name: str
-    driver: str = Field(description="id of the plugin that drives this rig")
+    driver: str = Field(default="", description="id of the plugin that drives the whole rig")
     driver_settings: dict[str, object] = Field(default_factory=dict)
+    devices: dict[str, DriverChoice] = Field(default_factory=dict)
+    links: dict[str, dict[str, object]] = Field(default_factory=dict, description="what drivers share: a serial line, a login, a world")
+    head: HeadRules = HeadRules()
+    motion: MotionRules = MotionRules()
     cameras: tuple[CameraDescription, ...] = Field(min_length=1)
     reference: str = Field(description="name of the reference camera")
     projector: ProjectorDescription
@@ -125,6 +184,30 @@ class RigDescription(Model):
     standoff_mm: float
     exposures_us: tuple[int, ...] = Field(description="the exposure bracket, long to short")
     calibration_rules: CalibrationRules = CalibrationRules()
+
+    @model_validator(mode="after")
+    def _has_drivers(self) -> RigDescription:
+        names = [camera.name for camera in self.cameras]
+        twice = {name for name in names if names.count(name) > 1 or name in OTHER_DEVICES}
+        if twice:
+            raise ValueError(f"the name {min(twice)!r} belongs to two devices")
+        if self.reference not in names:
+            raise ValueError(f"the reference camera {self.reference!r} is none of the cameras ({', '.join(names)})")
+        if bool(self.driver) == bool(self.devices):
+            raise ValueError("name either one driver for the whole rig, or a table [devices.NAME] for each device")
+        if self.devices and set(self.devices) != {*names, *OTHER_DEVICES}:
+            missing = [name for name in (*names, *OTHER_DEVICES) if name not in self.devices]
+            strangers = sorted(set(self.devices) - {*names, *OTHER_DEVICES})
+            raise ValueError(
+                f"a table [devices.NAME] is missing for {', '.join(missing)}" if missing else f"the rig has no device {strangers[0]!r}"
+            )
+        return self
+
+    @property
+    def drivers(self) -> dict[str, str]:
+        """The plugin of every device, by the device's name."""
+        names = (*(camera.name for camera in self.cameras), *OTHER_DEVICES)
+        return {name: self.driver or self.devices[name].driver for name in names}
 
     def camera(self, name: str) -> CameraDescription:
         """Return the camera called ``name``; raises KeyError."""

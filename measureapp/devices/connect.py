@@ -1,18 +1,27 @@
-"""Connecting a rig through its driver plugin."""
+"""Connecting a rig: by one plugin for all of it, or device by device as its description says."""
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
+from typing import Any
 
+from pydantic import ValidationError
+
+from measureapp.data.model import first_problem
 from measureapp.data.rig import RigDescription
-from measureapp.devices.plugin_loader import load_plugin
+from measureapp.devices.links import Links
+from measureapp.devices.plugin_loader import PluginKind, load_driver
 from measureapp.devices.recorded_rig import require_devices
+from measureapp.devices.request import DeviceRequest
 from measureapp.devices.rig import Rig
-from measureapp.errors import DeviceError, MeasureError, PluginError
+from measureapp.errors import DeviceError, InputError, MeasureError
+
+KINDS: Mapping[str, PluginKind] = {"projector": "projector", "robot": "robot", "guide": "linear-guide", "table": "rotary-table"}
 
 
 def connect_rig(description: RigDescription, plugins: Path | None = None) -> Rig:
-    """Connect all devices of a rig through the plugin named in its description; the caller closes it.
+    """Connect all devices of a rig; the caller closes it.
 
     Parameters
     ----------
@@ -21,23 +30,76 @@ def connect_rig(description: RigDescription, plugins: Path | None = None) -> Rig
     Raises
     ------
     PluginError
-        The plugin cannot be loaded, or is not a rig driver.
+        A plugin cannot be loaded, or drives another kind of device.
     DeviceError
-        A device does not answer, or the driver raised an unexpected exception.
+        Devices do not answer, or a driver raised an unexpected exception; names all of them at once. Those connected are closed again.
+    InputError
+        A setting of a driver is invalid.
     """
     require_devices(description)
-    plugin = load_plugin(plugins, description.driver)
-    if plugin.manifest.kind != "rig":
-        raise PluginError(
-            f"Rig {description.name}: the plugin {description.driver} drives a {plugin.manifest.kind}, not a rig.",
-            "Set `driver` of the rig description to a plugin of kind rig.",
-        )
+    links = Links(description.links)
+    if description.driver:
+        request = ("rig", description.driver, description.driver_settings)
+        return _connect("rig", *request, description, links, plugins)
+    connected: dict[str, Any] = {}
+    problems: list[MeasureError] = []
+    for name, choice in description.devices.items():
+        try:
+            connected[name] = _connect(KINDS.get(name, "camera"), name, choice.driver, choice.settings, description, links, plugins)
+        except MeasureError as error:
+            problems.append(error)
+    if problems:
+        _close(connected, links)
+        raise _gather(description.name, problems)
+    return Rig(
+        description=description,
+        cameras={camera.name: connected[camera.name] for camera in description.cameras},
+        projector=connected["projector"],
+        robot=connected["robot"],
+        guide=connected["guide"],
+        table=connected["table"],
+        place_on_table=lambda _: None,  # a person puts the part there
+        release=links.close,
+    )
+
+
+def _connect(
+    kind: PluginKind,
+    name: str,
+    driver: str,
+    settings: Mapping[str, object],
+    rig: RigDescription,
+    links: Links,
+    plugins: Path | None,
+) -> Any:
+    loaded = load_driver(plugins, driver, kind)
+    place = "driver_settings" if kind == "rig" else f"[devices.{name}] settings"
     try:
-        return plugin.entry(description, description.driver_settings)
+        chosen = loaded.settings.model_validate(dict(settings))
+    except ValidationError as error:
+        raise InputError(
+            f"Rig {rig.name}: {place}: {first_problem(error, 'the settings')} (driver {driver}).", "Correct it in the rig description."
+        ) from error
+    try:
+        return loaded.entry(DeviceRequest(name, rig, chosen, links))
     except MeasureError:
         raise
     except Exception as error:  # foreign code may raise anything
         raise DeviceError(
-            f"Rig {description.name}: its driver {description.driver} failed: {type(error).__name__}: {error}.",
-            "Check that the devices are on and connected; if they are, report the error to the author of the driver.",
+            f"Rig {rig.name}: the driver {driver} of {name} failed: {type(error).__name__}: {error}.",
+            "Check that the device is on and connected; if it is, report the error to the author of the driver.",
         ) from error
+
+
+def _gather(rig: str, problems: list[MeasureError]) -> MeasureError:
+    """Return one error that names every device that could not be connected."""
+    if len(problems) == 1:
+        return problems[0]
+    kind = InputError if all(isinstance(problem, InputError) for problem in problems) else DeviceError
+    return kind(f"Rig {rig}: {len(problems)} devices cannot be connected. " + " ".join(map(str, problems)))
+
+
+def _close(connected: Mapping[str, Any], links: Links) -> None:
+    for device in connected.values():
+        device.close()
+    links.close()

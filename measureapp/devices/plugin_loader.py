@@ -16,12 +16,22 @@ from typing import Any, Literal
 from pydantic import Field, ValidationError
 
 from measureapp.data.model import Model, first_problem
+from measureapp.devices.plugin_permission import is_allowed
+from measureapp.devices.request import DeviceRequest
 from measureapp.errors import PluginError
 from measureapp.resources import plugin_folder
 
 MANIFEST = "plugin.toml"
 PRIVATE_PACKAGE = "_measureapp_plugins"
+MEMBER = r"^[A-Za-z_]\w*:[A-Za-z_]\w*$"
 PluginKind = Literal["rig", "camera", "projector", "robot", "linear-guide", "rotary-table"]
+
+
+class DriverEntry(Model):
+    """A table ``[drives.KIND]`` of the manifest: how a device of this kind is connected."""
+
+    entry: str = Field(pattern=MEMBER, description="module:function, called with a DeviceRequest; returns the device")
+    settings: str = Field(pattern=MEMBER, description="module:class, the pydantic model of the driver's settings")
 
 
 class PluginManifest(Model):
@@ -30,9 +40,11 @@ class PluginManifest(Model):
     id: str = Field(pattern=r"^[a-z][a-z0-9_]*$")
     name: str = Field(min_length=1)
     version: str = Field(min_length=1)
-    api: Literal[1]
-    kind: PluginKind
-    entry: str = Field(pattern=r"^[A-Za-z_]\w*:[A-Za-z_]\w*$", description="module:function")
+    api: Literal[2]
+    drives: dict[PluginKind, DriverEntry] = Field(min_length=1)
+
+
+ALLOW = "If you trust it, run: measureapp plugins --folder {0.folder.parent} --allow {0.id}"
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,26 +54,32 @@ class PluginRow:
     id: str
     name: str
     version: str
-    kind: str
+    kinds: tuple[str, ...]
     folder: Path
     problem: str = ""
     hint: str = ""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class LoadedPlugin:
-    """A loaded driver with its entry function."""
+class LoadedDriver:
+    """A loaded driver for one kind of device: its entry function and the model of its settings."""
 
     manifest: PluginManifest
-    module: ModuleType
-    entry: Callable[..., Any]
+    module: ModuleType  # of the entry function
+    entry: Callable[[DeviceRequest], Any]
+    settings: type[Model]
 
 
 def discover(folder: Path | None = None) -> tuple[PluginRow, ...]:
-    """List the plugins below ``folder`` (default: those shipped with the program), sorted by folder; imports nothing."""
+    """List the plugins below ``folder`` (default: those shipped with the program), sorted by folder; imports nothing.
+
+    One that does not come with the program and was not allowed as it is now has this as its problem.
+    """
     rows: list[PluginRow] = []
     for path in sorted((folder or plugin_folder()).glob(f"*/{MANIFEST}")):
         row = _row(path)
+        if not row.problem and not is_allowed(row.folder):
+            row = replace(row, problem="It does not come with the program and was not allowed as it is now.", hint=ALLOW.format(row))
         twin = next((other for other in rows if other.id == row.id), None)
         if twin is not None:
             row = replace(row, problem=f"Plugin {twin.folder.name} has the same id {row.id}.", hint="Change one of the two ids.")
@@ -74,13 +92,13 @@ def examine(folder: Path | None = None) -> tuple[PluginRow, ...]:
     return tuple(_examine_row(row) for row in discover(folder))
 
 
-def load_plugin(folder: Path | None, plugin_id: str) -> LoadedPlugin:
-    """Load the plugin ``plugin_id`` below ``folder`` (None: those shipped with the program).
+def load_driver(folder: Path | None, plugin_id: str, kind: PluginKind) -> LoadedDriver:
+    """Load the driver of plugin ``plugin_id`` below ``folder`` (None: those shipped with the program) for one kind of device.
 
     Raises
     ------
     PluginError
-        No such plugin, an invalid manifest, or a driver that cannot be imported.
+        No such plugin, an invalid manifest, a plugin for other kinds of device, or a driver that cannot be imported.
     """
     rows = discover(folder)
     row = next((row for row in rows if row.id == plugin_id), None)
@@ -91,22 +109,31 @@ def load_plugin(folder: Path | None, plugin_id: str) -> LoadedPlugin:
         )
     if row.problem:
         raise PluginError(f"Plugin {row.id}: {row.problem}", row.hint)
-    return _load(row.folder)
+    manifest = _read(row.folder / MANIFEST)
+    if kind not in manifest.drives:
+        fitting = ", ".join(sorted(row.id for row in rows if kind in row.kinds)) or "none"
+        raise PluginError(
+            f"The plugin {plugin_id} drives a {' or '.join(row.kinds)}, not a {kind}.",
+            f"Name a driver of a {kind} in the rig description (available: {fitting}).",
+        )
+    return _load(manifest, kind, row.folder)
 
 
 def _row(path: Path) -> PluginRow:
     try:
         manifest = _read(path)
     except PluginError as error:
-        return PluginRow(path.parent.name, path.parent.name, "", "", path.parent, error.message, error.hint)
-    return PluginRow(manifest.id, manifest.name, manifest.version, manifest.kind, path.parent)
+        return PluginRow(path.parent.name, path.parent.name, "", (), path.parent, error.message, error.hint)
+    return PluginRow(manifest.id, manifest.name, manifest.version, tuple(manifest.drives), path.parent)
 
 
 def _examine_row(row: PluginRow) -> PluginRow:
     if row.problem:
         return row
     try:
-        _load(row.folder)
+        manifest = _read(row.folder / MANIFEST)
+        for kind in manifest.drives:
+            _load(manifest, kind, row.folder)
     except PluginError as error:
         return replace(row, problem=error.message, hint=error.hint)
     return row
@@ -123,28 +150,37 @@ def _read(path: Path) -> PluginManifest:
         raise PluginError(f"{path}: {first_problem(error, 'the manifest')}.", "Correct this field.") from error
 
 
-def _load(folder: Path) -> LoadedPlugin:
-    manifest = _read(folder / MANIFEST)
-    module_name, function_name = manifest.entry.split(":")
-    package = _private_package(manifest.id, folder)
+def _load(manifest: PluginManifest, kind: PluginKind, folder: Path) -> LoadedDriver:
+    described = manifest.drives[kind]
+    module, entry = _import_member(manifest.id, described.entry, "function", folder)
+    _, settings = _import_member(manifest.id, described.settings, "class", folder)
+    if not (isinstance(settings, type) and issubclass(settings, Model)):
+        raise PluginError(
+            f"Plugin {manifest.id}: {described.settings} is not a model of settings.", "Derive it from measureapp.data.model.Model."
+        )
+    return LoadedDriver(manifest, module, entry, settings)
+
+
+def _import_member(plugin_id: str, member: str, what: Literal["function", "class"], folder: Path) -> tuple[ModuleType, Any]:
+    """Import ``member`` ("module:name") of a plugin; return its module and the member."""
+    module_name, name = member.split(":")
+    package = _private_package(plugin_id, folder)
     try:
         module = importlib.import_module(f"{package}.{module_name}")
     except ModuleNotFoundError as error:
         _forget(package)
         missing = (error.name or "").removeprefix(f"{package}.")
         raise PluginError(
-            f"Plugin {manifest.id} needs the module {missing}, which is missing.",
+            f"Plugin {plugin_id} needs the module {missing}, which is missing.",
             f"Install it, or put {missing}.py into {folder} and import it with a leading dot.",
         ) from error
     except (Exception, SystemExit) as error:  # foreign code may raise anything
         _forget(package)
-        raise PluginError(f"Plugin {manifest.id} cannot be imported: {type(error).__name__}: {error}.", f"Correct {folder}.") from error
-    entry = getattr(module, function_name, None)
-    if not callable(entry):
-        raise PluginError(
-            f"Plugin {manifest.id} has no function {function_name} in {module_name}.py.", f"Correct `entry` in {folder / MANIFEST}."
-        )
-    return LoadedPlugin(manifest, module, entry)
+        raise PluginError(f"Plugin {plugin_id} cannot be imported: {type(error).__name__}: {error}.", f"Correct {folder}.") from error
+    found = getattr(module, name, None)
+    if not callable(found):
+        raise PluginError(f"Plugin {plugin_id} has no {what} {name} in {module_name}.py.", f"Correct {folder / MANIFEST}.")
+    return module, found
 
 
 def _private_package(plugin_id: str, folder: Path) -> str:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import logging
+import threading
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from statistics import median
@@ -15,7 +17,10 @@ from measureapp.devices.linear_guide import LinearGuideAxis
 from measureapp.devices.projector import Projector
 from measureapp.devices.robot import Robot
 from measureapp.devices.rotary_table import RotaryTable
-from measureapp.errors import DeviceError
+from measureapp.devices.status import DeviceStatus
+from measureapp.devices.stop_latch import StopLatch
+
+_log = logging.getLogger(__name__)
 
 
 class Device(Protocol):
@@ -23,13 +28,22 @@ class Device(Protocol):
 
     name: str
 
+    def status(self) -> DeviceStatus:
+        """Read the state, for display."""
+
     def stop(self) -> None:
         """Stop now, from any thread."""
+
+    def close(self) -> None:
+        """Release the device. Harmless when repeated."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Rig:
-    """All connected devices. `place_on_table` requests an object by name ("board", "part") and returns when it is on the table."""
+    """All connected devices; only `measureapp/acquire` moves or triggers them.
+
+    `place_on_table` requests an object by name ("board", "part") and returns when it is on the table. `latch` holds the rig after a stop.
+    """
 
     description: RigDescription
     cameras: Mapping[str, Camera]
@@ -38,7 +52,19 @@ class Rig:
     guide: LinearGuideAxis
     table: RotaryTable
     place_on_table: Callable[[str], None]
-    close: Callable[[], None] = field(default=lambda: None)
+    release: Callable[[], None] = field(default=lambda: None)  # of what the drivers share
+    latch: StopLatch = field(default_factory=StopLatch)
+    in_use: threading.Lock = field(default_factory=threading.Lock)  # held by the session that moves and triggers
+
+    @property
+    def axes(self) -> tuple[Device, ...]:
+        """What moves."""
+        return (self.robot, self.guide, self.table)
+
+    @property
+    def devices(self) -> tuple[Device, ...]:
+        """Every device, what moves first."""
+        return (*self.axes, *self.cameras.values(), self.projector)
 
     def readback(self) -> AxisReadback:
         """Read every axis back."""
@@ -55,16 +81,11 @@ class Rig:
             lenses,
         )
 
-    def stop_all(self) -> None:
-        """Stop every device now, from any thread; failures are collected and raised as one DeviceError."""
-        devices: tuple[Device, ...] = (self.robot, self.guide, self.table, *self.cameras.values(), self.projector)
-        failures = []
-        for device in devices:
+    def close(self) -> None:
+        """Release every device, then what they share; one that fails does not keep the others."""
+        for device in self.devices:
             try:
-                device.stop()
-            except DeviceError as error:
-                failures.append(f"{device.name}: {error.message}")
-        if failures:
-            raise DeviceError(
-                "Not every device confirmed the stop: " + "; ".join(failures) + ".", "Use the emergency stop and check these devices."
-            )
+                device.close()
+            except Exception:  # foreign code may raise anything, and the program is leaving
+                _log.exception("%s could not be closed", device.name)
+        self.release()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Protocol
 
+from measureapp.devices.status import DeviceStatus
 from measureapp.geometry.transform import RigidTransform
 
 
@@ -13,10 +14,28 @@ class Robot(Protocol):
     name: str
 
     def pose(self) -> RigidTransform:
-        """Read base_from_flange back."""
+        """Read base_from_flange back from the controller. Raises DeviceError, never returns an old or commanded value."""
 
     def move_to(self, base_from_flange: RigidTransform, *, timeout_s: float) -> None:
-        """Move and wait until settled. Raises LimitError before moving, DeviceTimeout while moving."""
+        """Move and wait until settled.
+
+        Raises
+        ------
+        LimitError
+            Before anything moves.
+        DeviceTimeout
+            It did not settle in time.
+        MotionError
+            The controller stopped, refused, or left its operating mode; the pose is unknown until it is read back.
+        DeviceLost
+            The controller does not answer any more.
+        """
+
+    def status(self) -> DeviceStatus:
+        """Read the state, for display."""
 
     def stop(self) -> None:
-        """Stop now, from any thread; a waiting `move_to` then raises Cancelled."""
+        """Stop now, from any thread, also while another call waits; a waiting `move_to` then raises Cancelled."""
+
+    def close(self) -> None:
+        """Log out and release what the driver holds at the controller. Harmless when repeated."""

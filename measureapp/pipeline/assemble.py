@@ -9,7 +9,6 @@ from typing import Any
 
 import numpy as np
 
-from measureapp.acquire.events import Event, InspectionReady, StitchReady, SurfaceFailed, ValidityKnown
 from measureapp.arrays import FloatArray
 from measureapp.calibrate.rig.cloud_errors import calibration_errors
 from measureapp.calibrate.rig.stitch_uncertainty import view_uncertainty
@@ -24,6 +23,7 @@ from measureapp.data.view_errors import CalibrationErrors
 from measureapp.errors import RegistrationError
 from measureapp.inspection.settings import InspectionSettings, UncertaintySettings
 from measureapp.pipeline.chosen_views import add_refused, select_views
+from measureapp.pipeline.events import Event, InspectionReady, StitchReady, SurfaceFailed, ValidityKnown
 from measureapp.pipeline.noise import describe_noise
 from measureapp.pipeline.validity import validity_of
 from measureapp.pipeline.watch import Stopwatch

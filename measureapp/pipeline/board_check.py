@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from measureapp.acquire.capture import capture_board
+from measureapp.acquire.engine import Engine
+from measureapp.acquire.tasks.board import BoardTask
 from measureapp.calibrate.boards.find import find_board
 from measureapp.calibrate.boards.observation import Observation
 from measureapp.calibrate.boards.pose import pose_of
@@ -40,10 +41,7 @@ def _check(project: ProjectFolder, rig: Rig, progress: Progress, limit_mm: float
     check_before_scan(rig, calibration)
     viewpoints = check_viewpoints(rig.description)
     views: list[BoardView] = []
-    rig.place_on_table("board")
-    for index, viewpoint in enumerate(viewpoints):
-        progress.report(index, len(viewpoints), f"board from {viewpoint.id}")
-        views.append(capture_board(rig, viewpoint))
+    Engine(rig).run("check of the calibration", viewpoints, BoardTask(views.append), lambda _: None, progress)
     at = max(view.conditions.taken_at for view in views if view.conditions is not None)
     for view in views:
         project.save_check_view(at.replace(":", "").replace("+0000", ""), view)

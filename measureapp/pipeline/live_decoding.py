@@ -7,7 +7,7 @@ from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass, field
 from types import TracebackType
 
-from measureapp.acquire.capture import ExposureTaken
+from measureapp.acquire.tasks.fringes import ExposureTaken
 from measureapp.compiled.buffer_pool import BufferPool
 from measureapp.data.fringe import FringeStack
 from measureapp.data.phase import PhaseMap

@@ -10,9 +10,8 @@ from typing import Any
 
 import numpy as np
 
-from measureapp.acquire.capture import ExposureTaken
 from measureapp.acquire.engine import Engine
-from measureapp.acquire.events import Event, ExposuresChosen, ValidityKnown, ViewpointFailed, ViewReady
+from measureapp.acquire.tasks.fringes import ExposureTaken, FringeTask
 from measureapp.compiled.buffer_pool import BufferPool
 from measureapp.data.calibration import RigCalibration
 from measureapp.data.fringe import FringeStack
@@ -28,6 +27,7 @@ from measureapp.fringe.exposures.bracket import BracketLimits
 from measureapp.fringe.patterns.draw import pattern_images
 from measureapp.fringe.settings import DecodeSettings
 from measureapp.pipeline.bracket import propose_bracket
+from measureapp.pipeline.events import Event, ExposuresChosen, ValidityKnown, ViewFailed, ViewReady
 from measureapp.pipeline.live_decoding import LiveDecoding
 from measureapp.pipeline.noise import decode_settings_of
 from measureapp.pipeline.validity import check_before_scan
@@ -103,7 +103,7 @@ class _Processing:
                 maps, last_image_s = decoded or (None, 0.0)
                 view = compute_cloud(stack, self._calibration, progress, self._rectifier, maps, self._memory, self._settings)
             except (DecodeError, ReconstructError) as error:
-                self._on_event(ViewpointFailed(stack.viewpoint_id, str(error)))
+                self._on_event(ViewFailed(stack.viewpoint_id, str(error)))
                 return
         if decoded is not None:
             view = replace(view, timings_s={LAST_IMAGE_TO_CLOUD: time.monotonic() - last_image_s})
@@ -157,7 +157,9 @@ def scan(
         if bracket_s is not None and not stored:
             plan = _choose_exposures(rig, project, plan, bracket_s, on_event)
         with watch.stage("scan with storing and clouds"):
-            Engine(rig, sink).run(plan, images, on_event, progress, stored)
+            task = FringeTask(plan.patterns, plan.bracket.exposures_us, images, sink)
+            waiting = [viewpoint for viewpoint in plan if viewpoint.id not in stored]
+            Engine(rig).run(plan.name, waiting, task, on_event, progress)
     return tuple(sink.views[viewpoint.id] for viewpoint in plan if viewpoint.id in sink.views)
 
 

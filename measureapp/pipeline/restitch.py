@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from measureapp.acquire.events import Event
 from measureapp.data.view_choices import ViewChoices
 from measureapp.errors import InputError
 from measureapp.pipeline.assemble import Revision, assemble
 from measureapp.pipeline.chosen_views import check_choices
+from measureapp.pipeline.events import Event
 from measureapp.pipeline.run import Outcome, finish
 from measureapp.pipeline.watch import Stopwatch
 from measureapp.progress import PartOf, Progress

@@ -8,8 +8,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from measureapp.acquire.capture import capture_board
-from measureapp.acquire.events import CalibrationReady, Event
+from measureapp.acquire.engine import Engine
+from measureapp.acquire.events import ImageTaken, ViewpointFailed
+from measureapp.acquire.tasks.board import BoardTask
 from measureapp.calibrate.rig.joint_solution import RigSolution
 from measureapp.calibrate.rig.stitch_uncertainty import uncertainty_of
 from measureapp.data.calibration import RigCalibration
@@ -19,17 +20,17 @@ from measureapp.data.rig import RigDescription
 from measureapp.devices.connect import connect_rig
 from measureapp.devices.rig import Rig
 from measureapp.errors import CalibrationError, InputError
-from measureapp.fringe.patterns.draw import check_determines_phase
 from measureapp.pipeline.assemble import assemble
 from measureapp.pipeline.calibrate import calibrate_from_views
 from measureapp.pipeline.documents import outcome_document, write_reports
-from measureapp.pipeline.measure import check_space, compute_clouds, scan
+from measureapp.pipeline.events import CalibrationReady, Event
+from measureapp.pipeline.measure import compute_clouds, scan
+from measureapp.pipeline.preflight import Preflight, check_connected, check_plan
 from measureapp.pipeline.recording.learn import calibrate_recording
 from measureapp.pipeline.recording.stages import is_recording
-from measureapp.pipeline.validity import check_before_scan, check_stored_images
+from measureapp.pipeline.validity import check_stored_images
 from measureapp.pipeline.watch import Stopwatch
 from measureapp.planning.calibration_views import calibration_viewpoints
-from measureapp.planning.reach import check_reach
 from measureapp.progress import PartOf, Progress
 from measureapp.project.folder import ProjectFolder, ProjectSettings
 from measureapp.register.clouds.filter_chain import FilterChain
@@ -65,12 +66,19 @@ def calibrate_rig(rig: Rig, project: ProjectFolder, on_event: OnEvent, progress:
     viewpoints = calibration_viewpoints(rig.description, project.plan())
     stored = {view.viewpoint_id for view in project.board_views()}
     with watch.stage("calibration images"):
-        rig.place_on_table("board")
-        for index, viewpoint in enumerate(viewpoints):
-            progress.report(0.6 * index, len(viewpoints), f"board from {viewpoint.id}")
-            if viewpoint.id not in stored:
-                project.save_board_view(capture_board(rig, viewpoint))
+        waiting = [viewpoint for viewpoint in viewpoints if viewpoint.id not in stored]
+        Engine(rig).run("calibration", waiting, BoardTask(project.save_board_view), _of_images(on_event), PartOf(progress, 0.0, 0.6))
     return solve_calibration(project, on_event, PartOf(progress, 0.6, 1.0), watch)
+
+
+def _of_images(on_event: OnEvent) -> OnEvent:
+    """Pass on images and failures only: the viewpoints of a calibration are none of a scan."""
+
+    def receive(event: Event) -> None:
+        if isinstance(event, (ImageTaken, ViewpointFailed)):
+            on_event(event)
+
+    return receive
 
 
 def solve_calibration(project: ProjectFolder, on_event: OnEvent, progress: Progress, watch: Stopwatch) -> RigSolution:
@@ -96,18 +104,15 @@ def scan_into_project(request: ScanRequest, on_event: OnEvent, progress: Progres
     DeviceError
         From the rig.
     """
-    check_determines_phase(request.plan.patterns)
-    check_reach(request.plan, request.rig)
     project = _project_of(request)
+    check_plan(request.plan, request.rig, project).refuse()
     calibrated = _calibrated_for(request, project)
     calibration = calibrated.calibration()
-    check_space(project, request.rig, request.plan)
     watch = Stopwatch()
     with ExitStack() as held, RegistrationCache() as registration_cache:
         rig = connect_rig(request.rig)
         try:
-            if calibration is not None:
-                check_before_scan(rig, calibration)
+            check_connected(request.plan, rig, project, calibration).refuse()
             project = ProjectFolder.create(request.folder, project.settings)
             held.enter_context(project.lock())
             if calibration is not None and project.calibration() is None:
@@ -121,6 +126,17 @@ def scan_into_project(request: ScanRequest, on_event: OnEvent, progress: Progres
             return None
         measurement = assemble(project, calibration, views, on_event, PartOf(progress, 0.8, 1.0), watch, registration_cache)
         return finish(project, measurement, watch)
+
+
+def rehearse(request: ScanRequest) -> Preflight:
+    """Connect the rig and check everything that would stop the scan; nothing moves and nothing is written."""
+    project = _project_of(request)
+    calibration = _calibrated_for(request, project).calibration()
+    rig = connect_rig(request.rig)
+    try:
+        return check_connected(request.plan, rig, project, calibration)
+    finally:
+        rig.close()
 
 
 def _project_of(request: ScanRequest) -> ProjectFolder:

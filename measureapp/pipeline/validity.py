@@ -7,7 +7,7 @@ from dataclasses import replace
 from datetime import UTC, datetime
 from statistics import median
 
-from measureapp.acquire.capture import read_conditions
+from measureapp.acquire.session import read_conditions
 from measureapp.calibrate.cameras.drift import camera_drift
 from measureapp.calibrate.cameras.validity import check_fits, shortfalls
 from measureapp.data.calibration import RigCalibration

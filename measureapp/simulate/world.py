@@ -167,6 +167,12 @@ class World:
             self._images += 1
             return read_out(mean, self.description.camera(camera).bit_depth, self.options.sensor, self._noise_key + self._images)
 
+    def image_under(self, camera: str, exposure_us: int, pattern: int) -> ImageArray:
+        """Show pattern ``pattern`` and return the image of ``camera`` under it, with noise."""
+        with self._lock:
+            self.show(pattern)
+            return self.image(camera, exposure_us)
+
     def mean_image(self, camera: str, exposure_us: int) -> FloatArray:
         """Return the noise-free image of ``camera`` now, (H, W) float32 relative to full scale, without saturation."""
         with self._lock:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from measureapp.devices.status import DeviceStatus
 from measureapp.errors import LimitError
 from measureapp.geometry.transform import RigidTransform
 from measureapp.simulate.world import World
@@ -39,9 +40,16 @@ class VirtualRobot:
         self._stopping.wait(self.name, _with_settling(seconds), timeout_s)
         self._world.move_robot(base_from_flange)
 
+    def status(self) -> DeviceStatus:
+        """Read the state, for display."""
+        return DeviceStatus(True, "flange at {:.1f} {:.1f} {:.1f} mm".format(*self.pose().translation_mm))
+
     def stop(self) -> None:
         """Stop now, from any thread; a waiting `move_to` then raises Cancelled."""
         self._stopping.stop()
+
+    def close(self) -> None:
+        """Nothing to release."""
 
     def _check_reach(self, goal: RigidTransform) -> None:
         robot = self._world.description.robot
@@ -74,9 +82,19 @@ class VirtualGuide:
         self._stopping.wait(self.name, _with_settling(abs(goal_mm - self.position_mm()) / GUIDE_MM_PER_S), timeout_s)
         self._world.move_guide(float(goal_mm))
 
+    def home(self, *, timeout_s: float) -> None:
+        """Nothing to find: its position is always known."""
+
+    def status(self) -> DeviceStatus:
+        """Read the state, for display."""
+        return DeviceStatus(True, f"at {self.position_mm():.2f} mm")
+
     def stop(self) -> None:
         """Stop now, from any thread; a waiting `move_to` then raises Cancelled."""
         self._stopping.stop()
+
+    def close(self) -> None:
+        """Nothing to release."""
 
 
 class VirtualTable:
@@ -102,9 +120,19 @@ class VirtualTable:
         self._stopping.wait(self.name, _with_settling(abs(goal_rad - self.angle_rad()) / TABLE_RAD_PER_S), timeout_s)
         self._world.turn_table(float(goal_rad))
 
+    def home(self, *, timeout_s: float) -> None:
+        """Nothing to find: its angle is always known."""
+
+    def status(self) -> DeviceStatus:
+        """Read the state, for display."""
+        return DeviceStatus(True, f"at {np.degrees(self.angle_rad()):.4f}°")
+
     def stop(self) -> None:
         """Stop now, from any thread; a waiting `move_to` then raises Cancelled."""
         self._stopping.stop()
+
+    def close(self) -> None:
+        """Nothing to release."""
 
 
 def _with_settling(seconds: float) -> float:

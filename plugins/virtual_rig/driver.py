@@ -2,52 +2,45 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import cast
 
-from pydantic import ValidationError
-
-from measureapp.data.model import first_problem
-from measureapp.data.rig import RigDescription
+from measureapp.devices.request import DeviceRequest
 from measureapp.devices.rig import Rig
 from measureapp.errors import DeviceError
 from measureapp.simulate.parts import make_part
 from measureapp.simulate.world import TableContent, World
 
 from .axes import VirtualGuide, VirtualRobot, VirtualTable
-from .head import VirtualCamera, VirtualProjector
+from .head import SharedLink, VirtualCamera, VirtualProjector
 from .settings import VirtualRigSettings
-from .waiting import Clock, ScaledClock
+from .waiting import Clock, SteppingClock, clock_of
 
 THINGS = ("board", "part", "empty")
 
 
-def connect(description: RigDescription, settings: Mapping[str, object]) -> Rig:
+def connect(request: DeviceRequest) -> Rig:
     """Build a world from settings and connect to it.
 
     Raises
     ------
     DeviceError
-        A setting is invalid; names it.
+        A setting names a camera that the rig has not.
     InputError
         The part cannot be read.
     """
-    try:
-        chosen = VirtualRigSettings.model_validate(dict(settings))
-    except ValidationError as error:
-        raise DeviceError(
-            f"Virtual rig: setting {first_problem(error, 'settings')}.", "Correct it in the rig's driver_settings."
-        ) from error
+    description, chosen = request.rig, request.settings
+    assert isinstance(chosen, VirtualRigSettings)
     strangers = sorted(set(chosen.world.knocked_deg) - {camera.name for camera in description.cameras})
     if strangers:
         raise DeviceError(f"Virtual rig: setting world.knocked_deg names camera {strangers[0]!r}.", "Name cameras of this rig.")
     world = World(description, make_part(chosen.part, chosen.unit), chosen.seed, chosen.board, chosen.world)
-    return rig_of(world, ScaledClock(chosen.time_scale))
+    return rig_of(world, clock_of(chosen.time_scale))
 
 
 def rig_of(world: World, clock: Clock | None = None) -> Rig:
     """Connect to an existing world; without a clock nothing waits."""
-    time = clock or ScaledClock(0.0)
+    time, link = clock or SteppingClock(), SharedLink()
+    cameras = {camera.name: VirtualCamera(camera, world, time, link) for camera in world.description.cameras}
 
     def place_on_table(thing: str) -> None:
         if thing not in THINGS:
@@ -56,8 +49,8 @@ def rig_of(world: World, clock: Clock | None = None) -> Rig:
 
     return Rig(
         description=world.description,
-        cameras={camera.name: VirtualCamera(camera, world, time) for camera in world.description.cameras},
-        projector=VirtualProjector(world, time),
+        cameras=cameras,
+        projector=VirtualProjector(world, time, tuple(cameras.values())),
         robot=VirtualRobot(world, time),
         guide=VirtualGuide(world, time),
         table=VirtualTable(world, time),

@@ -1,8 +1,9 @@
-"""Simulated time, and cancellation from any thread."""
+"""The rig's time, and cancellation from any thread."""
 
 from __future__ import annotations
 
 import threading
+import time
 from typing import Protocol
 
 from measureapp.errors import DeviceTimeout
@@ -10,29 +11,59 @@ from measureapp.progress import Cancelled
 
 
 class Clock(Protocol):
-    """Lets time pass for a device."""
+    """The rig's time, in seconds from some origin."""
 
-    def wait(self, seconds: float, stopped: threading.Event) -> None:
-        """Return after ``seconds`` of the rig's time, or at once when ``stopped`` is set."""
+    def now(self) -> float:
+        """Return the present time; it never runs back."""
+
+    def wait_until(self, moment: float, stopped: threading.Event) -> None:
+        """Return at ``moment``, or at once when ``stopped`` is set."""
 
 
 class ScaledClock:
-    """Waits for the rig's time multiplied by a scale; with scale 0 never waits."""
+    """The time of a rig that runs ``1 / scale`` times as fast as the computer's clock."""
 
     def __init__(self, scale: float) -> None:
         self._scale = scale
 
-    def wait(self, seconds: float, stopped: threading.Event) -> None:
+    def now(self) -> float:
+        """Return the present time."""
+        return time.monotonic() / self._scale
+
+    def wait_until(self, moment: float, stopped: threading.Event) -> None:
         """Wait, but not longer than until ``stopped``."""
-        if self._scale > 0.0:
-            stopped.wait(seconds * self._scale)
+        stopped.wait(max(0.0, (moment - self.now()) * self._scale))
+
+
+class SteppingClock:
+    """A time that passes only where a device waits, and then at once: nothing is waited for, and durations are known exactly."""
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._now = 0.0
+
+    def now(self) -> float:
+        """Return the present time."""
+        with self._lock:
+            return self._now
+
+    def wait_until(self, moment: float, stopped: threading.Event) -> None:
+        """Let the time be ``moment``, unless it is later already."""
+        with self._lock:
+            if not stopped.is_set():
+                self._now = max(self._now, moment)
+
+
+def clock_of(time_scale: float) -> Clock:
+    """Return a clock for the setting ``time_scale``."""
+    return ScaledClock(time_scale) if time_scale > 0.0 else SteppingClock()
 
 
 class Stopping:
     """Cancels calls that are waiting when `stop` is called; later calls are not affected."""
 
     def __init__(self, clock: Clock) -> None:
-        self._clock = clock
+        self.clock = clock
         self._lock = threading.Lock()
         self._waiting: set[threading.Event] = set()
 
@@ -43,24 +74,29 @@ class Stopping:
                 stopped.set()
 
     def wait(self, device: str, seconds: float, timeout_s: float) -> None:
-        """Let ``seconds`` of the rig's time pass.
+        """Let ``seconds`` of the rig's time pass; raises as `wait_until`."""
+        self.wait_until(device, self.clock.now() + seconds, timeout_s)
+
+    def wait_until(self, device: str, moment: float, timeout_s: float) -> None:
+        """Wait until a moment of the rig's time.
 
         Raises
         ------
         DeviceTimeout
-            It would take longer than ``timeout_s``; raised after that time.
+            It is later than ``timeout_s`` from now; raised after that time.
         Cancelled
             `stop` was called while waiting.
         """
         stopped = threading.Event()
+        latest = self.clock.now() + timeout_s
         with self._lock:
             self._waiting.add(stopped)
         try:
-            self._clock.wait(min(seconds, timeout_s), stopped)
+            self.clock.wait_until(min(moment, latest), stopped)
         finally:
             with self._lock:
                 self._waiting.discard(stopped)
         if stopped.is_set():
             raise Cancelled
-        if seconds > timeout_s:
+        if moment > latest:
             raise DeviceTimeout(f"{device} did not finish within {timeout_s:g} s.", "Check the device for obstructions, then try again.")

@@ -8,9 +8,9 @@ from dataclasses import replace
 import pytest
 from demo_fixture import Demo
 
-from measureapp.acquire.events import ViewpointFailed
 from measureapp.cli import main
 from measureapp.pipeline import Outcome
+from measureapp.pipeline.events import ViewFailed
 
 
 @pytest.fixture
@@ -20,7 +20,7 @@ def processed(demo: Demo, monkeypatch: pytest.MonkeyPatch) -> None:
     assert measurement is not None
 
     def process_project(project, on_event, progress) -> Outcome:
-        on_event(ViewpointFailed("view04", "no phase occurs in two cameras."))
+        on_event(ViewFailed("view04", "no phase occurs in two cameras."))
         progress.report(1, 1)
         return Outcome(replace(measurement, inspection=None), {"dimensions": []}, {})
 

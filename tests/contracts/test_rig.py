@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 
 from measureapp.devices.rig import Rig
@@ -37,7 +38,8 @@ def test_the_table_takes_board_and_part_and_refuses_anything_else(rig: Rig) -> N
 
 
 def test_all_devices_can_be_stopped_at_rest(rig: Rig) -> None:
-    rig.stop_all()
+    for device in rig.devices:
+        device.stop()
     rig.guide.move_to(1.0, timeout_s=10.0)
     assert rig.guide.position_mm() == pytest.approx(1.0, abs=0.01)
 
@@ -48,3 +50,18 @@ def test_the_conditions_name_every_camera_and_the_day(rig: Rig) -> None:
     assert conditions.serials == {name: camera.serial for name, camera in rig.cameras.items()}
     reported = [value for camera in rig.cameras.values() if (value := camera.temperature_c()) is not None]
     assert (conditions.temperature_c is None) == (not reported)
+
+
+def test_a_stopped_projector_leaves_the_scene_dark(rig: Rig) -> None:
+    rig.place_on_table("part")
+    rig.projector.load(np.full((1, rig.projector.height_px, rig.projector.width_px), 200, np.uint8))
+    camera = rig.cameras[rig.description.reference]
+    camera.set_exposure_us(100_000)
+    camera.arm(2, "software")
+    rig.projector.show(0, timeout_s=1.0)
+    camera.trigger()
+    camera.wait_ready(timeout_s=1.0)
+    rig.projector.stop()
+    camera.trigger()
+    lit, dark = (camera.next_frame(timeout_s=5.0).pixels.mean() for _ in range(2))
+    assert dark < 0.3 * lit

@@ -94,6 +94,25 @@ def test_root_updates_once_and_installs_without_questions(installer, monkeypatch
     assert {mode for _, mode in calls} == {"noninteractive"}
 
 
+@pytest.mark.parametrize(("user", "works"), [(0, True), (0, False), (1000, True)])
+def test_what_single_tests_need_is_installed_by_root_alone_and_never_stops_the_others(installer, monkeypatch, capsys, user, works) -> None:
+    libraries, asked = installer.system_libraries, []
+
+    def install(packages):
+        asked.extend(packages)
+        if not works:
+            raise installer.trouble.SetupTrouble("apt-get could not install system packages.", "")
+
+    monkeypatch.setattr(libraries.shutil, "which", lambda name: "apt-get" if name == "apt-get" else None)
+    monkeypatch.setattr(libraries.os, "geteuid", lambda: user, raising=False)
+    monkeypatch.setattr(libraries.sys, "platform", "linux")
+    monkeypatch.setattr(libraries, "_loads", lambda name: False)
+    monkeypatch.setattr(libraries, "install", install)
+    libraries.ensure_for_tests()
+    assert asked == (["libaravis-0.8-0", "aravis-tools"] if user == 0 else [])
+    assert ("skipped" in capsys.readouterr().out) == (not works)
+
+
 def test_without_apt_the_packages_are_named(installer, monkeypatch) -> None:
     monkeypatch.setattr(installer.system_libraries.shutil, "which", lambda name: None)
     with pytest.raises(installer.trouble.SetupTrouble, match="libegl1"):

@@ -12,30 +12,51 @@ from measureapp.cli.main import main
 from measureapp.project.rig_file import read_rig
 from measureapp.resources import resource
 
-MANIFEST = 'id = "{id}"\nname = "{id}"\nversion = "1"\napi = 1\nkind = "rig"\nentry = "driver:connect"\n'
+MANIFEST = """id = "{id}"
+name = "{id}"
+version = "1"
+api = 2
+
+[drives.rig]
+entry = "driver:connect"
+settings = "driver:Settings"
+"""
+SETTINGS = """
+from measureapp.data.model import Model
+
+class Settings(Model):
+    part: str = ""
+"""
 HALF_DEAD = """
 from types import SimpleNamespace
-from measureapp.errors import DeviceError
+from measureapp.devices.status import DeviceStatus
+
+def alive(*_):
+    return SimpleNamespace(status=lambda: DeviceStatus(True, "ready"))
 
 def dead(*_):
-    raise DeviceError("no answer.", "Switch it on.")
+    return SimpleNamespace(status=lambda: DeviceStatus(False, "no answer.", "Switch it on."))
 
-def connect(description, settings):
+def broken():
+    raise OSError("reset by peer")
+
+def connect(request):
     return SimpleNamespace(
-        cameras={"left": SimpleNamespace(serial="1", width_px=4, height_px=3, exposure_us=dead, temperature_c=lambda: None)},
-        projector=SimpleNamespace(name="projector", width_px=4, height_px=3, shown=lambda: -1),
-        robot=SimpleNamespace(name="robot", pose=dead),
-        guide=SimpleNamespace(name="guide", position_mm=lambda: 5.0),
-        table=SimpleNamespace(name="table", angle_rad=lambda: 0.5),
-        close=lambda: print("closed"),
+        cameras={"left": dead()}, projector=alive(), robot=dead(), guide=alive(),
+        table=SimpleNamespace(status=broken), close=lambda: print("closed"),
     )
 """
+
+
+@pytest.fixture(autouse=True)
+def _everything_is_allowed(monkeypatch) -> None:
+    monkeypatch.setattr("measureapp.devices.plugin_loader.is_allowed", lambda folder: True)
 
 
 def plugin(folder: Path, name: str, driver: str) -> None:
     (folder / name).mkdir(parents=True)
     (folder / name / "plugin.toml").write_text(MANIFEST.format(id=name), encoding="utf-8")
-    (folder / name / "driver.py").write_text(driver, encoding="utf-8")
+    (folder / name / "driver.py").write_text(SETTINGS + driver, encoding="utf-8")
 
 
 def answer(capsys: pytest.CaptureFixture[str], *arguments: str) -> tuple[int, dict]:
@@ -81,7 +102,8 @@ def test_all_devices_that_fail_are_named_at_once_and_the_rig_is_closed(capsys, t
     output = capsys.readouterr()
     assert code == 3
     assert "left: no answer." in output.err
-    assert "robot: no answer." in output.err
+    assert "robot: no answer. Switch it on." in output.err
+    assert "table: OSError: reset by peer." in output.err
     assert "closed" in output.out
 
 

@@ -9,18 +9,10 @@ from pathlib import Path
 import pytest
 from demo_fixture import Demo
 
-from measureapp.acquire.events import (
-    CalibrationReady,
-    Event,
-    InspectionReady,
-    RunEnded,
-    RunStarted,
-    StitchReady,
-    ViewpointStored,
-    ViewReady,
-)
+from measureapp.acquire.events import RunEnded, RunStarted, ViewpointStored
 from measureapp.demo import DemoRequest, run_demo
 from measureapp.errors import InputError
+from measureapp.pipeline.events import CalibrationReady, Event, InspectionReady, StitchReady, ViewReady
 from measureapp.progress import NoProgress
 
 

@@ -7,7 +7,7 @@ import threading
 import numpy as np
 import pytest
 
-from measureapp.acquire.capture import ExposureTaken
+from measureapp.acquire.tasks.fringes import ExposureTaken
 from measureapp.data.fringe import FringeStack
 from measureapp.data.pattern_sets import PAPER_PATTERNS
 from measureapp.errors import DecodeError

@@ -5,17 +5,20 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from measureapp.acquire.capture import grab_checked, move_to, set_exposure
+from measureapp.acquire.engine import run_once
+from measureapp.acquire.session import RigSession
+from measureapp.acquire.tasks.fringes import FringeTask
+from measureapp.acquire.tasks.probe import ProbeTask
 from measureapp.data.fringe import FringeStack, PatternSet, PhaseShiftGroup
 from measureapp.data.plan import Viewpoint
-from measureapp.devices.plugin_loader import load_plugin
+from measureapp.devices.connect import connect_rig
 from measureapp.devices.rig import Rig
 from measureapp.errors import CalibrationError, DecodeError
-from measureapp.fringe.checks.stack import check_stack
 from measureapp.fringe.decode import decode
 from measureapp.fringe.exposures.bracket import BracketLimits
+from measureapp.fringe.patterns.draw import pattern_images
 from measureapp.fringe.settings import DecodeSettings
-from measureapp.pipeline.bracket import probe_stack, propose_bracket
+from measureapp.pipeline.bracket import propose_bracket
 from measureapp.pipeline.noise import measure_noise
 from measureapp.planning.viewpoints import LookAt, viewpoint_looking_at
 from measureapp.progress import NoProgress
@@ -27,7 +30,7 @@ PATTERNS = PatternSet(name="3", projector_px=1024, groups=tuple(PhaseShiftGroup(
 def rig_with(part: str, world: dict[str, object] | None = None) -> tuple[Rig, Viewpoint]:
     """A small virtual rig that looks at a part, and from where."""
     description = read_rig("paper").at_resolution("quarter")
-    rig: Rig = load_plugin(None, "virtual_rig").entry(description, {"part": part, "seed": 3, "world": world or {}})
+    rig: Rig = connect_rig(description.model_copy(update={"driver_settings": {"part": part, "seed": 3, "world": world or {}}}))
     rig.place_on_table("part")
     target = np.add(description.table.centre_in_guide_mm, [0.0, 0.0, 30.0])
     return rig, viewpoint_looking_at(description, "view", target, LookAt(10.0, 50.0, description.standoff_mm), guide_mm=0.0, table_deg=0.0)
@@ -74,20 +77,27 @@ def test_the_bracket_a_rig_proposes_gives_what_it_promises() -> None:
     assert better > taken(rig, view, found.compared["rig"].exposures_us)[0] - 0.005
 
 
+class Kept:
+    """A sink that keeps the stacks of a scan."""
+
+    def __init__(self) -> None:
+        self.stacks: list[FringeStack] = []
+
+    def exposure_taken(self, taken: object) -> None:
+        pass
+
+    def drop(self, viewpoint_id: str) -> None:
+        pass
+
+    def store(self, stack: FringeStack) -> None:
+        self.stacks.append(stack)
+
+
 def taken(rig: Rig, view: Viewpoint, exposures: tuple[int, ...]) -> tuple[float, float]:
     """Decode a bracket that is really taken: share of the lit pixels that are valid, and median noise."""
-    move_to(rig, view)
-    images: dict[str, list[np.ndarray]] = {name: [] for name in rig.cameras}
-    for exposure in exposures:
-        set_exposure(rig.cameras, exposure)
-        for pattern in range(PATTERNS.count):
-            rig.projector.show(pattern, timeout_s=1.0)
-            for name, camera in rig.cameras.items():
-                images[name].append(grab_checked(camera, exposure, pattern))
-    stacks = {name: np.reshape(grabbed, (len(exposures), PATTERNS.count, *grabbed[0].shape)) for name, grabbed in images.items()}
-    stack = FringeStack(view.id, PATTERNS, exposures, stacks, 255)
-    check_stack(stack)
-    maps = decode(stack, DecodeSettings(vote_radius=0, edge_step_rad=1e6))
+    sink = Kept()
+    run_once(rig, "bracket", view, FringeTask(PATTERNS, exposures, pattern_images(PATTERNS, 1024, 768), sink), NoProgress())
+    maps = decode(sink.stacks[0], DecodeSettings(vote_radius=0, edge_step_rad=1e6))
     shares, sigmas = [], []
     for name, phase_map in maps.items():
         lit = lit_pixels(rig, name)
@@ -98,12 +108,8 @@ def taken(rig: Rig, view: Viewpoint, exposures: tuple[int, ...]) -> tuple[float,
 
 def lit_pixels(rig: Rig, name: str) -> np.ndarray:
     """Pixels in which two opposite steps differ clearly at a long exposure, or that are saturated in both."""
-    camera = rig.cameras[name]
-    set_exposure({name: camera}, 100_000)
-    images = []
-    for step in range(4):
-        rig.projector.show(step, timeout_s=1.0)
-        images.append(grab_checked(camera, 100_000, step).astype(int))
+    with RigSession(rig) as session:
+        images = [shot.frames[name].pixels.astype(int) for shot in session.shots(range(4), (100_000,), (name,))]
     high, low = np.max(images, axis=0), np.min(images, axis=0)
     return np.asarray((high - low > 6) | (low >= 255))
 
@@ -112,7 +118,9 @@ def test_the_probe_takes_only_the_finest_pitch_at_two_exposures() -> None:
     rig, view = rig_with("flat")
     patterns = PATTERNS.model_copy(update={"groups": PATTERNS.groups[::-1]})
     propose_bracket(rig, patterns, BracketLimits(4.8, 2, multiple_us=10_000), view)
-    stack = probe_stack(rig, patterns, NoProgress())
+    stacks: list[FringeStack] = []
+    run_once(rig, "probe", None, ProbeTask(patterns, pattern_images(patterns, 1024, 768), stacks.append), NoProgress())
+    (stack,) = stacks
     assert stack.exposures_us == (100_000, 12_500)
     assert stack.patterns.pitches_px == (16,)
     assert {images.shape[:2] for images in stack.images.values()} == {(2, 4)}

@@ -10,14 +10,13 @@ from pathlib import Path
 import pytest
 from demo_fixture import Demo
 
-from measureapp.acquire.events import Event, ValidityKnown
 from measureapp.data.calibration import RigCalibration
 from measureapp.data.plan import ExposureBracket, ScanPlan
 from measureapp.data.rig import RigDescription
 from measureapp.devices.connect import connect_rig
-from measureapp.devices.plugin_loader import load_plugin
 from measureapp.errors import CalibrationError, DeviceError
 from measureapp.pipeline.board_check import check_with_board
+from measureapp.pipeline.events import Event, ValidityKnown
 from measureapp.pipeline.measure import scan
 from measureapp.pipeline.run import calibrate_rig
 from measureapp.pipeline.validity import check_before_scan, validity_of
@@ -142,7 +141,7 @@ def test_a_check_with_the_board_is_noted_with_its_images(tmp_path: Path, rig: Ri
 
 def test_a_knock_of_a_camera_that_does_not_exist_is_refused(rig: RigDescription) -> None:
     with pytest.raises(DeviceError, match="knocked_deg names camera 'fourth'"):
-        load_plugin(None, "virtual_rig").entry(rig, {"world": {"knocked_deg": {"fourth": [0, 1, 0]}}})
+        connect_rig(rig.model_copy(update={"driver_settings": {"world": {"knocked_deg": {"fourth": [0, 1, 0]}}}}))
 
 
 @pytest.mark.slow

@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 from demo_fixture import Demo
 
-from measureapp.acquire.events import Event, SurfaceFailed
 from measureapp.cli.outcome import report_event
+from measureapp.pipeline.events import Event, SurfaceFailed
 from measureapp.pipeline.restitch import restitch
 from measureapp.progress import NoProgress
 from measureapp.project.folder import ProjectFolder

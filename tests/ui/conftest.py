@@ -178,6 +178,7 @@ def application(qapp, qtbot, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) ->
     for runner in built.controllers.runners:
         runner.queue.cancel_all()
         runner.queue.wait(10_000)
+    built.controllers.rig.close()
     built.window.close()
 
 

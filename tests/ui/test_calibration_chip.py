@@ -6,8 +6,8 @@ from datetime import datetime, timedelta
 
 import pytest
 
-from measureapp.acquire.events import ValidityKnown
 from measureapp.data.validity import Drift, Validity
+from measureapp.pipeline.events import ValidityKnown
 from ui.controllers.run_events import RunEvents
 from ui.pages.calibration_chip import calibration_state
 from ui.session import Session

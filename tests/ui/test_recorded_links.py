@@ -6,8 +6,10 @@ import cv2
 import numpy as np
 import pytest
 
-from measureapp.acquire.capture import capture_board
+from measureapp.acquire.engine import Engine
+from measureapp.acquire.tasks.board import BoardTask
 from measureapp.planning.calibration_views import calibration_viewpoints
+from measureapp.progress import NoProgress
 from measureapp.project.rig_file import read_rig
 from tests.ui.board_pictures import BOARD, record
 from ui.controllers.rig_connection import connect, truth_of
@@ -25,10 +27,11 @@ def filmed(tmp_path_factory):
     folder = tmp_path_factory.mktemp("hand_eye")
     rig = read_rig("paper").at_resolution("quarter")
     connection = connect(rig, PAPER_BOARD)
-    connection.rig.place_on_table("board")
     lines = ["name,x_mm,y_mm,z_mm,qw,qx,qy,qz"]
-    for number, viewpoint in enumerate(calibration_viewpoints(rig, motions=("robot",), guide_at_zero=True)[:POSES], start=1):
-        view = capture_board(connection.rig, viewpoint)
+    viewpoints = calibration_viewpoints(rig, motions=("robot",), guide_at_zero=True)[:POSES]
+    views = []
+    Engine(connection.rig).run("board", viewpoints, BoardTask(views.append), lambda event: None, NoProgress())
+    for number, (viewpoint, view) in enumerate(zip(viewpoints, views, strict=True), start=1):
         for camera, pixels in view.images.items():
             cv2.imwrite(str(folder / f"{camera}{number:02d}.png"), pixels)
         pose = viewpoint.flange

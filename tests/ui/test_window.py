@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QMessageBox
 
 from measureapp.acquire import events as e
 from measureapp.errors import InputError
+from measureapp.pipeline import events as p
 from ui.app import Reporter, open_demo
 
 
@@ -22,18 +23,18 @@ def demo(monkeypatch, measurement):
     def run_demo(request, on_event, progress):
         state.requests.append(request)
         progress.report(0, 4, "Calibrating")
-        on_event(e.CalibrationReady(measurement.calibration))
+        on_event(p.CalibrationReady(measurement.calibration))
         on_event(e.RunStarted("six views", tuple(view.viewpoint_id for view in measurement.views)))
         for view in measurement.views:
             on_event(e.ViewpointStarted(view.viewpoint_id))
             on_event(e.ViewpointStored(view.viewpoint_id, 1.0))
-            on_event(e.ViewReady(view))
+            on_event(p.ViewReady(view))
         assert state.gate.wait(10)
         progress.report(3, 4, "Stitching")
         if state.error is not None:
             raise state.error
-        on_event(e.StitchReady(measurement.stitched))
-        on_event(e.InspectionReady(measurement.inspection))
+        on_event(p.StitchReady(measurement.stitched))
+        on_event(p.InspectionReady(measurement.inspection))
         on_event(e.RunEnded("done"))
         return SimpleNamespace(measurement=measurement, document={}, files={}, filters=None)
 

@@ -141,7 +141,13 @@ class CollectingController(QObject):
     def run(self, title: str, run: work.Work) -> None:
         """Take or read images in the background, as ``run`` does on its job."""
         self._job = self._collecting.run(
-            title, run, self._end_collecting, on_event=self._handle_event, on_stopped=self._end_collecting, on_failed=self._tell_failure
+            title,
+            run,
+            self._end_collecting,
+            on_event=self._handle_event,
+            on_stopped=self._end_collecting,
+            on_failed=self._tell_failure,
+            moves=self.capture.rig is not None,
         )
         self._job.progressed.connect(self.progressed)
         self.changed.emit()

@@ -81,8 +81,10 @@ def take(job: Job, rig: Rig, viewpoints: Sequence[Viewpoint], session: Calibrati
     def show(view: str, camera: str, pixels: np.ndarray) -> None:
         live.put(camera, LiveImage(view, pixels))
 
-    for viewpoint, found in capture_views(rig, viewpoints, session, show, job):
-        job.emit_event(_describe_added(found, viewpoint.id))
+    def tell(viewpoint_id: str, found: CollectedObservation) -> None:
+        job.emit_event(_describe_added(found, viewpoint_id))
+
+    capture_views(rig, viewpoints, session, show, tell, job)
 
 
 def read(job: Job, recorded: Sequence[RecordedView], session: CalibrationSession) -> None:
@@ -146,10 +148,10 @@ def evaluate_snapshot(job: Job, snapshot: Snapshot, rig: RigDescription | None) 
     return InterimResult(draft.solved, error, advise(draft), verdict, suggestion)
 
 
-def connect_rig(job: Job, rig: RigDescription, board: BoardDescription) -> RigConnection:
-    """Connect the rig and report the connection to the window, which keeps it."""
+def connect_rig(job: Job, rig: RigDescription, board: BoardDescription, held: Rig | None) -> RigConnection:
+    """Connect the rig, or borrow the connection ``held`` by the Rig page, and report it to the window, which keeps it."""
     from ui.controllers.rig_connection import connect
 
-    connection = connect(rig, board)
+    connection = connect(rig, board, held)
     job.emit_event(connection)
     return connection

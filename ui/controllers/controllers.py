@@ -18,6 +18,7 @@ from ui.controllers.jobs import JobRunner
 from ui.controllers.programming import ProgrammingController
 from ui.controllers.project import ProjectController
 from ui.controllers.recent_calibration import RecentCalibrationController
+from ui.controllers.rig_control import RigControl
 from ui.controllers.startup import StartupController
 from ui.controllers.stored_images import StoredImagesController
 from ui.controllers.view_choices import ViewChoicesController
@@ -37,6 +38,7 @@ class Controllers(QObject):
         self.drawing = JobRunner(session, self)
         self.explaining = JobRunner(session, self)
         self.solving = JobRunner(session, self)
+        self.rig = RigControl(session, self.jobs, self)
         self.demo = DemoController(session, self.jobs, self)
         self.project = ProjectController(session, self.jobs, self)
         self.documents = DocumentsController(session, self.jobs, self)
@@ -70,4 +72,6 @@ class Controllers(QObject):
             runner.queue.cancel_all()
         clock = QElapsedTimer()
         clock.start()
-        return all(runner.queue.wait(max(0, timeout_ms - clock.elapsed())) for runner in self.runners)
+        ended = all(runner.queue.wait(max(0, timeout_ms - clock.elapsed())) for runner in self.runners)
+        self.rig.close()
+        return ended

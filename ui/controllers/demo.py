@@ -16,7 +16,7 @@ from ui.look.paths import demo_folder, next_demo_folder
 from ui.session import Session
 
 if TYPE_CHECKING:
-    from measureapp.acquire.events import Event
+    from measureapp.pipeline.events import Event
     from measureapp.pipeline.run import Outcome
     from ui.workers.job import Job
 
@@ -75,6 +75,7 @@ class DemoController(QObject):
             self._work(settings, folder),
             self._finish,
             on_event=self._apply,
+            moves=True,
         )
 
     def _work(self, settings: DemoSettings, folder: Path) -> Any:

@@ -78,9 +78,9 @@ class HolesController(QObject):
                 lambda job: explain(folder, viewpoint_id, job),
                 self._keep,
                 on_failed=self._tell_failure,
-                on_cancelled=self._tell_cancelled,
                 quiet=True,
             )
+            self._job.cancelled.connect(self._tell_cancelled)
         else:
             self.stopped.emit("The images of this view are not on disk. Open the project that contains them.")
 

@@ -34,15 +34,17 @@ class JobRunner(QObject):
         on_event: Callable[[Any], None] | None = None,
         on_stopped: Callable[[], None] | None = None,
         on_failed: Callable[[MeasureError], None] | None = None,
-        on_cancelled: Callable[[], None] | None = None,
         quiet: bool = False,
+        moves: bool = False,
     ) -> Job:
         """Run ``work`` in a thread; the callables must be methods of QObjects, so that they run in the window's thread.
 
-        Connecting to the returned job may be too late if it fails immediately.
+        A ``quiet`` job is not shown as running; during one that ``moves`` axes, Stop is in sight.
+
+        Connecting to the returned job may be too late if it fails immediately; cancelling always comes later.
         """
         job = Job(title, work)
-        job.quiet = quiet
+        job.quiet, job.moves = quiet, moves
         if on_event is not None:
             job.happened.connect(on_event)
         job.succeeded.connect(on_done)
@@ -51,8 +53,6 @@ class JobRunner(QObject):
             job.failed.connect(on_stopped)
         if on_failed is not None:
             job.failed.connect(on_failed)
-        if on_cancelled is not None:
-            job.cancelled.connect(on_cancelled)
         job.failed.connect(self._on_failed)
         if not quiet:
             job.cancelled.connect(self._on_cancelled)
@@ -68,10 +68,14 @@ class JobRunner(QObject):
         job.progressed.connect(self.progressed)
         if not job.quiet:
             self._session.set_busy(job.title)
+        if job.moves:
+            self._session.set_moving(True)
 
     def _on_ended(self, job: Job) -> None:
         if not job.quiet:
             self._session.set_busy("")
+        if job.moves:
+            self._session.set_moving(False)
 
     def _on_failed(self, error: MeasureError) -> None:
         self._session.tell(error.message, error.hint, "error")

@@ -84,17 +84,22 @@ class RigCapture:
 
     def close(self) -> None:
         """Disconnect the rig."""
-        if self.connection is not None:
+        if self.connection is not None and not self.connection.borrowed:
             self.connection.rig.close()
 
     def _take(self, viewpoints: tuple[Viewpoint, ...]) -> None:
         collected, rig, connection, live = self._collecting.collected, self.rig, self.connection, self._collecting.images.live
         if collected is None or rig is None or self._collecting.is_collecting or not viewpoints:
             return
+        held = self._session.connection
 
         def run(job: Job) -> None:
             job.report(0, 1, "Connecting the rig")
-            connected = connection or work.connect_rig(job, rig, collected.setup.board)
+            connected = connection
+            if connected is not None and connected.rig.latch.reason and not connected.borrowed:
+                connected.rig.close()  # it was stopped: connecting anew is the reset, with fresh read-backs
+                connected = None
+            connected = connected or work.connect_rig(job, rig, collected.setup.board, held)
             work.take(job, connected.rig, viewpoints, collected, live)
 
         self._collecting.run("Taking images of the board", run)

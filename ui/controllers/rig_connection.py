@@ -19,13 +19,14 @@ PART = "flat"  # the quickest to make; it is not used
 
 @dataclass(frozen=True, eq=False)
 class RigConnection:
-    """A connected rig."""
+    """A connected rig; a ``borrowed`` one belongs to the Rig page."""
 
     rig: Rig
+    borrowed: bool = False
 
 
-def connect(description: RigDescription, board: BoardDescription) -> RigConnection:
-    """Connect the rig through its driver; on the virtual rig ``board`` is on the table.
+def connect(description: RigDescription, board: BoardDescription, held: Rig | None = None) -> RigConnection:
+    """Connect the rig through its driver, or borrow the connection ``held``; on the virtual rig ``board`` is on the table.
 
     Raises
     ------
@@ -35,16 +36,17 @@ def connect(description: RigDescription, board: BoardDescription) -> RigConnecti
         The driver cannot be loaded.
     """
     if description.driver != VIRTUAL:
+        if held is not None and held.description == description:
+            return RigConnection(held, borrowed=True)
         from measureapp.devices.connect import connect_rig
 
         return RigConnection(connect_rig(description))
-    from measureapp.devices.plugin_loader import load_plugin
-    from measureapp.resources import plugin_folder
+    from measureapp.devices.plugin_loader import load_driver
     from measureapp.simulate.parts import make_part
     from measureapp.simulate.world import World
 
     world = World(description, make_part(PART), _seed(description), board)
-    return RigConnection(load_plugin(plugin_folder(), VIRTUAL).module.rig_of(world))
+    return RigConnection(load_driver(None, VIRTUAL, "rig").module.rig_of(world))
 
 
 def truth_of(description: RigDescription, board: BoardDescription) -> RigCalibration | None:

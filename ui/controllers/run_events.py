@@ -12,7 +12,8 @@ from ui.workers.job import Job
 if TYPE_CHECKING:
     from collections.abc import Callable
 
-    from measureapp.acquire.events import Event, ImageTaken, RunEnded, ValidityKnown
+    from measureapp.acquire.events import AcquisitionEvent, ImageTaken, RunEnded
+    from measureapp.pipeline.events import Event, ProcessingEvent, ValidityKnown
 
 
 class RunEvents(QObject):
@@ -38,6 +39,14 @@ class RunEvents(QObject):
     @Slot(object)
     def apply(self, event: Event) -> None:
         """Apply one event to the session."""
+        from measureapp.acquire.events import AcquisitionEvent
+
+        if isinstance(event, AcquisitionEvent):
+            self._apply_acquisition(event)
+        else:
+            self._apply_processing(event)
+
+    def _apply_acquisition(self, event: AcquisitionEvent) -> None:
         from measureapp.acquire import events as e
 
         session = self._session
@@ -49,16 +58,30 @@ class RunEvents(QObject):
                 session.set_viewpoint(event.viewpoint_id, "moving")
             case e.ImageTaken():
                 self._capturing(event)
+            case e.ViewpointRetaken():
+                session.set_viewpoint(event.viewpoint_id, "moving", event.reason)
+                session.tell(f"Viewpoint {event.viewpoint_id} is taken again: {event.reason}", "", "warning")
             case e.ViewpointStored():
                 session.set_viewpoint(event.viewpoint_id, "stored", f"{event.seconds:.1f} s")
             case e.ViewpointFailed():
                 session.set_viewpoint(event.viewpoint_id, "failed", event.reason)
                 session.tell(f"Viewpoint {event.viewpoint_id} failed: {event.reason}", "The scan continues with the next one.", "warning")
+            case e.RunEnded():
+                self._ended(event)
+
+    def _apply_processing(self, event: ProcessingEvent) -> None:
+        from measureapp.pipeline import events as e
+
+        session = self._session
+        match event:
             case e.CalibrationReady():
                 session.set_calibration(event.calibration)
                 session.tell("The rig is calibrated.")
             case e.ViewReady():
                 session.add_view(event.view)
+            case e.ViewFailed():
+                session.set_viewpoint(event.viewpoint_id, "failed", event.reason)
+                session.tell(f"Viewpoint {event.viewpoint_id} has no cloud: {event.reason}", "Its images are stored.", "warning")
             case e.StitchReady():
                 session.set_stitched(event.stitched)
             case e.SurfaceFailed():
@@ -67,8 +90,6 @@ class RunEvents(QObject):
                 session.set_inspection(event.inspection)
             case e.ValidityKnown():
                 self._report_validity(event)
-            case e.RunEnded():
-                self._ended(event)
 
     def _capturing(self, event: ImageTaken) -> None:
         known = self._session.viewpoints.get(event.viewpoint_id)

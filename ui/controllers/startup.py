@@ -74,7 +74,7 @@ def list_drivers() -> tuple[DriverRow, ...]:
 
 def driver_row(found: PluginRow) -> DriverRow:
     """Return one row of the list of drivers."""
-    return DriverRow(found.id, found.kind, found.version, f"{found.problem} {found.hint}".strip())
+    return DriverRow(found.id, ", ".join(found.kinds), found.version, f"{found.problem} {found.hint}".strip())
 
 
 def load_graphics(job: Job) -> str:

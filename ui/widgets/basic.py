@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QFormLayout, QFrame, QHBoxLayout, QLabel, QLayout,
 from ui.look.look import Look
 
 TextRole = Literal["body", "title", "heading", "strong", "soft", "small", "caption", "figure", "field"]
-ButtonRole = Literal["normal", "primary", "quiet", "message"]
+ButtonRole = Literal["normal", "primary", "quiet", "message", "stop"]
 
 
 def label(text: str = "", role: TextRole = "body", *, wrap: bool = False) -> QLabel:
@@ -77,7 +77,7 @@ class Button(QPushButton):
 
     def _redraw(self) -> None:
         if self._icon:
-            self.setIcon(self._look.icon(self._icon, "accent_on" if self._role == "primary" else "soft"))
+            self.setIcon(self._look.icon(self._icon, "accent_on" if self._role in ("primary", "stop") else "soft"))
 
 
 class Form(QFormLayout):

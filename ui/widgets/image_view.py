@@ -26,9 +26,11 @@ def grey_image(pixels: np.ndarray) -> QImage:
 class ImageView(QWidget):
     """Shows one image with its caption, or an empty frame."""
 
-    def __init__(self, look: Look, caption: str = "") -> None:
+    def __init__(self, look: Look, caption: str = "", *, whole: bool = False) -> None:
+        """``whole``: nothing is cut off; otherwise the image fills the widget."""
         super().__init__()
         self._look, self._image, self.caption = look, QImage(), caption
+        self._fit = Qt.AspectRatioMode.KeepAspectRatio if whole else Qt.AspectRatioMode.KeepAspectRatioByExpanding
         self.setMinimumSize(144, 108)
         look.changed.connect(self.update)
 
@@ -51,7 +53,7 @@ class ImageView(QWidget):
         theme = self._look.theme
         painter = picture_painter(self, theme)
         if not self._image.isNull():
-            fitted = self._image.size().scaled(self.size(), Qt.AspectRatioMode.KeepAspectRatioByExpanding)
+            fitted = self._image.size().scaled(self.size(), self._fit)
             target = QRectF(0, 0, fitted.width(), fitted.height())
             target.moveCenter(QRectF(self.rect()).center())
             painter.drawImage(target, self._image)

@@ -26,7 +26,7 @@ class RigDrawing(QWidget):
         super().__init__()
         self._look = look
         self._rig: RigDescription | None = None
-        self.setMinimumSize(480, 208)
+        self.setMinimumSize(480, 160)
         look.changed.connect(self.update)
 
     def show_rig(self, rig: RigDescription | None) -> None:

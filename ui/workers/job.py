@@ -35,6 +35,7 @@ class Job(QThread):
         super().__init__(parent)
         self.title = title
         self.quiet = False
+        self.moves = False  # axes of a rig
         self._work = work
         self._stop = threading.Event()
         self._last_report = 0.0

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from measureapp.data.board import AnyBoard
 from measureapp.data.calibration import CameraArrayCalibration
-from measureapp.data.recording import ID, Recording
+from measureapp.data.recording import Recording
 from measureapp.data.rig import RECORDED, RigDescription
 from measureapp.pipeline.recording.axes import MOVED_BY, RecordedViews, find_axes
 from measureapp.pipeline.recording.described_rig import rig_of_cameras
@@ -131,16 +131,9 @@ def _bit_depth(saturation: int | None) -> int:
 
 
 def _check_rig(rig: RigDescription, problems: Problems) -> None:
-    names = [camera.name for camera in rig.cameras]
     if rig.driver != RECORDED:
-        problems.note(f"the rig {rig.name!r} has driver = {rig.driver!r}.", 'Write driver = "recorded": a recording has no devices.')
-    unusable = [name for name in names if not ID.fullmatch(name) or names.count(name) > 1]
-    if unusable:
-        problems.note(
-            f"the rig has a camera {unusable[0]!r}, which is no name of a file or occurs twice.", "Use letters, digits, '_', '-' and '.'."
-        )
-    if rig.reference not in names:
-        problems.note(f"the rig's reference camera {rig.reference!r} is not among its cameras.", f"Name one of: {', '.join(names)}.")
+        found = f"driver = {rig.driver!r}" if rig.driver else "a driver for each device"
+        problems.note(f"the rig {rig.name!r} has {found}.", 'Write driver = "recorded" alone: a recording has no devices.')
     depths = {camera.bit_depth for camera in rig.cameras}
     if len(depths) > 1:
         problems.note(f"the rig's cameras have {' and '.join(map(str, sorted(depths)))} bit.", "Record all cameras with one bit depth.")

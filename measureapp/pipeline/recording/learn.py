@@ -8,7 +8,6 @@ from typing import Any
 
 import numpy as np
 
-from measureapp.acquire.events import CalibrationReady, Event
 from measureapp.calibrate.boards.observation import Observation
 from measureapp.calibrate.cameras.array import CameraArraySolution
 from measureapp.calibrate.draft.draft import Draft, Known, Setup
@@ -28,6 +27,7 @@ from measureapp.data.rig import RigDescription
 from measureapp.errors import CalibrationError
 from measureapp.geometry.transform import RigidTransform
 from measureapp.pipeline.calibrate import calibrate_from_views, views_provenance
+from measureapp.pipeline.events import CalibrationReady, Event
 from measureapp.pipeline.recording.motions import BoardReadback, determines_rig, moved_axes
 from measureapp.pipeline.recording.stages import LINKS, Recorded, recorded, why_not_placed
 from measureapp.pipeline.watch import Stopwatch

@@ -9,11 +9,11 @@ from typing import Any
 
 import numpy as np
 
-from measureapp.acquire.events import CalibrationReady, Event, ViewReady
 from measureapp.data.measurement import ViewResult
 from measureapp.errors import CalibrationError, ReconstructError, RegistrationError
 from measureapp.pipeline.assemble import assemble
 from measureapp.pipeline.documents import view_figures
+from measureapp.pipeline.events import CalibrationReady, Event, ViewReady
 from measureapp.pipeline.measure import compute_clouds
 from measureapp.pipeline.recording.learn import Learnt, learn, stationary_rig
 from measureapp.pipeline.recording.stages import missing_stages, recorded, why_not_placed

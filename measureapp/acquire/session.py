@@ -1,0 +1,200 @@
+"""The one hand on a rig: whatever moves an axis or triggers a camera goes through a session."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from contextlib import closing
+from datetime import UTC, datetime
+from math import radians
+from types import TracebackType
+from typing import TypeVar
+
+from measureapp.acquire.device_call import call_device
+from measureapp.acquire.motion import confirm_reached, confirm_still
+from measureapp.acquire.stopping import abort
+from measureapp.arrays import ImageArray
+from measureapp.data.conditions import Conditions
+from measureapp.data.fringe import AxisReadback
+from measureapp.data.plan import Viewpoint
+from measureapp.devices.camera import Camera
+from measureapp.devices.head import HardwareHead, Head, Shot, SoftwareHead
+from measureapp.devices.head_timing import frame_timeout_s
+from measureapp.devices.projector import DARK, TriggeringProjector
+from measureapp.devices.rig import Rig
+from measureapp.errors import DeviceError, MeasureError
+from measureapp.geometry.transform import RigidTransform
+from measureapp.progress import Cancelled, NoProgress, Progress
+
+BY_USER = "cancelled by the user."
+READ_TIMEOUT_S = 4.0
+LOAD_TIMEOUT_S = 120.0
+T = TypeVar("T")
+STEPS_OF_A_SHOT = 4  # a shot waits for a pattern, the exposure of the next one, and images on their way
+
+
+class RigSession:
+    """Moves the axes and takes images of one rig; a context manager that stops every device on any exception whatever.
+
+    A stop latches, unless its cause was only that images were unfit or could not be stored: no session starts on the rig before
+    `acquire.stopping.reset`. Calls that wait for a device end at once when the
+    progress is cancelled; `abort` does the same from any thread.
+
+    Raises
+    ------
+    DeviceError
+        On entering, while the rig is stopped or used by another session.
+    """
+
+    def __init__(self, rig: Rig, progress: Progress | None = None) -> None:
+        self.rig = rig
+        self.stop_report = ""  # devices that did not confirm the stop
+        self._progress = progress or NoProgress()
+        self._settled = threading.Event()
+
+    def __enter__(self) -> RigSession:
+        """Take hold of the rig."""
+        self.rig.latch.check()
+        if not self.rig.in_use.acquire(blocking=False):
+            raise DeviceError(
+                f"The rig {self.rig.description.name} is in use by another task.", "Wait until that has finished, or stop it."
+            )
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
+        """Stop everything after an exception; switch the light off in any case."""
+        try:
+            if error is not None:
+                self.stop_report = abort(self.rig, _reason_of(error), latch=_doubts_the_rig(error))
+            else:
+                self.rig.projector.show(DARK, timeout_s=READ_TIMEOUT_S)
+        finally:
+            self.rig.in_use.release()
+
+    def abort(self, reason: str) -> None:
+        """Stop every device now, from any thread, and latch the stop."""
+        self.stop_report = abort(self.rig, reason)
+        self._settled.set()
+
+    # axes
+
+    def move_to(self, viewpoint: Viewpoint) -> AxisReadback:
+        """Move table, guide and robot to ``viewpoint`` one after the other, let them settle, and return the confirmed read-back.
+
+        Raises
+        ------
+        LimitError
+            A goal lies outside the limits of an axis, which did not move.
+        DeviceTimeout, MotionError, DeviceLost
+            An axis did not reach its goal, or its controller failed.
+        Cancelled
+            From the progress; every axis was stopped.
+        """
+        rules = self.rig.description.motion
+        self.move_table(radians(viewpoint.table_deg))
+        self.move_guide(viewpoint.guide_mm)
+        self.move_robot(viewpoint.flange.transform())
+        if rules.settle_s:
+            self._call("The rig", lambda: self._settled.wait(rules.settle_s), rules.settle_s)
+        readback = self.readback()
+        confirm_reached(viewpoint, readback, rules)
+        return readback
+
+    def move_table(self, goal_rad: float) -> None:
+        """Turn the table alone; raises as `move_to`, but does not read back."""
+        self._move("The rotary table", lambda limit_s: self.rig.table.move_to(goal_rad, timeout_s=limit_s))
+
+    def move_guide(self, goal_mm: float) -> None:
+        """Move the guide alone; raises as `move_to`, but does not read back."""
+        self._move("The linear guide", lambda limit_s: self.rig.guide.move_to(goal_mm, timeout_s=limit_s))
+
+    def move_robot(self, base_from_flange: RigidTransform) -> None:
+        """Move the robot alone; raises as `move_to`, but does not read back."""
+        self._move("The robot", lambda limit_s: self.rig.robot.move_to(base_from_flange, timeout_s=limit_s))
+
+    def home(self) -> None:
+        """Let table and guide find their reference positions, one after the other; raises as `move_to`."""
+        self._move("The rotary table", lambda limit_s: self.rig.table.home(timeout_s=limit_s))
+        self._move("The linear guide", lambda limit_s: self.rig.guide.home(timeout_s=limit_s))
+
+    def _move(self, what: str, move: Callable[[float], None]) -> None:
+        limit_s = self.rig.description.motion.move_timeout_s
+        self._call(what, lambda: move(limit_s), limit_s)
+
+    def readback(self) -> AxisReadback:
+        """Read every axis back."""
+        return self._call("A controller", self.rig.readback, READ_TIMEOUT_S)
+
+    def confirm_still(self, viewpoint_id: str, before: AxisReadback) -> None:
+        """Raise MotionError when an axis has moved since ``before``."""
+        confirm_still(viewpoint_id, before, self.readback(), self.rig.description.motion)
+
+    # head
+
+    def load(self, images: ImageArray) -> None:
+        """Load the projector's images, (patterns, height, width) uint8."""
+        self._call("The projector", lambda: self.rig.projector.load(images), LOAD_TIMEOUT_S)
+
+    def shots(self, patterns: Sequence[int], exposures_us: Sequence[int], cameras: Collection[str] | None = None) -> Iterator[Shot]:
+        """Take the patterns at every exposure, with all cameras or those named; a pattern that was taken again comes last.
+
+        Raises
+        ------
+        FrameError, DeviceTimeout, DeviceLost, DeviceError
+            As `Head.prepare` and `Head.acquire`.
+        Cancelled
+            From the progress; every device was stopped.
+        """
+        used = {name: camera for name, camera in self.rig.cameras.items() if cameras is None or name in cameras}
+        head = self._head(min(patterns), used)
+        within_s = STEPS_OF_A_SHOT * max(frame_timeout_s(camera, max(exposures_us)) for camera in used.values())
+        self._call("A camera", lambda: head.prepare(patterns, exposures_us), READ_TIMEOUT_S * len(exposures_us))
+        with closing(head.acquire()) as waiting:
+            while (shot := self._call("The measuring head", lambda: next(waiting, None), within_s)) is not None:
+                yield shot
+
+    def _head(self, lowest_pattern: int, cameras: Mapping[str, Camera]) -> Head:
+        """Return the head in the rig's way of synchronisation; uniform light and darkness are no images that a projector could play."""
+        projector = self.rig.projector
+        if self.rig.description.head.sequence == "software" or lowest_pattern < 0:
+            return SoftwareHead(cameras, projector)
+        if not isinstance(projector, TriggeringProjector):
+            raise DeviceError(
+                f"{projector.name} cannot trigger cameras, as the hardware sequence of {self.rig.description.name} needs.",
+                'Set sequence = "software" in [head] of the rig description.',
+            )
+        return HardwareHead(cameras, projector)
+
+    def place_on_table(self, thing: str) -> None:
+        """Request an object by name ("board", "part") and return when it is on the table."""
+        self.rig.place_on_table(thing)
+
+    def conditions(self) -> Conditions:
+        """Read the present time, temperature, serial numbers and lens settings."""
+        return read_conditions(self.rig)
+
+    def check(self) -> None:
+        """Raise Cancelled when the user has cancelled, or the rig was stopped."""
+        self._progress.check()
+        if self.rig.latch.reason:
+            raise Cancelled
+
+    def _call(self, what: str, function: Callable[[], T], within_s: float) -> T:
+        self.check()
+        return call_device(what, function, within_s, self.check, lambda: self.abort(BY_USER))
+
+
+def read_conditions(rig: Rig) -> Conditions:
+    """Read the present time, temperature, serial numbers and lens settings; nothing moves."""
+    return rig.conditions(datetime.now(UTC).isoformat(timespec="milliseconds"))
+
+
+def _doubts_the_rig(error: BaseException) -> bool:
+    """Whether a person has to look at the rig: not where only the images were unfit, or could not be stored."""
+    return isinstance(error, DeviceError) or not isinstance(error, MeasureError)
+
+
+def _reason_of(error: BaseException) -> str:
+    if isinstance(error, (Cancelled, KeyboardInterrupt)):
+        return BY_USER
+    return str(error) or type(error).__name__

@@ -1,0 +1,104 @@
+"""Whether the images of one pattern at several exposures show the same light: none is foreign, torn, or exposed or lit otherwise."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from measureapp.arrays import BoolArray, FloatArray, ImageArray
+from measureapp.data.fringe import FringeStack
+from measureapp.errors import DecodeError
+from measureapp.fringe.noise.model import CameraNoise
+
+SAMPLED_ROWS, PIXELS_PER_ROW = 24, 200
+LEAST_PIXELS, LEAST_OF_ROW = 200, 30
+REFERENCE_LEVELS = (0.04, 0.98)  # relative to saturation: levels from which another exposure is predicted
+CLEAR_LEVELS = (0.08, 0.90)  # predicted levels that are compared
+TOLERANCE, SIGMAS = 0.12, 6.0  # of the predicted level of a pixel; no lamp, shutter or sensor is as far from linear
+MOST_OFF, MOST_OFF_ROW = 0.08, 0.6  # share of the pixels of an image, or of a row, that may contradict: blooming around highlights
+MOST_BRIGHTER = 0.08  # by which an image as a whole may differ
+
+
+@dataclass(frozen=True, slots=True)
+class _Finding:
+    """How one image compares with the prediction from the other exposures."""
+
+    level: int
+    image: int
+    off: float  # share of its pixels that contradict
+    off_row: float  # the same in its worst row
+    ratio: float  # median of level over predicted level
+
+    @property
+    def contradicts(self) -> bool:
+        return self.off > MOST_OFF or self.off_row > MOST_OFF_ROW or abs(self.ratio - 1.0) > MOST_BRIGHTER
+
+
+def check_exposures(stack: FringeStack) -> None:
+    """Refuse a stack in which an image contradicts the other exposures of its pattern.
+
+    From every image the same pattern at another exposure follows by the ratio of the exposure times, where neither is dark or
+    saturated. Found are a single image of another scene or pattern, a torn or half-transferred one, a wrong exposure, grey levels that
+    wrapped, and a lamp that changed by more than a tenth. With a single exposure there is nothing to compare.
+
+    Raises
+    ------
+    DecodeError
+        Names camera, exposure and image, counted from 1.
+    """
+    if len(stack.exposures_us) < 2:
+        return
+    for camera, images in stack.images.items():
+        wrong = [finding for finding in _compare(_sample(images), stack) if finding.contradicts]
+        if wrong:
+            worst = max(wrong, key=lambda finding: (finding.off, abs(finding.ratio - 1.0)))
+            raise DecodeError(
+                f"Image {worst.image + 1} of camera {camera!r} at {stack.exposures_us[worst.level]} µs contradicts the other exposures "
+                f"in {worst.off:.0%} of its pixels (it is {worst.ratio:.2f} times as bright as they predict).",
+                "Check the projector's lamp, the cameras' triggers and links, and ambient light.",
+            )
+
+
+def _sample(images: ImageArray) -> ImageArray:
+    """Return evenly spaced pixels of every image, (exposures, patterns, rows, pixels of a row)."""
+    height, width = images.shape[2:]
+    return images[:, :, :: max(1, height // SAMPLED_ROWS), :: max(1, width // PIXELS_PER_ROW)]
+
+
+def _compare(sample: ImageArray, stack: FringeStack) -> Iterator[_Finding]:
+    """Compare every image that has enough clear pixels with what the other exposures predict."""
+    levels = sample.astype(np.float32)
+    times = np.array(stack.exposures_us, np.float32)
+    low, high = (share * stack.saturation for share in REFERENCE_LEVELS)
+    radiance = np.where((levels > low) & (levels < high), levels / times[:, None, None, None], np.nan)
+    for level, time in enumerate(times):
+        predicted = _median_of_others(radiance, level) * time
+        clear = _is_clear(predicted, stack.saturation)
+        off = clear & (np.abs(levels[level] - predicted) > _allowed(predicted, stack.saturation))
+        counts, wrong = clear.sum(axis=-1), off.sum(axis=-1)
+        rows = np.where(counts >= LEAST_OF_ROW, wrong / np.maximum(counts, 1), 0.0)
+        for image in np.flatnonzero(counts.sum(axis=-1) >= LEAST_PIXELS):
+            pixels = clear[image]
+            ratio = float(np.median(levels[level, image][pixels] / predicted[image][pixels]))
+            yield _Finding(level, int(image), float(wrong[image].sum() / counts[image].sum()), float(rows[image].max()), ratio)
+
+
+def _median_of_others(radiance: FloatArray, level: int) -> FloatArray:
+    """Return the median over the other exposures, (patterns, rows, pixels); NaN where none is usable."""
+    others = np.delete(radiance, level, axis=0)
+    ordered = np.sort(others, axis=0)  # NaN last
+    count = np.isfinite(ordered).sum(axis=0)
+    middle = np.maximum(count - 1, 0) // 2
+    return np.take_along_axis(ordered, middle[None], axis=0)[0]
+
+
+def _is_clear(predicted: FloatArray, saturation: float) -> BoolArray:
+    low, high = (share * saturation for share in CLEAR_LEVELS)
+    return (predicted > low) & (predicted < high)
+
+
+def _allowed(predicted: FloatArray, saturation: float) -> FloatArray:
+    sigma = np.sqrt(CameraNoise().variance(np.nan_to_num(predicted), saturation))
+    return TOLERANCE * np.nan_to_num(predicted) + SIGMAS * sigma

@@ -1,0 +1,78 @@
+"""Events of processing: what was computed from the images of a scan. Those of acquisition are another family."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from measureapp.acquire.events import AcquisitionEvent
+from measureapp.data.calibration import RigCalibration
+from measureapp.data.cloud import StitchedCloud
+from measureapp.data.measurement import Inspection, ViewResult
+from measureapp.data.validity import Validity
+
+
+@dataclass(frozen=True, slots=True)
+class ExposuresChosen:
+    """The exposures were chosen from a probe of the scene."""
+
+    exposures_us: tuple[int, ...]
+    decodable_share: float  # predicted, of the lit pixels
+    planned_share: float  # predicted for the exposures of the plan
+    note: str
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class CalibrationReady:
+    """The rig is calibrated."""
+
+    calibration: RigCalibration
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ViewReady:
+    """The cloud of a viewpoint was computed."""
+
+    view: ViewResult
+
+
+@dataclass(frozen=True, slots=True)
+class ViewFailed:
+    """The stored images of a viewpoint yield no cloud, with the reason."""
+
+    viewpoint_id: str
+    reason: str
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class StitchReady:
+    """All clouds were stitched."""
+
+    stitched: StitchedCloud
+
+
+@dataclass(frozen=True, slots=True)
+class SurfaceFailed:
+    """No surface could be computed; points and dimensions do not need it."""
+
+    reason: str
+    remedy: str
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class InspectionReady:
+    """The dimensions were evaluated."""
+
+    inspection: Inspection
+
+
+@dataclass(frozen=True, slots=True)
+class ValidityKnown:
+    """Validity of the calibration: its age and temperature before the first move, its drift too after the last image."""
+
+    validity: Validity
+
+
+ProcessingEvent = (
+    ExposuresChosen | CalibrationReady | ViewReady | ViewFailed | StitchReady | SurfaceFailed | InspectionReady | ValidityKnown
+)
+Event = AcquisitionEvent | ProcessingEvent

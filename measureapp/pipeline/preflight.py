@@ -1,0 +1,114 @@
+"""Everything that would stop a scan, checked before anything moves and told at once."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from measureapp.acquire.states import read_states
+from measureapp.data.calibration import RigCalibration
+from measureapp.data.plan import ScanPlan
+from measureapp.data.rig import RigDescription
+from measureapp.devices.head_timing import check_timing, period_us
+from measureapp.devices.projector import TriggeringProjector
+from measureapp.devices.rig import Rig
+from measureapp.errors import DeviceError, LimitError, MeasureError, PlanError
+from measureapp.fringe.patterns.draw import check_determines_phase
+from measureapp.pipeline.measure import check_space, stack_bytes
+from measureapp.pipeline.validity import check_before_scan
+from measureapp.planning.keep_out import check_keep_out
+from measureapp.planning.reach import check_reach
+from measureapp.project.folder import ProjectFolder
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Preflight:
+    """What was found before a scan."""
+
+    problems: tuple[MeasureError, ...]  # each would stop the scan
+    warnings: tuple[str, ...]  # of the calibration
+    bytes: int  # of all images of the plan
+    images_s: float | None  # least time for all images of the plan, without moves; None without a connected rig
+
+    def refuse(self) -> None:
+        """Raise the problem found; several are told in one error."""
+        if len(self.problems) == 1:
+            raise self.problems[0]
+        if self.problems:
+            kind = DeviceError if any(isinstance(problem, DeviceError) for problem in self.problems) else PlanError
+            numbered = " ".join(f"({number}) {problem}" for number, problem in enumerate(self.problems, 1))
+            raise kind(f"{len(self.problems)} things prevent the scan: {numbered}")
+
+
+def check_plan(plan: ScanPlan, rig: RigDescription, project: ProjectFolder) -> Preflight:
+    """Check what needs no device: ambiguity of the patterns, limits, reach, keep-out boxes, disk space."""
+    problems = _gather(
+        lambda: check_determines_phase(plan.patterns),
+        lambda: check_reach(plan, rig),
+        lambda: check_keep_out(plan, rig),
+        lambda: check_space(project, rig, plan),
+    )
+    return Preflight(problems, (), stack_bytes(rig, plan) * len(plan), None)
+
+
+def check_connected(plan: ScanPlan, rig: Rig, project: ProjectFolder, calibration: RigCalibration | None) -> Preflight:
+    """Check plan and connected devices: also the state of each, exposures and shutters, and the validity of the calibration."""
+    offline = check_plan(plan, rig.description, project)
+    warnings: list[str] = []
+
+    def validity() -> None:
+        if calibration is not None:
+            warnings.extend(check_before_scan(rig, calibration).warnings)
+
+    unready = [
+        DeviceError(f"{state.name} ({state.kind}) is not ready: {state.status.text}", state.status.remedy)
+        for state in read_states(rig)
+        if not state.status.ready
+    ]
+    exposures = [_exposure_check(rig, exposure_us) for exposure_us in plan.bracket.exposures_us]
+    problems = (*offline.problems, *unready, *_gather(validity, *exposures, lambda: _check_sequence(rig)))
+    images_s = (
+        sum(period_us(rig.cameras, exposure_us) for exposure_us in plan.bracket.exposures_us) * plan.patterns.count * len(plan) * 1e-6
+    )
+    return Preflight(problems, tuple(warnings), offline.bytes, images_s)
+
+
+def _exposure_check(rig: Rig, exposure_us: int) -> Callable[[], None]:
+    def check() -> None:
+        for name, camera in rig.cameras.items():
+            low, high = camera.exposure_limits_us
+            if not low <= exposure_us <= high:
+                raise LimitError(f"Camera {name} does not support an exposure of {exposure_us} µs.", f"Choose {low}…{high} µs.")
+        projector = rig.projector
+        gated = rig.description.head.sequence == "hardware" and isinstance(projector, TriggeringProjector) and projector.gated
+        check_timing(rig.cameras, projector, exposure_us, gated=gated)
+
+    return check
+
+
+def _check_sequence(rig: Rig) -> None:
+    if rig.description.head.sequence == "hardware" and not isinstance(rig.projector, TriggeringProjector):
+        raise DeviceError(
+            f"{rig.projector.name} cannot trigger cameras, as the hardware sequence of {rig.description.name} needs.",
+            'Set sequence = "software" in [head] of the rig description.',
+        )
+
+
+def _gather(*checks: Callable[[], None]) -> tuple[MeasureError, ...]:
+    """Run every check and return the errors raised, each different one once."""
+    found: dict[str, MeasureError] = {}
+    for check in checks:
+        try:
+            check()
+        except MeasureError as error:
+            found.setdefault(str(error), error)
+    return tuple(found.values())
+
+
+def preflight_lines(found: Preflight, plan: ScanPlan) -> list[str]:
+    """Return what was found, as lines for a person."""
+    size = f"{found.bytes / 1e9:.2f} GB of images"
+    time = "" if found.images_s is None else f", at least {found.images_s:.0f} s for taking them"
+    lines = [f"{len(plan)} viewpoints, {size}{time}."]
+    lines += [f"Warning: {warning}" for warning in found.warnings]
+    return [*lines, *(f"Prevents the scan: {problem}" for problem in found.problems)]
