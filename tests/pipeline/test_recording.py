@@ -162,3 +162,23 @@ def test_a_table_before_stationary_cameras_measures_the_part(demo: Demo, tmp_pat
     placements = outcome.whole.measurement.stitched.placements
     assert all(placement.used for placement in placements)
     assert max(placement.correction_mm for placement in placements) < 0.3
+
+
+@pytest.mark.slow
+def test_views_of_a_board_held_by_hand_serve_the_cameras_beside_those_on_the_table(demo: Demo, tmp_path: Path) -> None:
+    """Five views lose their read-backs; the rig is solved from the others, within what these state."""
+    path = write_recording(demo.project, tmp_path / "recording", Chosen(viewpoints=()))
+    entries = path.read_text(encoding="utf-8").split("[[board_view]]")
+    held = [_held_by_hand(entry) if any(f"board/pose0{number}_" in entry for number in range(1, 6)) else entry for entry in entries]
+    path.write_text("[[board_view]]".join(held), encoding="utf-8")
+    learnt = learn(import_recording(path, tmp_path / "project", NoProgress()).project, NoProgress())
+    direct = demo.project.require_calibration()
+    assert learnt.rig is not None and learnt.uncertainty is not None and learnt.failed == {}
+    gap = direct.hand_eye.flange_from_camera.inverse() @ learnt.rig.hand_eye.flange_from_camera
+    assert np.linalg.norm(gap.translation_mm) < 2 * direct.hand_eye.translation_sigma_mm
+    assert _angle_rad(learnt.rig.axis.direction, direct.axis.direction) < 2 * direct.axis.direction_sigma_rad
+
+
+def _held_by_hand(entry: str) -> str:
+    kept = [line for line in entry.splitlines() if not line.startswith(("base_from_flange", "guide_mm", "table_deg"))]
+    return "\n".join(kept).replace("on_table = true", "on_table = false") + "\n"
