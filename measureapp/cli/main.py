@@ -52,6 +52,8 @@ def main(argv: Sequence[str] | None = None) -> int:
     _replace_unencodable()
     try:
         outcome = build()(args=arguments, obj=tuple(arguments), prog_name="measureapp", standalone_mode=False)
+        if outcome == CANCELLED:  # how Typer ends a command on Ctrl-C
+            raise KeyboardInterrupt
         return outcome if isinstance(outcome, int) else DONE
     except typer.Exit as stop:
         return stop.exit_code

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from measureapp.cli.import_recording import process_imported
 from measureapp.cli.main import OUT_OF_TOLERANCE
 from measureapp.cli.outcome import has_passed, measurement_lines, report_event
 from measureapp.cli.reply import JsonOption, TerminalProgress, reply
@@ -27,12 +28,19 @@ def register(app: typer.Typer) -> None:
         refuse: Annotated[list[str] | None, typer.Option(help="Do not use this view, now and later; may be given several times.")] = None,
         as_json: JsonOption = False,
     ) -> None:
-        """Recompute everything, calibration included, from the stored images."""
+        """Recompute everything, calibration included, from the stored images.
+
+        Of an imported recording, everything that its images suffice for is computed, and what is missing for the rest is stated.
+        """
         from measureapp.pipeline import process_project
+        from measureapp.pipeline.recording.stages import is_recording
         from measureapp.project.folder import ProjectFolder
 
         folder = ProjectFolder.open(project)
         _choose(folder, accept or [], refuse or [])
+        if is_recording(folder):
+            process_imported(folder, as_json)
+            return
         outcome = process_project(folder, report_event, TerminalProgress())
         reply(outcome.document, "\n".join(measurement_lines(outcome.measurement)), as_json)
         if not has_passed(outcome.measurement):

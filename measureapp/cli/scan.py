@@ -43,11 +43,13 @@ def register(app: typer.Typer) -> None:
     ) -> None:
         """Move, project, capture and store every viewpoint of a plan, then process the images."""
         from measureapp.cli.scan_log import ScanLog
+        from measureapp.devices.recorded_rig import require_devices
         from measureapp.pipeline import ScanRequest, scan_into_project
         from measureapp.project.plan_file import read_plan
         from measureapp.project.rig_file import read_rig
 
         request = ScanRequest(read_plan(plan), read_rig(rig), project, resume, calibration, auto_bracket)
+        require_devices(request.rig)
         if dry_run:
             raise typer.Exit(_rehearse(request, as_json))
         log = ScanLog(request.plan)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Annotated, Any, Literal
 
 import numpy as np
-from pydantic import Discriminator, Field, Tag, model_validator
+from pydantic import Discriminator, Field, SerializerFunctionWrapHandler, Tag, model_serializer, model_validator
 
 from measureapp.arrays import FloatArray, ImageArray, IntArray
 from measureapp.data.conditions import Conditions
@@ -38,11 +38,31 @@ class BoardDescription(Model):
     bow_mm: tuple[float, float, float] = Field(
         default=(0.0, 0.0, 0.0), description="deviation from flatness: coefficients of the `bow_terms`"
     )
+    certified_mm: tuple[tuple[float, float, float], ...] | None = Field(
+        default=None, description="position of every mark in frame `board`, as certified; none: the nominal grid"
+    )
+
+    @model_validator(mode="after")
+    def _certificate_is_complete(self) -> BoardDescription:
+        if self.certified_mm is not None and len(self.certified_mm) != self.count:
+            raise ValueError(f"certified_mm has {len(self.certified_mm)} marks, the {self.label} has {self.count}")
+        return self
+
+    @model_serializer(mode="wrap")
+    def _without_empty_certificate(self, serialise: SerializerFunctionWrapHandler) -> dict[str, Any]:
+        """Write `certified_mm` only where there is a certificate: files without one keep the form they have always had."""
+        written: dict[str, Any] = serialise(self)
+        return {name: value for name, value in written.items() if name != "certified_mm" or value is not None}
 
     @property
     @abstractmethod
+    def nominal_corners_mm(self) -> FloatArray:
+        """The marks (columns·rows, 3) of the nominal grid, row by row."""
+
+    @property
     def flat_corners_mm(self) -> FloatArray:
-        """The marks (columns·rows, 3) of a perfectly flat board, row by row."""
+        """The marks (columns·rows, 3) without bow, row by row: as certified, else of the nominal grid."""
+        return self.nominal_corners_mm if self.certified_mm is None else np.array(self.certified_mm, float)
 
     @property
     @abstractmethod
@@ -97,8 +117,8 @@ class _SquaresDescription(BoardDescription):
     square_mm: float = Field(gt=0)
 
     @property
-    def flat_corners_mm(self) -> FloatArray:
-        """The inner corners (columns·rows, 3) of a perfectly flat board, row by row."""
+    def nominal_corners_mm(self) -> FloatArray:
+        """The inner corners (columns·rows, 3) of the nominal grid, row by row."""
         y, x = np.mgrid[0 : self.rows, 0 : self.columns]
         return np.column_stack([x.ravel(), y.ravel(), np.zeros(x.size)]) * self.square_mm
 
@@ -176,8 +196,8 @@ class CirclesDescription(BoardDescription):
         return self
 
     @property
-    def flat_corners_mm(self) -> FloatArray:
-        """The circle centres (columns·rows, 3) of a perfectly flat board, row by row."""
+    def nominal_corners_mm(self) -> FloatArray:
+        """The circle centres (columns·rows, 3) of the nominal grid, row by row."""
         row, column = np.mgrid[0 : self.rows, 0 : self.columns]
         return np.column_stack([(2 * column + row % 2).ravel(), row.ravel(), np.zeros(row.size)]) * self.spacing_mm
 

@@ -14,6 +14,7 @@ Vector = tuple[float, float, float]
 Resolution = Literal["full", "half", "quarter"]
 NAME = r"^[A-Za-z0-9_][A-Za-z0-9_.-]{0,63}$"
 OTHER_DEVICES = ("projector", "robot", "guide", "table")
+RECORDED = "recorded"  # driver of a rig that is a recording: there are no devices
 BINNING: dict[Resolution, int] = {"full": 1, "half": 2, "quarter": 4}
 
 

@@ -12,6 +12,7 @@ from measureapp.data.model import first_problem
 from measureapp.data.rig import RigDescription
 from measureapp.devices.links import Links
 from measureapp.devices.plugin_loader import PluginKind, load_driver
+from measureapp.devices.recorded_rig import require_devices
 from measureapp.devices.request import DeviceRequest
 from measureapp.devices.rig import Rig
 from measureapp.errors import DeviceError, InputError, MeasureError
@@ -36,6 +37,7 @@ def connect_rig(description: RigDescription, plugins: Path | None = None, given:
     InputError
         A setting of a driver is invalid.
     """
+    require_devices(description)
     links = Links(description.links, given)
     if description.driver:
         request = ("rig", description.driver, description.driver_settings)

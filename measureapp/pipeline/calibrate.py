@@ -41,7 +41,7 @@ def calibrate_from_views(views: Sequence[BoardView], board: BoardDescription, ri
     _, solved = solve_observed(observed, setup, {name: sizes_px[name] for name in names}, PartOf(progress, 0.5, 1.0))
     solution: RigSolution = solved.solution
     calibration = solution.calibration
-    provenance = _provenance(calibration.provenance.method, rig, views)
+    provenance = views_provenance(calibration.provenance.method, rig, views)
     own = replace(provenance, method=calibration.cameras.provenance.method)
     cameras = replace(_with_lenses(calibration.cameras, lenses), provenance=own)
     return replace(solution, calibration=replace(calibration, cameras=cameras, provenance=provenance))
@@ -52,7 +52,7 @@ def _with_lenses(cameras: CameraArrayCalibration, lenses: Mapping[str, LensSetti
     return replace(cameras, cameras={name: replace(one, lens=lenses.get(name, one.lens)) for name, one in cameras.cameras.items()})
 
 
-def _provenance(method: str, rig: RigDescription, views: Sequence[BoardView]) -> Provenance:
+def views_provenance(method: str, rig: RigDescription, views: Sequence[BoardView]) -> Provenance:
     """Provenance of the calibration. It is as old as its last image: solving it again does not make it younger."""
     recorded = [view.conditions for view in views if view.conditions is not None]
     warm = [conditions.temperature_c for conditions in recorded if conditions.temperature_c is not None]

@@ -37,6 +37,7 @@ from measureapp.progress import NoProgress, PartOf, Progress
 from measureapp.project.folder import ProjectFolder
 from measureapp.reconstruct.diagnosis.camera_shift import camera_shift
 from measureapp.reconstruct.diagnosis.diagnose import diagnose
+from measureapp.reconstruct.projector.with_projector import reconstruct_view_with_projector
 from measureapp.reconstruct.reconstruct import Reconstruction, reconstruct
 from measureapp.reconstruct.rectification.rectifier import Rectifier
 from measureapp.register.clouds.quality import assess_cloud
@@ -210,7 +211,10 @@ def compute_cloud(
     if maps is None:
         check_stack(stack)
         maps = decode(stack, settings, PartOf(progress, 0.0, 0.5), memory)
-    result = reconstruct(maps, calibration.cameras, progress=PartOf(progress, 0.5, 1.0), rectifier=rectifier, memory=memory)
+    if len(maps) == 1 and calibration.cameras.projector is not None:
+        result = reconstruct_view_with_projector(maps, calibration.cameras, rectifier=rectifier).reconstruction
+    else:
+        result = reconstruct(maps, calibration.cameras, progress=PartOf(progress, 0.5, 1.0), rectifier=rectifier, memory=memory)
     findings = diagnose(maps, calibration.cameras) if _is_suspicious(result, maps) else ()
     for finding in findings:
         if finding.severity == "error":

@@ -13,6 +13,8 @@ from measureapp.calibration_session.repeat import repeat_session
 from measureapp.calibration_session.session import CalibrationSession
 from measureapp.errors import InputError, StorageError
 from measureapp.pipeline.calibrate import calibrate_from_views, checksums_of
+from measureapp.pipeline.recording.learn import learn
+from measureapp.pipeline.recording.stages import is_recording
 from measureapp.progress import Progress
 from measureapp.project.calibration.camera_file import cameras_document
 from measureapp.project.differences import Difference, compare_documents
@@ -98,7 +100,13 @@ def recalculate_project(project: ProjectFolder, progress: Progress) -> Recalcula
             raise StorageError(
                 f"The image {name} of the board, from which {project.path} was calibrated, {state}.", "Restore it from a backup."
             )
-    solved = calibrate_from_views(views, project.settings.board, project.rig(), progress).calibration
+    solved = (
+        learn(project, progress).rig
+        if is_recording(project)
+        else calibrate_from_views(views, project.settings.board, project.rig(), progress).calibration
+    )
+    if solved is None:
+        raise InputError(f"The board views of {project.path} do not determine a rig any more.", "Run `measureapp process PROJECT`.")
     documents = [{"cameras": cameras_document(one.cameras), "rig": rig_calibration_document(one)} for one in (stored, solved)]
     found, numbers = compare_documents(*documents)
     return Recalculation(found, numbers, len(seen))

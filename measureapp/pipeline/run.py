@@ -26,6 +26,8 @@ from measureapp.pipeline.documents import outcome_document, write_reports
 from measureapp.pipeline.events import CalibrationReady, Event
 from measureapp.pipeline.measure import compute_clouds, scan
 from measureapp.pipeline.preflight import Preflight, check_connected, check_plan
+from measureapp.pipeline.recording.learn import calibrate_recording
+from measureapp.pipeline.recording.stages import is_recording
 from measureapp.pipeline.validity import check_stored_images
 from measureapp.pipeline.watch import Stopwatch
 from measureapp.planning.calibration_views import calibration_viewpoints
@@ -174,6 +176,8 @@ def process(project: ProjectFolder, on_event: OnEvent, progress: Progress) -> Me
 
 
 def _calibration_of(project: ProjectFolder, on_event: OnEvent, progress: Progress, watch: Stopwatch) -> RigCalibration:
+    if is_recording(project):
+        return calibrate_recording(project, on_event, progress, watch)
     if project.board_views():
         return solve_calibration(project, on_event, progress, watch).calibration
     calibration = project.calibration()

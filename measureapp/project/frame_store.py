@@ -18,7 +18,7 @@ from pydantic import TypeAdapter
 
 from measureapp.arrays import read_only
 from measureapp.data.conditions import Conditions
-from measureapp.data.fringe import FringeStack, PatternSet
+from measureapp.data.fringe import AxisReadback, FringeStack, PatternSet
 from measureapp.errors import StorageError
 from measureapp.project.atomic import replacing, write_json
 from measureapp.project.documents import conditions_document, conditions_from, readback_document, readback_from
@@ -96,6 +96,14 @@ class FrameStore:
     def conditions(self, viewpoint_id: str) -> Conditions | None:
         """Return the conditions of a stored stack without loading its images; None if they were not recorded."""
         return conditions_from(self._document(self._folder / viewpoint_id).get("conditions"))
+
+    def readback(self, viewpoint_id: str) -> AxisReadback:
+        """Return the read-back of a stored stack without loading its images. Raises StorageError when it is damaged."""
+        folder = self._folder / viewpoint_id
+        try:
+            return readback_from(self._document(folder)["readback"])
+        except (KeyError, TypeError, ValueError) as error:
+            raise StorageError(f"{folder / DESCRIPTION} has no read-back: {error}.", "Take this viewpoint again.") from error
 
     def approach(self, viewpoint_id: str) -> str | None:
         """Return the id of the robot's approach of a stored stack without loading its images; None if it was not recorded."""

@@ -2,19 +2,54 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from pathlib import Path
+from typing import Any
 
 from pydantic import ValidationError
 
 from measureapp.data.model import first_problem
-from measureapp.data.rig import RigDescription
+from measureapp.data.rig import RECORDED, RigDescription
 from measureapp.errors import InputError
 from measureapp.project.text_document import read_toml
 from measureapp.resources import resource
 
+ABSENT = "none"
+AT_ORIGIN = {"position_mm": (0.0, 0.0, 0.0), "rotation_deg": (0.0, 0.0, 0.0)}
+ABSENT_AXES: dict[str, Any] = {
+    "robot": {
+        "model": ABSENT,
+        "shoulder_mm": (0.0, 0.0, 0.0),
+        **dict.fromkeys(
+            ("min_reach_mm", "max_reach_mm", "repeatability_mm", "absolute_accuracy_mm", "absolute_accuracy_deg"),
+            0.0,
+        ),
+    },
+    "guide": {"model": ABSENT, "limits_mm": (0.0, 0.0), "repeatability_mm": 0.0},
+    "table": {
+        "model": ABSENT,
+        "diameter_mm": 0.0,
+        "limits_deg": (0.0, 0.0),
+        "accuracy_arcsec": 0.0,
+        "repeatability_arcsec": 0.0,
+        "centre_in_guide_mm": (0.0, 0.0, 0.0),
+    },
+    "flange_from_head": AT_ORIGIN,
+}
+"""Axes that a recorded rig may lack: at rest, and without any error of their own."""
+UNKNOWN = "unknown"
+TYPICAL_AXES: dict[str, dict[str, Any]] = {
+    "robot": {"model": UNKNOWN, "repeatability_mm": 0.02, "absolute_accuracy_mm": 0.3, "absolute_accuracy_deg": 0.02},
+    "guide": {"model": UNKNOWN, "repeatability_mm": 0.002},
+    "table": {"model": UNKNOWN, "accuracy_arcsec": 20.0, "repeatability_arcsec": 6.0},
+}
+"""Typical errors of axes that have read-backs but no description."""
+
 
 def read_rig(name_or_path: str | Path) -> RigDescription:
     """Read the rig description of this name in `resources/rigs`, or a TOML file.
+
+    A recorded rig (driver "recorded") may be described without the axes that it does not have.
 
     Raises
     ------
@@ -25,10 +60,18 @@ def read_rig(name_or_path: str | Path) -> RigDescription:
     if not path.suffix:
         path = _named(path.name)
     document = read_toml(path, "Name a rig description (TOML).")
+    if document.get("driver") == RECORDED:
+        document = {**ABSENT_AXES, **document}
     try:
         return RigDescription.model_validate(document)
     except ValidationError as error:
         raise InputError(f"{path}: {first_problem(error, 'the rig')}.", "Correct this field.") from error
+
+
+def assume_axes(rig: RigDescription, moving: Iterable[str]) -> RigDescription:
+    """Return a recorded rig with typical errors of the axes in ``moving`` ("robot", "guide", "table") that are not described."""
+    assumed = {name: getattr(rig, name).model_copy(update=TYPICAL_AXES[name]) for name in moving if getattr(rig, name).model == ABSENT}
+    return rig.model_copy(update=assumed)
 
 
 def _named(name: str) -> Path:

@@ -30,6 +30,8 @@ def read_toml(path: Path, remedy: str) -> dict[str, Any]:
         raise InputError(f"{path} is not a text file.", remedy) from error
     except tomllib.TOMLDecodeError as error:
         raise InputError(f"{path} is not valid TOML: {error}.", "Correct the line named.") from error
+    except RecursionError as error:
+        raise InputError(f"{path} is not valid TOML: its values are nested too deeply.", remedy) from error
 
 
 def read_toml_or_json(path: Path, what: str, remedy: str) -> Any:

@@ -13,6 +13,7 @@ SAME_POSE = 1e-4  # robot poses closer than this (mm, rotation matrix) are one p
 LEAST_SHARE = 1e-6  # of the variance, uncorrelated, so that the covariance of equal poses stays regular
 STRAIGHTNESS_MM = 0.003  # typical of a ground rail over the travel of a calibration
 SPAN_OVER_RMS = np.sqrt(8.0)  # of a sine
+LEAST_MM, LEAST_RAD = 1e-3, 1e-6  # below what images can show: also an axis described as free of errors keeps its equations regular
 CORRELATION_MM, CORRELATION_TURN = 300.0, 0.6  # of an articulated robot with a reach of about 0.7 m
 
 
@@ -76,11 +77,13 @@ def expected_noise(rig: RigDescription) -> AxisNoise:
     """
     along_mm = rig.guide.repeatability_mm / 2
     robot = articulated_robot(
-        rig.robot.absolute_accuracy_mm, float(np.deg2rad(rig.robot.absolute_accuracy_deg)), rig.robot.repeatability_mm
+        max(rig.robot.absolute_accuracy_mm, LEAST_MM),
+        max(float(np.deg2rad(rig.robot.absolute_accuracy_deg)), LEAST_RAD),
+        rig.robot.repeatability_mm,
     )
     return replace(
         robot,
-        table_rad=float(np.deg2rad(rig.table.accuracy_arcsec / 3600.0)) / SPAN_OVER_RMS,
+        table_rad=max(float(np.deg2rad(rig.table.accuracy_arcsec / 3600.0)) / SPAN_OVER_RMS, LEAST_RAD),
         guide_mm=float(np.hypot(STRAIGHTNESS_MM, along_mm)),
         guide_along_mm=along_mm,
     )

@@ -1,0 +1,1 @@
+"""Recordings of other rigs: checked, imported as projects, and processed as far as they go."""
