@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
-from contextlib import closing
+from contextlib import suppress
 from datetime import UTC, datetime
 from math import radians
 from types import TracebackType
@@ -149,9 +149,13 @@ class RigSession:
         head = self._head(min(patterns), used)
         within_s = STEPS_OF_A_SHOT * max(frame_timeout_s(camera, max(exposures_us)) for camera in used.values())
         self._call("A camera", lambda: head.prepare(patterns, exposures_us), READ_TIMEOUT_S * len(exposures_us))
-        with closing(head.acquire()) as waiting:
+        waiting = head.acquire()
+        try:
             while (shot := self._call("The measuring head", lambda: next(waiting, None), within_s)) is not None:
                 yield shot
+        finally:
+            with suppress(ValueError):  # a call that was given up still runs it, and ends it itself
+                waiting.close()
 
     def _head(self, lowest_pattern: int, cameras: Mapping[str, Camera]) -> Head:
         """Return the head in the rig's way of synchronisation; uniform light and darkness are no images that a projector could play."""

@@ -315,3 +315,18 @@ def test_images_that_cannot_be_stored_stop_the_rig_but_leave_no_doubt_about_it(r
         run(rig, fake_plan(), sink)
     assert stopped(rig)
     assert not rig.latch.reason
+
+
+def test_an_interrupt_while_the_head_is_busy_keeps_its_own_reason(rig, cell, monkeypatch):
+    monkeypatch.setattr(device_call, "LEAVE_S", 0.05)
+    released = threading.Event()
+    genuine = rig.cameras["left"].next_frame
+
+    def next_frame(*, timeout_s):
+        released.wait(0.5)  # not ended by a stop
+        return genuine(timeout_s=timeout_s)
+
+    rig.cameras["left"].next_frame = next_frame
+    with pytest.raises(Cancelled):
+        run(rig, fake_plan(), Truthful(cell), CancelledAfter(0.2))
+    released.set()
