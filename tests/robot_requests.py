@@ -52,6 +52,35 @@ class Background:
         return self.error
 
 
+class Stalls:
+    """Notes when this process did not run at all, on a computer that has other things to do: no driver can stop anything then."""
+
+    def __init__(self) -> None:
+        self._gaps: list[tuple[float, float]] = []
+        self._ends = threading.Event()
+        self._thread = threading.Thread(target=self._watch)
+
+    def __enter__(self) -> Stalls:
+        self._thread.start()
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._ends.set()
+        self._thread.join()
+
+    def within(self, began: float, ended: float) -> float:
+        """Return the seconds between two moments in which nothing ran."""
+        return sum(max(0.0, min(ended, end) - max(began, start)) for start, end in self._gaps)
+
+    def _watch(self) -> None:
+        before = time.monotonic()
+        while not self._ends.wait(0.005):
+            now = time.monotonic()
+            if now - before > 0.05:
+                self._gaps.append((before, now))
+            before = now
+
+
 def until(condition: Callable[[], bool], timeout_s: float = 5.0) -> None:
     """Wait until a condition holds."""
     end = time.monotonic() + timeout_s

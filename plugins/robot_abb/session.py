@@ -22,6 +22,7 @@ from .dialect import Dialect, Row, refusal, states
 
 LONGEST_ANSWER = 1 << 20
 EXCERPT = 32  # bytes
+SHORTEST_WAIT_S = 0.1
 TRANSPORT = (OSError, urllib3.exceptions.HTTPError)  # those of requests are OSErrors
 SESSION_COOKIE = "-http-session-"
 _log = logging.getLogger(__name__)
@@ -72,6 +73,7 @@ class RwsSession:
         self._authentication: AuthBase = (HTTPDigestAuth if dialect.digest else HTTPBasicAuth)(access.user, access.password)
         self._asks_always = False  # a controller that wants authentication in spite of the cookie
         self._checking = False
+        self._is_closed = False
         self._silent_since: float | None = None  # when the controller did not answer for the first time since its last answer
 
     @property
@@ -133,8 +135,9 @@ class RwsSession:
         self._with_session("POST", what, form or {}, names)
 
     def log_out(self) -> None:
-        """Close the session, as far as the controller answers. Harmless without one."""
+        """Close the session for good, as far as the controller answers. Harmless when repeated."""
         with self._lock:
+            self._is_closed = True
             if self.cookies:
                 try:
                     self._send("GET", "logout", {}, {}, None, self._access.reply_timeout_s)
@@ -152,6 +155,8 @@ class RwsSession:
 
     def _with_session(self, method: str, what: str, form: Mapping[str, str], names: Mapping[str, str]) -> list[Row]:
         with self._lock:
+            if self._is_closed:  # logging in again would leave a session behind
+                raise DeviceLost(f"The connection to the controller at {self._access.address} was closed.", "Connect again.")
             before = self.cookies.get(SESSION_COOKIE)
             try:
                 rows = self._call(method, what, form, names, self._authentication if self._asks_always else None)
@@ -178,8 +183,10 @@ class RwsSession:
         """Send a call; a read as often as time allows, counted from the first call that was not answered."""
         while True:
             began = time.monotonic()
+            left_s = self._access.loss_s - (0.0 if self._silent_since is None else began - self._silent_since)
+            timeout_s = min(self._access.reply_timeout_s, max(left_s, SHORTEST_WAIT_S))
             try:
-                return self._send(method, what, form, names, authentication, self._access.reply_timeout_s)
+                return self._send(method, what, form, names, authentication, timeout_s)
             except TRANSPORT as error:
                 self._http.close()  # the next call opens a fresh connection
                 self._silent_since = self._silent_since or began
@@ -189,6 +196,7 @@ class RwsSession:
                     raise Unanswered(f"The controller at {self._access.address} did not answer to {what!r}.") from error
                 time.sleep(0.05)
                 if time.monotonic() >= self._silent_since + self._access.loss_s:
+                    self._silent_since = None  # whoever calls again may wait as long again
                     raise DeviceLost(
                         f"The controller at {self._access.address} does not answer any more ({what}).",
                         "Check that it is on and its network cable is plugged in, then connect again. The robot's state is unknown.",

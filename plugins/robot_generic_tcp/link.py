@@ -39,6 +39,7 @@ class LineLink:
         self._socket: socket.socket | None = None
         self._received = b""
         self._number = 0
+        self._is_closed = False
 
     def read(self, do: str, **values: object) -> Message:
         """Request something that changes nothing; it is repeated until the robot counts as lost.
@@ -74,6 +75,8 @@ class LineLink:
             The robot refuses.
         """
         with self._lock:
+            if self._is_closed:
+                raise DeviceLost(f"The connection to the robot at {self.place} was closed.", "Connect again.")
             self._number += 1
             try:
                 reply = self._exchange({"id": self._number, "do": do, **values})
@@ -88,8 +91,9 @@ class LineLink:
         return reply
 
     def close(self) -> None:
-        """Close the connection. Harmless when repeated."""
+        """Close the connection for good. Harmless when repeated."""
         with self._lock:
+            self._is_closed = True
             self._close()
 
     def nonsense(self, line: bytes, reason: str) -> DeviceError:

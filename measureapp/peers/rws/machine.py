@@ -59,7 +59,7 @@ class Machine:
         self.robtarget_offset_mm = 0.0  # along x: the controller calculates another pose from the joints
         self._module_text, self._time_scale, self._on_rest = module_text, time_scale, on_rest
         scale = max(time_scale, AT_ONCE)
-        self._rested_at = time.monotonic() - 1e9
+        self.rested_at = time.monotonic() - 1e9  # when the arm last came to rest
         self.axes = MovingAxes(start_deg, list(SPEED_DEG_PER_S / scale), list(ACCELERATION_DEG_PER_S2 / scale**2), on_rest=self._rest)
         self.program = self._loaded()
 
@@ -69,7 +69,7 @@ class Machine:
         true = self.axes.positions()
         if self.frozen_deg is not None:
             return self.frozen_deg
-        left = 1.0 - (time.monotonic() - self._rested_at) / self.creep_s if self.creep_s and not self.axes.is_moving else 0.0
+        left = 1.0 - (time.monotonic() - self.rested_at) / self.creep_s if self.creep_s and not self.axes.is_moving else 0.0
         return true + self.read_back_error_deg + self.creep_deg * max(0.0, left)
 
     def is_running(self) -> bool:
@@ -143,7 +143,7 @@ class Machine:
         return MailboxProgram(Symbols(self._module_text), self.axes, LIMITS_DEG, time.monotonic, self._time_scale, self.stop_program)
 
     def _rest(self, positions: FloatArray) -> None:
-        self._rested_at = time.monotonic()
+        self.rested_at = time.monotonic()
         self._on_rest(positions)
 
     def _halt(self, ctrlstate: str, entry: LogEntry) -> None:

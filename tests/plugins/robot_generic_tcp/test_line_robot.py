@@ -244,6 +244,14 @@ def test_a_fault_during_a_move_latches_until_the_robot_is_connected_again(happen
         assert not robot.status().ready
 
 
+def test_a_closed_robot_is_not_connected_again_by_asking_it() -> None:
+    with running() as (_, robot):
+        robot.close()
+        assert not robot.status().ready
+        with pytest.raises(DeviceLost, match="was closed"):
+            robot.pose()
+
+
 def test_a_robot_that_ends_beside_its_goal_is_an_error() -> None:
     with running() as (peer, robot):
         peer.faults.pose_error_mm = 0.5
