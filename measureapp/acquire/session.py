@@ -67,9 +67,15 @@ class RigSession:
             if error is not None:
                 self.stop_report = abort(self.rig, _reason_of(error), latch=_doubts_the_rig(error))
             else:
-                self.rig.projector.show(DARK, timeout_s=READ_TIMEOUT_S)
+                self._darken()
         finally:
             self.rig.in_use.release()
+
+    def _darken(self) -> None:
+        try:
+            self.call("The projector", lambda: self.rig.projector.show(DARK, timeout_s=READ_TIMEOUT_S), READ_TIMEOUT_S)
+        except DeviceError as error:  # all that was wanted is done
+            self.stop_report = f"The light could not be switched off: {error}"
 
     def abort(self, reason: str) -> None:
         """Stop every device now, from any thread, and latch the stop."""

@@ -36,11 +36,13 @@ def register(app: typer.Typer) -> None:
             reply(*_allowed(folder, allow), as_json)
             return
 
-        def line(row: PluginRow) -> str:
-            start = f"{row.id:<20} {row.version or '–':<9} {', '.join(row.kinds) or '–':<13} "
-            return start + (f"NOT LOADED: {row.problem} {row.hint}" if row.problem else row.name)
-
         rows = examine(folder)
+        width = max((len(row.id) for row in rows), default=0)
+
+        def line(row: PluginRow) -> str:
+            words = f"NOT LOADED: {row.problem} {row.hint}" if row.problem else f"{row.name} ({', '.join(row.kinds)})"
+            return f"{row.id:<{width}}  {row.version or '–':<7} {words}"
+
         document = {"plugins": [asdict(row) | {"loaded": not row.problem} for row in rows]}
         reply(document, "\n".join(line(row) for row in rows) or "There is no driver plugin.", as_json)
 
