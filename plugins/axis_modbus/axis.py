@@ -2,29 +2,27 @@
 
 from __future__ import annotations
 
-import threading
-import time
-
+from measureapp.devices.arrival import Arrival, within_s
+from measureapp.devices.attempt import Attempt, Stops
 from measureapp.errors import DeviceError, DeviceLost, DeviceTimeout, MotionError
-from measureapp.progress import Cancelled
 
 from .drive_map import DriveMap
 from .line import ModbusLine, Target
 from .settings import AxisSettings
 
-MARGIN, MARGIN_S = 1.5, 2.0  # of the predicted duration of a move
 IDENTITY_TRIES = 3  # after late replies
 
 
 class ModbusAxis:
     """Moves one drive. `move` and `home` are for one thread, `stop` for any."""
 
-    def __init__(self, name: str, line: ModbusLine, drive: DriveMap, settings: AxisSettings) -> None:
+    def __init__(self, name: str, unit: str, line: ModbusLine, drive: DriveMap, settings: AxisSettings) -> None:
         self.name = name
         self.counts_per_unit = settings.counts_per_unit or drive.counts_per_unit
         self._line, self._drive, self._settings = line, drive, settings
         self._target = Target(name, drive.unit_id if settings.unit_id is None else settings.unit_id)
-        self._stops, self._asked_to_stop = 0, threading.Event()
+        self._stops = Stops()
+        self._arrival = Arrival(name, unit, settings.tolerance, settings.settled_s, settings.poll_s)
         self._confirm_identity()
         if self._holds("alarm"):
             raise DeviceError(
@@ -69,30 +67,43 @@ class ModbusAxis:
         """
         if not self.is_homed():
             raise MotionError(f"{self.name} is not referenced.", "Find its reference before it is moved.")
-        stops = self._begin()
-        within_s = min(timeout_s, MARGIN * duration_s + MARGIN_S)
+        attempt = self._stops.begin(f"{self.name}: the move", within_s(duration_s, timeout_s))
         self._command(goal)
-        self._wait_at(goal, stops, time.monotonic() + within_s, within_s)
+        try:
+            scale = self.counts_per_unit
+            self._arrival.wait(goal / scale, lambda: self._counts_without_alarm() / scale, self._moves, attempt)
+        except DeviceTimeout:
+            self._run("stop", 0)
+            raise
 
     def home(self, timeout_s: float) -> None:
         """Find the reference, if the drive does not know its position. Raises as `move`."""
         if self.is_homed():
             return
-        stops = self._begin()
+        attempt = self._stops.begin(f"{self.name}: finding the reference", timeout_s)
         self._run("home", 0)
-        end = time.monotonic() + timeout_s
-        while not self.is_homed() or self._moves():
-            self._check(stops, end, timeout_s, "did not find its reference")
+        try:
+            self._wait_homed(attempt)
+        except DeviceTimeout:
+            self._run("stop", 0)
+            raise
 
     def stop(self) -> None:
         """Stop the drive now."""
-        self._stops += 1
-        self._asked_to_stop.set()
+        self._stops.stop()
         self._run("stop", 0)
 
-    def _begin(self) -> int:
-        self._asked_to_stop.clear()
-        return self._stops
+    def _wait_homed(self, attempt: Attempt) -> None:
+        while not self.is_homed() or self._moves():
+            attempt.wait(self._settings.poll_s)
+            self._counts_without_alarm()
+
+    def _counts_without_alarm(self) -> int:
+        """Read the position; raises MotionError when the drive reports an alarm."""
+        here = self.counts()
+        if self._holds("alarm"):
+            raise MotionError(f"{self.name} reports an alarm: {self._alarm_words()}.", "Remove the cause, then reset the drive.")
+        return here
 
     def _command(self, goal: int) -> None:
         """Write goal and command; after a lost reply look whether the drive took it, and never write a second time blindly."""
@@ -107,34 +118,6 @@ class ModbusAxis:
             raise MotionError(
                 f"{self.name} holds another goal than it was sent.", "Check the map of the drive, and that nobody else commands it."
             )
-
-    def _wait_at(self, goal: int, stops: int, end: float, within_s: float) -> None:
-        resting_since, last = 0.0, None
-        tolerance = self._settings.tolerance * self.counts_per_unit
-        while True:
-            self._check(stops, end, within_s, "did not come to rest at its goal")
-            now, here = time.monotonic(), self.counts()
-            if self._holds("alarm"):
-                raise MotionError(f"{self.name} reports an alarm: {self._alarm_words()}.", "Remove the cause, then reset the drive.")
-            if last is None or abs(here - last) > tolerance or self._moves():
-                resting_since, last = now, here
-                continue
-            if now - resting_since < self._settings.settled_s:
-                continue
-            if abs(here - goal) <= tolerance:
-                return
-            if self._drive.conditions.get("moving") is not None and now - resting_since > 1.0:
-                raise MotionError(
-                    f"{self.name} came to rest {abs(here - goal) / self.counts_per_unit:.3f} away from its goal.",
-                    "Check for an obstacle, a limit switch, and the scale of the drive.",
-                )
-
-    def _check(self, stops: int, end: float, within_s: float, what: str) -> None:
-        if self._asked_to_stop.wait(self._settings.poll_s) or self._stops != stops:
-            raise Cancelled
-        if time.monotonic() > end:
-            self._run("stop", 0)
-            raise DeviceTimeout(f"{self.name} {what} within {within_s:.1f} s.", "Check the drive, its load and its brake.")
 
     def _is_at(self, goal: int) -> bool:
         return abs(self.counts() - goal) <= self._settings.tolerance * self.counts_per_unit

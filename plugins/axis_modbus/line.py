@@ -11,6 +11,7 @@ from typing import Any, Literal
 from pydantic import ValidationError
 
 from measureapp.data.model import first_problem
+from measureapp.devices.serial_port import find_port
 from measureapp.errors import DeviceError, DeviceLost, DeviceTimeout, InputError
 
 from .drive_map import DriveMap
@@ -190,17 +191,3 @@ def open_line(table: Mapping[str, object], drive: DriveMap) -> ModbusLine:
         )
 
     return ModbusLine(over_serial, port, serial=True)
-
-
-def find_port(usb_serial: str) -> str:
-    """Return the port of the USB adapter with this serial number, whatever its name is now. Raises DeviceError with those that are there."""
-    from serial.tools.list_ports import comports  # type: ignore[import-untyped]
-
-    found = {entry.serial_number: entry.device for entry in comports() if entry.serial_number}
-    if usb_serial and usb_serial in found:
-        return str(found[usb_serial])
-    listed = ", ".join(f"{device} ({number})" for number, device in sorted(found.items())) or "none"
-    wanted = f"serial number {usb_serial!r}" if usb_serial else "a port, a host or a USB serial number"
-    raise DeviceError(
-        f"No serial adapter with {wanted} was found (adapters here: {listed}).", "Plug it in, or set port, host or usb_serial in [links]."
-    )

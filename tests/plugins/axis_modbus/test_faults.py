@@ -17,7 +17,7 @@ LINKS = {"port": "", "reply_timeout_s": 0.1}
 
 
 def test_a_command_whose_answer_is_late_is_carried_out_once() -> None:
-    with toyo_guide(framing="rtu") as found:
+    with toyo_guide(framing="rtu", reply_timeout_s=0.15) as found:
         genuine = ToyoMemory.write
 
         def write(memory: ToyoMemory, kind: str, address: int, value: int) -> None:
@@ -33,7 +33,7 @@ def test_a_command_whose_answer_is_late_is_carried_out_once() -> None:
 
 
 def test_after_a_late_answer_nothing_is_believed_before_the_identity_was_read() -> None:
-    with toyo_guide(framing="rtu") as found:
+    with toyo_guide(framing="rtu", reply_timeout_s=0.15) as found:
         found.drive.start(1234)
         time.sleep(0.05)
         found.peer.faults = LineFaults(late_s=0.25, late_once=True)
@@ -81,7 +81,7 @@ def test_a_drive_that_is_busy_is_asked_again() -> None:
 def test_a_position_that_never_changes_is_no_arrival_and_stops_the_drive() -> None:
     with toyo_guide() as found:
         found.drive.faults = DriveFaults(frozen=True)
-        with pytest.raises((DeviceTimeout, MotionError), match=r"did not come to rest|came to rest"):
+        with pytest.raises((DeviceTimeout, MotionError), match=r"did not end within|came to rest"):
             found.device.move_to(20.0, timeout_s=0.5)
 
 
@@ -96,7 +96,7 @@ def test_in_position_told_early_is_not_believed() -> None:
 def test_an_axis_that_rests_beside_its_goal_is_refused_with_the_distance() -> None:
     with toyo_guide() as found:
         found.drive.faults = DriveFaults(off_counts=30)
-        with pytest.raises(MotionError, match=r"rest 0\.300 away from its goal"):
+        with pytest.raises(MotionError, match=r"rest 0\.300 mm away from its goal"):
             found.device.move_to(20.0, timeout_s=5.0)
 
 
@@ -144,7 +144,7 @@ def test_an_alarm_is_told_with_its_meaning() -> None:
 
 
 def test_a_silent_drive_is_lost_within_two_time_outs() -> None:
-    with toyo_guide() as found:
+    with toyo_guide(reply_timeout_s=0.15) as found:
         found.peer.faults = LineFaults(silent=True)
         started = time.monotonic()
         with pytest.raises(DeviceLost, match="no reply"):
