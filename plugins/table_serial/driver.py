@@ -43,7 +43,7 @@ class SerialTable:
     def __init__(self, name: str, line: SerialLine, table: CommandTable, settings: TableSettings, limits_rad: tuple[float, float]) -> None:
         self.name, self.limits_rad = name, limits_rad
         self._line, self._table, self._settings = line, table, settings
-        self._scale = settings.counts_per_degree or table.counts_per_degree
+        self._scale = settings.counts_per_unit or table.counts_per_degree
         self._stops = Stops()
         self._arrival = Arrival(name, "°", settings.tolerance_deg, settings.settled_s, settings.poll_s)
 

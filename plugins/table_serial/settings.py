@@ -16,7 +16,7 @@ class TableSettings(Model):
     port: str = Field(default="", description="serial port, such as /dev/ttyUSB0 or COM3; empty: found by usb_serial")
     usb_serial: str = Field(default="", description="serial number of the USB adapter: found again when its port has another name")
     baudrate: int | None = Field(default=None, gt=0, description="none: as the controller's table says")
-    counts_per_degree: float | None = Field(default=None, gt=0, description="none: as the controller's table says")
+    counts_per_unit: float | None = Field(default=None, gt=0, description="counts per degree; none: as the controller's table says")
     sense: Literal[1, -1] = Field(default=1, description="-1: the controller counts clockwise, seen from above")
     zero_deg: float = Field(default=0.0, description="the controller's angle at angle 0 of the rig")
     speed_deg_per_s: float = Field(default=20.0, gt=0, description="as set in the controller; for the predicted duration")
