@@ -29,7 +29,7 @@ class Replies(Model):
     """Regular expressions for replies. ``position`` has a group ``value``."""
 
     position: str
-    at_rest: str = Field(description="of the state: the table stands still")
+    at_rest: str = Field(description="of the state: the table is at rest")
     referenced: str = Field(default="", description="of the state: the reference is known; empty: always")
     no_error: str = Field(default="", description="of the error")
 
