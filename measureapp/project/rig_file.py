@@ -6,11 +6,13 @@ from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
+import tomli_w
 from pydantic import ValidationError
 
 from measureapp.data.model import first_problem
 from measureapp.data.rig import RECORDED, RigDescription
 from measureapp.errors import InputError
+from measureapp.project.atomic import write_text
 from measureapp.project.text_document import read_toml
 from measureapp.resources import resource
 
@@ -72,6 +74,18 @@ def assume_axes(rig: RigDescription, moving: Iterable[str]) -> RigDescription:
     """Return a recorded rig with typical errors of the axes in ``moving`` ("robot", "guide", "table") that are not described."""
     assumed = {name: getattr(rig, name).model_copy(update=TYPICAL_AXES[name]) for name in moving if getattr(rig, name).model == ABSENT}
     return rig.model_copy(update=assumed)
+
+
+def write_rig(path: Path, description: RigDescription) -> None:
+    """Write a rig description as TOML, without what has its default value; comments of an earlier file are lost.
+
+    Raises
+    ------
+    StorageError
+        It cannot be written; an earlier file stays as it was.
+    """
+    document = description.model_dump(mode="json", exclude_defaults=True, exclude_none=True)
+    write_text(path, tomli_w.dumps({"schema_version": description.schema_version, **document}))
 
 
 def _named(name: str) -> Path:
