@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import tomllib
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QSize, QTimer, Slot
 from PySide6.QtGui import QHideEvent, QShowEvent
@@ -26,6 +27,9 @@ from ui.widgets.live_tile import LiveTile
 from ui.widgets.rig_drawing import RigDrawing
 from ui.widgets.segments import Segments
 from ui.widgets.unit_dialog import UnitDialog
+
+if TYPE_CHECKING:
+    from ui.pages.rig.rig_editor import RigEditor
 
 DEMO_WORDS = (
     "Calibrates a virtual rig with hidden errors, scans the part, stitches the clouds, evaluates the dimensions and writes the report."
@@ -67,7 +71,10 @@ class RigPage(Page):
         self.connect_button.clicked.connect(rig.connect_rig)
         self.disconnect_button = Button("Disconnect", self.look, "disconnect", "normal", "Release every device")
         self.disconnect_button.clicked.connect(rig.disconnect_rig)
-        for widget in (self.rigs, self.connect_button, self.disconnect_button):
+        self.edit = Button("Edit…", self.look, "file", "normal", "Edit this rig: drivers, settings, tolerances, keep-out boxes")
+        self.edit.clicked.connect(self._edit_rig)
+        self.editor: RigEditor | None = None
+        for widget in (self.rigs, self.edit, self.connect_button, self.disconnect_button):
             self.action_row.addWidget(widget)
 
     def _lay_out(self) -> None:
@@ -133,6 +140,7 @@ class RigPage(Page):
         session.rigChanged.connect(self._show)
         session.cellChanged.connect(self._show_cell)
         session.busyChanged.connect(self._show_busy)
+        session.appearanceChanged.connect(self._show_cell)
         self._state_timer, self._live_timer = QTimer(self), QTimer(self)
         self._state_timer.setInterval(STATE_INTERVAL_MS)
         self._state_timer.timeout.connect(controllers.rig.refresh)
@@ -152,6 +160,18 @@ class RigPage(Page):
                 self.controllers.rig.choose(Path(path))
         else:
             self.controllers.rig.choose(chosen)
+
+    def _edit_rig(self) -> None:
+        from measureapp.devices.plugin_loader import discover
+        from ui.pages.rig.rig_editor import RigEditor
+
+        rig = self.session.rig
+        if rig is None:
+            return
+        self.editor = RigEditor(self.look, rig, discover(), self)
+        self.editor.saved.connect(self.controllers.rig.choose)
+        self.editor.finished.connect(self.editor.deleteLater)
+        self.editor.open()
 
     def _choose_view(self, view: str) -> None:
         self.pictures.setCurrentIndex(1 if view == "live" else 0)
@@ -178,7 +198,7 @@ class RigPage(Page):
         busy = bool(self.session.busy_with)
         self.run_demo.setEnabled(not busy)
         self.empty.button.setEnabled(not busy)
-        for widget in (self.rigs, self.connect_button, self.disconnect_button, self.home):
+        for widget in (self.rigs, self.edit, self.connect_button, self.disconnect_button, self.home):
             widget.setEnabled(not busy)
 
     def _show(self) -> None:
@@ -201,6 +221,7 @@ class RigPage(Page):
         if rig is None:
             return
         self.connect_button.setVisible(not cell.connected)
+        self.edit.setVisible(not cell.connected and self.session.role == "engineer")
         self.disconnect_button.setVisible(cell.connected)
         self.views.set_available("live", cell.connected and not cell.stopped)
         self.exposures.setVisible(self.views.value() == "live")
