@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import tomllib
-from collections.abc import Iterator
 from itertools import product
 from pathlib import Path
 
@@ -105,8 +104,8 @@ class Arm:
             )
         return min(inside, key=lambda one: float(np.max(np.abs(one - present_deg) / self.speeds_deg_per_s)))
 
-    def _configurations(self, goal: RigidTransform, present_deg: FloatArray) -> Iterator[FloatArray]:
-        """Yield the angles of all eight configurations; closed form for a spherical wrist."""
+    def _configurations(self, goal: RigidTransform, present_deg: FloatArray) -> list[FloatArray]:
+        """Return the angles of the eight configurations without those at a singularity of the wrist; closed form for a spherical wrist."""
         arm = self.description
         last = goal.rotation @ FLANGE_FROM_WRIST
         wrist = goal.translation_mm - last @ [arm.wrist_to_flange_mm, 0.0, 0.0]
@@ -121,6 +120,7 @@ class Arm:
             )
         if out < NEAR_AXIS_1_MM:
             raise LimitError(f"{arm.name}: the wrist would be {out:.1f} mm from axis 1, where joint 1 is not determined.", NOTHING_MOVED)
+        found, singular = [], None
         for side, elbow, flip in product(SIGNS, SIGNS, SIGNS):
             q1 = np.arctan2(side * wrist[1], side * wrist[0])
             angle = elbow * np.arccos(cosine)
@@ -129,7 +129,13 @@ class Arm:
                 self._forearm_mm * np.sin(angle), arm.upper_arm_mm + self._forearm_mm * np.cos(angle)
             )
             remaining = (rotation_about(Z, q1) @ rotation_about(Y, q2 + q3)).T @ last
-            yield np.rad2deg([q1, q2, q3, *self._wrist(remaining, flip, float(np.deg2rad(present_deg[3])))])
+            try:
+                found.append(np.rad2deg([q1, q2, q3, *self._wrist(remaining, flip, float(np.deg2rad(present_deg[3])))]))
+            except LimitError as error:
+                singular = error
+        if singular is not None and not found:
+            raise singular
+        return found
 
     def _wrist(self, remaining: FloatArray, flip: float, present_q4: float) -> tuple[float, float, float]:
         """Return joints 4, 5 and 6 for the rotation that is left to them, Rx·Ry·Rx."""
