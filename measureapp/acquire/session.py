@@ -183,6 +183,15 @@ class RigSession:
         """Read the present time, temperature, serial numbers and lens settings."""
         return read_conditions(self.rig)
 
+    def link_warnings(self) -> str:
+        """Return which cameras had many packets sent again since they were connected; empty if none, or where a camera does not tell."""
+        found = []
+        for name, camera in self.rig.cameras.items():
+            with suppress(DeviceError):  # the images are complete: nothing that a counter could change
+                warning = self._call("A camera", camera.statistics, READ_TIMEOUT_S).warning
+                found += [f"Camera {name}: {warning}."] if warning else []
+        return " ".join(found)
+
     def check(self) -> None:
         """Raise Cancelled when the user has cancelled, or the rig was stopped."""
         self._progress.check()

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import threading
 import time
+from contextlib import ExitStack
+from types import SimpleNamespace
 
 import pytest
-from axis_peers import connect, simple_table, toyo_guide
+from axis_peers import FAST, connect, simple_table, toyo_guide
 
 from measureapp.errors import DeviceError, DeviceLost, DeviceTimeout, LimitError, MotionError
 from measureapp.peers.modbus_axis import Drive, DriveFaults, SimpleMemory, ToyoMemory
@@ -85,6 +87,18 @@ def test_a_position_that_never_changes_is_no_arrival_and_stops_the_drive() -> No
             found.device.move_to(20.0, timeout_s=0.5)
 
 
+def test_a_move_that_never_ends_is_over_after_one_and_a_half_times_its_prediction_and_two_seconds() -> None:
+    with toyo_guide(speed_mm=100.0) as found:
+        found.drive.faults = DriveFaults(frozen=True)
+        found.drive.told_moving = lambda: True  # type: ignore[method-assign]
+        predicted_s = 20.0 / 100.0 + 100.0 / 2000.0  # constant speed, and the ramps at 20 times as much per second
+        started = time.monotonic()
+        with pytest.raises(DeviceTimeout, match=r"within 2\.[34] s"):
+            found.device.move_to(20.0, timeout_s=60.0)
+        assert time.monotonic() - started < 1.5 * predicted_s + 2.0 + 0.5
+        assert found.drive.stops
+
+
 def test_in_position_told_early_is_not_believed() -> None:
     with toyo_guide(speed_mm=100.0) as found:
         found.drive.faults = DriveFaults(early_in_position=True)
@@ -123,6 +137,39 @@ def test_an_adapter_that_is_unplugged_is_lost_at_once() -> None:
 def test_an_adapter_that_is_not_there_is_named_with_those_that_are() -> None:
     with pytest.raises(DeviceError, match="No serial adapter with serial number 'A50285BI'"):
         connect("linear-guide", {"drive": "toyo_xc100", "link": "bus"}, {"bus": {"usb_serial": "A50285BI"}})
+
+
+def plug_in(monkeypatch: pytest.MonkeyPatch, **ports: str) -> None:
+    """Let the system list serial adapters, by serial number."""
+    entries = [SimpleNamespace(serial_number=number, device=port) for number, port in ports.items()]
+    monkeypatch.setattr("serial.tools.list_ports.comports", lambda: entries)
+
+
+def test_an_adapter_that_returns_under_a_new_name_is_found_by_its_serial_number_and_a_lost_reference_is_asked_for(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    line, drive = {"bus": {"usb_serial": "A50285BI", "framing": "rtu"}}, Drive(speed=3e7, acceleration=6e8)
+    settings = {"drive": "simple_axis", "link": "bus", "speed": 3000.0, "acceleration": 60_000.0, **FAST}
+    with ExitStack() as second:
+        with on_serial(ModbusDevice(SimpleMemory(drive)), "rtu") as before:
+            other = second.enter_context(on_serial(ModbusDevice(SimpleMemory(drive)), "rtu"))
+            plug_in(monkeypatch, X1=other, A50285BI=before)
+            table, shared = connect("rotary-table", settings, line)
+            table.move_to(0.5, timeout_s=5.0)
+        with pytest.raises(DeviceLost):
+            for _ in range(3):
+                table.angle_rad()
+        shared.close()
+        plug_in(monkeypatch, A50285BI=other)
+        drive.faults = DriveFaults(homed=False)  # it was without power
+        table, shared = connect("rotary-table", settings, line)
+        with pytest.raises(MotionError, match="not referenced"):
+            table.move_to(1.0, timeout_s=5.0)
+        table.home(timeout_s=5.0)
+        table.move_to(1.0, timeout_s=5.0)
+        assert table.angle_rad() == pytest.approx(1.0, abs=4e-4)
+        shared.close()
+    assert drive.moves == [286479, 0, 572958]
 
 
 def test_an_axis_that_is_not_referenced_is_not_moved_before_it_is() -> None:
