@@ -27,7 +27,7 @@ def connect_rig(description: RigDescription, plugins: Path | None = None, given:
 
     Parameters
     ----------
-    plugins : folder of the plugins; None: those shipped with the program
+    plugins : folder of the plugins; None: those shipped with the program and those of this user
     given : links that exist already, by name
 
     Raises

@@ -17,7 +17,9 @@ def register(group: typer.Typer) -> None:
     @group.command()
     def check(
         rig: Annotated[str, typer.Argument(help="Rig description: a TOML file, or a name in resources/rigs.")],
-        plugins: Annotated[Path | None, typer.Option(help="Folder of the plugins; default: those shipped with the program.")] = None,
+        plugins: Annotated[
+            Path | None, typer.Option(help="Folder of the plugins; default: the program's and ~/MeasureApp/plugins.")
+        ] = None,
         calibration: Annotated[
             Path | None, typer.Option("--calibration", help="Project whose calibration is checked for these cameras.")
         ] = None,
