@@ -23,7 +23,7 @@ def read_rig(name_or_path: str | Path) -> RigDescription:
     """
     path = Path(name_or_path)
     if not path.suffix:
-        path = _named(path.name)
+        path = _find_rig(path.name)
     document = read_toml(path, "Name a rig description (TOML).")
     try:
         return RigDescription.model_validate(document)
@@ -31,7 +31,7 @@ def read_rig(name_or_path: str | Path) -> RigDescription:
         raise InputError(f"{path}: {first_problem(error, 'the rig')}.", "Correct this field.") from error
 
 
-def _named(name: str) -> Path:
+def _find_rig(name: str) -> Path:
     known = {path.stem: path for path in sorted(resource("rigs").glob("*.toml"))}
     if name not in known:
         raise InputError(f"There is no rig {name!r}.", f"Give a rig description (TOML), or one of: {', '.join(known)}.")

@@ -48,7 +48,7 @@ class RunEvents(QObject):
             case e.ViewpointStarted():
                 session.set_viewpoint(event.viewpoint_id, "moving")
             case e.ImageTaken():
-                self._capturing(event)
+                self._show_capture(event)
             case e.ViewpointStored():
                 session.set_viewpoint(event.viewpoint_id, "stored", f"{event.seconds:.1f} s")
             case e.ViewpointFailed():
@@ -68,9 +68,9 @@ class RunEvents(QObject):
             case e.ValidityKnown():
                 self._report_validity(event)
             case e.RunEnded():
-                self._ended(event)
+                self._report_end(event)
 
-    def _capturing(self, event: ImageTaken) -> None:
+    def _show_capture(self, event: ImageTaken) -> None:
         known = self._session.viewpoints.get(event.viewpoint_id)
         if known is not None and known.status in {"waiting", "moving"}:
             self._session.set_viewpoint(event.viewpoint_id, "capturing")
@@ -85,7 +85,7 @@ class RunEvents(QObject):
         elif drift.status in ("watch", "drifted"):
             self._session.tell(drift.sentence, "", "error" if drift.status == "drifted" else "warning")
 
-    def _ended(self, event: RunEnded) -> None:
+    def _report_end(self, event: RunEnded) -> None:
         if event.reason == "failed":
             self._session.tell(event.message or "The scan failed.", "", "error")
         elif event.reason == "done":
