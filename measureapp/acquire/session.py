@@ -188,7 +188,7 @@ class RigSession:
         found = []
         for name, camera in self.rig.cameras.items():
             with suppress(DeviceError):  # the images are complete: nothing that a counter could change
-                warning = self._call("A camera", camera.statistics, READ_TIMEOUT_S).warning
+                warning = self.call("A camera", camera.statistics, READ_TIMEOUT_S).warning
                 found += [f"Camera {name}: {warning}."] if warning else []
         return " ".join(found)
 
