@@ -10,7 +10,7 @@ from measureapp.geometry.kinematics.ortho_parallel import OrthoParallelArm
 
 SIGNS = np.array([1.0, -1.0])
 SINGULAR = 1e-9  # sine of the wrist angle, or radius in mm, below which an angle is undetermined
-ROUNDING = 1e-12  # relative; a fully stretched arm is still reachable
+ROUNDING_MM = 5e-10  # a fully stretched arm is still within reach
 
 
 def all_branches(arm: OrthoParallelArm, base_from_flange: FloatArray, current_rad: FloatArray) -> FloatArray:
@@ -42,10 +42,9 @@ def _turn(arm: OrthoParallelArm, wrist_mm: FloatArray, current_rad: float) -> tu
     """Return joint 1, the wrist centre's signed distance in front of axis 1, both (N, 2), and its height (N,)."""
     forward, across, up = ((wrist_mm - arm.origin_mm) @ arm.upright.T).T
     distance = np.hypot(forward, across)
-    square = (distance - abs(arm.lateral_mm)) * (distance + abs(arm.lateral_mm))
-    square = np.where(np.abs(square) < ROUNDING * distance**2, 0.0, square)
-    with np.errstate(invalid="ignore"):
-        radius = np.sqrt(square)[:, None] * SIGNS
+    least = abs(arm.lateral_mm)
+    within = _within(distance, least, np.inf, arm.slack_mm)
+    radius = np.sqrt((within - least) * (within + least))[:, None] * SIGNS
     turn = np.arctan2(across, forward)[:, None] - np.arctan2(arm.lateral_mm, radius)
     return np.where(distance[:, None] < SINGULAR, current_rad, arm.turn_sense * turn), radius, up
 
@@ -53,9 +52,9 @@ def _turn(arm: OrthoParallelArm, wrist_mm: FloatArray, current_rad: float) -> tu
 def _reach(arm: OrthoParallelArm, radius_mm: FloatArray, height_mm: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Return joints 2 and 3, (N, 2, 2), from the triangle of shoulder, elbow and wrist."""
     forward, up = radius_mm - arm.shoulder_mm[0], (height_mm - arm.shoulder_mm[1])[:, None]
-    cosine = (forward**2 + up**2 - arm.upper_mm**2 - arm.fore_mm**2) / (2.0 * arm.upper_mm * arm.fore_mm)
-    cosine = np.where(np.abs(cosine) < 1.0 + ROUNDING, np.clip(cosine, -1.0, 1.0), np.nan)
-    elbow = np.arccos(cosine)[..., None] * SIGNS
+    distance = _within(np.hypot(forward, up), *arm.reach_mm, arm.slack_mm)
+    cosine = (distance**2 - arm.upper_mm**2 - arm.fore_mm**2) / (2.0 * arm.upper_mm * arm.fore_mm)
+    elbow = np.arccos(np.clip(cosine, -1.0, 1.0))[..., None] * SIGNS
     inner = np.arctan2(arm.fore_mm * np.sin(elbow), arm.upper_mm + arm.fore_mm * np.cos(elbow))
     second = np.arctan2(forward, up)[..., None] - inner - arm.upper_rad
     return second, arm.elbow_sense * (elbow - (arm.fore_rad - arm.upper_rad))
@@ -81,6 +80,12 @@ def _wrist(arm: OrthoParallelArm, rotations: FloatArray, arm_joints: FloatArray,
     rest = _about(fifth, -joint_5) @ _about(fourth, -joint_4) @ (turned @ fifth)[..., None, :, None]
     joint_6 = np.arctan2(rest[..., 0] @ np.cross(sixth, fifth), rest[..., 0] @ fifth)
     return np.stack([joint_4, joint_5, joint_6], axis=-1)
+
+
+def _within(distances_mm: FloatArray, least_mm: float, greatest_mm: float, slack_mm: float) -> FloatArray:
+    """Return distances clipped to a range; NaN if they are outside by more than the slack and rounding."""
+    outside_mm = np.maximum(least_mm - distances_mm, distances_mm - greatest_mm)
+    return np.where(outside_mm > slack_mm + ROUNDING_MM, np.nan, np.clip(distances_mm, least_mm, greatest_mm))
 
 
 def _about(axis: FloatArray, angles_rad: FloatArray) -> FloatArray:

@@ -18,9 +18,10 @@ import numpy as np
 from measureapp.arrays import FloatArray
 from measureapp.geometry.kinematics.arm import JOINTS, ArmModel
 
-LARGEST_SKEW = 2e-3  # cosine between axes that should be perpendicular; a calibrated or rounded model is within
+LARGEST_SKEW = 2e-3  # rad; a calibrated model, or one with rounded angles, is within
 LARGEST_OFFSET_MM = 1.0  # distance of a wrist axis from the wrist centre
 SHORTEST_LINK_MM = 1.0
+ROUNDING_MM = 1e-9  # deviation of an exact model
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -45,6 +46,7 @@ class OrthoParallelArm:
     wrist_rad: float  # angle from axis 4 to axis 6 about axis 5
     base_from_flange: FloatArray  # (3, 3), rotation
     wrist_in_flange_mm: FloatArray  # (3,)
+    slack_mm: float  # how far beyond this geometry's reach the model may still reach; 0 if it has exactly this geometry
 
     @property
     def reach_mm(self) -> tuple[float, float]:
@@ -59,7 +61,8 @@ def ortho_parallel(model: ArmModel) -> OrthoParallelArm | None:
     axes, points_mm = np.einsum("jab,jb->ja", links[:, :3, :3], model.axes), links[:, :3, 3]
     wrist_mm = _meeting_point(points_mm[3:], axes[3:])
     offsets_mm = np.linalg.norm(np.cross(wrist_mm - points_mm[3:], axes[3:]), axis=1)
-    if not _perpendicular(axes) or offsets_mm.max() > LARGEST_OFFSET_MM:
+    skew = _skew(axes)
+    if skew > LARGEST_SKEW or offsets_mm.max() > LARGEST_OFFSET_MM:
         return None
     upright, turn_sense = _upright(axes)
     wrist, shoulder, elbow = (upright @ (point - points_mm[0]) for point in (wrist_mm, points_mm[1], points_mm[2]))
@@ -82,13 +85,18 @@ def ortho_parallel(model: ArmModel) -> OrthoParallelArm | None:
         wrist_rad=float(np.arctan2(np.cross(axes[3], axes[5]) @ axes[4], axes[3] @ axes[5])),
         base_from_flange=flange[:3, :3],
         wrist_in_flange_mm=flange[:3, :3].T @ (wrist_mm - flange[:3, 3]),
+        slack_mm=_slack_mm(skew * (upper_mm + fore_mm) + float(offsets_mm.max())),
     )
 
 
-def _perpendicular(axes: FloatArray) -> bool:
-    """Whether axes 1 and 2, 4 and 5, 5 and 6 are perpendicular, 2 and 3 parallel."""
-    cosines = [axes[0] @ axes[1], axes[3] @ axes[4], axes[4] @ axes[5], np.linalg.norm(np.cross(axes[1], axes[2]))]
-    return bool(np.abs(cosines).max() < LARGEST_SKEW)
+def _skew(axes: FloatArray) -> float:
+    """Return the largest sine of the deviation from a right angle (axes 1 and 2, 4 and 5, 5 and 6) or from parallel (2 and 3)."""
+    sines = [axes[0] @ axes[1], axes[3] @ axes[4], axes[4] @ axes[5], np.linalg.norm(np.cross(axes[1], axes[2]))]
+    return float(np.abs(sines).max())
+
+
+def _slack_mm(deviation_mm: float) -> float:
+    return deviation_mm if deviation_mm > ROUNDING_MM else 0.0
 
 
 def _upright(axes: FloatArray) -> tuple[FloatArray, float]:
