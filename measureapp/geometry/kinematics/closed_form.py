@@ -10,7 +10,7 @@ from measureapp.geometry.kinematics.ortho_parallel import OrthoParallelArm
 
 SIGNS = np.array([1.0, -1.0])
 SINGULAR = 1e-9  # sine of the wrist angle, or radius in mm, below which an angle is undetermined
-ROUNDING_MM = 5e-10  # a fully stretched arm is still within reach
+ROUNDING_MM = 1e-10  # a fully stretched arm is still within reach
 
 
 def all_branches(arm: OrthoParallelArm, base_from_flange: FloatArray, current_rad: FloatArray) -> FloatArray:

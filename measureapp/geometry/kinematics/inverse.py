@@ -9,12 +9,12 @@ import numpy as np
 import numpy.typing as npt
 
 from measureapp.arrays import FloatArray, read_only
-from measureapp.errors import FrameMismatch, LimitError
+from measureapp.errors import FrameMismatch
 from measureapp.geometry.kinematics.arm import JOINTS, ArmModel
 from measureapp.geometry.kinematics.closed_form import all_branches
 from measureapp.geometry.kinematics.ortho_parallel import OrthoParallelArm, ortho_parallel
 from measureapp.geometry.kinematics.posture import Posture, posture_of
-from measureapp.geometry.kinematics.refine import Refined, refine, seeds
+from measureapp.geometry.kinematics.refine import refine, seeds
 from measureapp.geometry.kinematics.refusal import beyond_limits, beyond_reach, not_found
 from measureapp.geometry.kinematics.turns import distinct, within_limits
 from measureapp.geometry.transform import RigidTransform, orthonormalise
@@ -35,8 +35,8 @@ def inverse(model: ArmModel, base_from_flange: RigidTransform, current_rad: npt.
     """Return all solutions within the joint limits, also those whole turns apart.
 
     Arms with an ortho-parallel base and a spherical wrist are solved in closed form; where a model deviates slightly from that (calibrated or
-    rounded parameters), the closed form starts an iteration, which may miss solutions close to a singularity. Any other arm is solved
-    numerically: damped least squares from 256 seeds, equal results merged. That finds most solutions, without proof that it finds all.
+    rounded parameters), the closed form starts an iteration. Any other arm, and a deviating one where branches are lost close to a
+    singularity, is solved numerically: damped least squares from 256 seeds, equal results merged, without proof that none is missed.
 
     Parameters
     ----------
@@ -57,11 +57,7 @@ def inverse(model: ArmModel, base_from_flange: RigidTransform, current_rad: npt.
     goal = _goal(base_from_flange)
     current = np.zeros(JOINTS) if current_rad is None else np.asarray(current_rad, float)
     arm = ortho_parallel(model)
-    candidates = _candidates(model, arm, goal, current)
-    refined = refine(model, goal, candidates)
-    if not refined.reached.any():
-        raise _unreachable(model, arm, goal, refined)
-    found = distinct(refined.joints_rad[refined.reached])
+    found = _solve_numerically(model, goal, current[None]) if arm is None else _solve_in_closed_form(model, arm, goal, current)
     solutions = tuple(_solution(model, arm, joints) for branch in found for joints in within_limits(branch, model.limits_rad))
     if not solutions:
         raise beyond_limits(model, found)
@@ -88,17 +84,24 @@ def _goal(base_from_flange: RigidTransform) -> FloatArray:
     return orthonormalise(base_from_flange.matrix)
 
 
-def _candidates(model: ArmModel, arm: OrthoParallelArm | None, goal: FloatArray, current_rad: FloatArray) -> FloatArray:
-    if arm is None:
-        return np.vstack([current_rad, seeds(model.limits_rad, SEEDS)])
+def _solve_in_closed_form(model: ArmModel, arm: OrthoParallelArm, goal: FloatArray, current_rad: FloatArray) -> FloatArray:
+    """Return the joint angles of all branches, (N, 6), limits ignored; raises LimitError."""
     branches = all_branches(arm, goal[None], current_rad)[0]
-    return branches[np.isfinite(branches).all(axis=1)]
+    branches = branches[np.isfinite(branches).all(axis=1)]
+    if not len(branches):
+        raise beyond_reach(model, arm, goal)
+    refined = refine(model, goal, branches)
+    found = distinct(refined.joints_rad[refined.reached])
+    coincide = arm.slack_mm == 0.0 and bool(refined.reached.all())  # branches of an exact arm, at a singularity
+    return found if coincide or len(found) == len(branches) else _solve_numerically(model, goal, branches)
 
 
-def _unreachable(model: ArmModel, arm: OrthoParallelArm | None, goal: FloatArray, refined: Refined) -> LimitError:
-    if arm is not None and not len(refined.joints_rad):
-        return beyond_reach(model, arm, goal)
-    return not_found(model, refined)
+def _solve_numerically(model: ArmModel, goal: FloatArray, starts_rad: FloatArray) -> FloatArray:
+    """Return the joint angles found from ``starts_rad`` (N, 6) and from seeds, (N, 6), limits ignored; raises LimitError."""
+    refined = refine(model, goal, np.vstack([starts_rad, seeds(model.limits_rad, SEEDS)]))
+    if not refined.reached.any():
+        raise not_found(model, refined)
+    return distinct(refined.joints_rad[refined.reached])
 
 
 def _solution(model: ArmModel, arm: OrthoParallelArm | None, joints_rad: FloatArray) -> JointSolution:
