@@ -148,22 +148,40 @@ class ModelForm(FieldRows):
 
 
 class GroupEditor(FieldEditor):
-    """A model inside a model: a heading that folds its fields."""
+    """A model inside a model: a heading that folds its fields; they are made when they are first unfolded."""
 
     def __init__(self, model: type[Model], depth: int) -> None:
         super().__init__()
-        self.rows = FieldRows(model, depth=depth)
-        self.button = _folder(self.rows)
-        self.rows.edited.connect(self.edited)
-        self.setLayout(column(row(self.button, 0), self.rows, spacing=4))
+        self._model, self._depth = model, depth
+        self._rows: FieldRows | None = None
+        self.button = QPushButton(f"{CLOSED} Show")
+        self.button.setCheckable(True)
+        self.button.setAutoDefault(False)
+        self.button.setProperty("role", "quiet")
+        self.button.toggled.connect(self._fold)
+        self._column = column(row(self.button, 0), spacing=4)
+        self.setLayout(self._column)
+
+    @property
+    def rows(self) -> FieldRows:
+        """The fields."""
+        if self._rows is None:
+            self._rows = FieldRows(self._model, depth=self._depth)
+            self._rows.set_raw(self._kept or {})
+            self._rows.setVisible(self.button.isChecked())
+            self._rows.edited.connect(self.edited)
+            self._column.addWidget(self._rows)
+        return self._rows
 
     def raw(self) -> Any:
         """Return what was entered, by field."""
-        return self.rows.raw()
+        return self._rows.raw() if self._rows is not None else _by_field(self._kept)
 
     def set_raw(self, value: Any) -> None:
         """Show values by field, or a model."""
-        self.rows.set_raw(value or {})
+        super().set_raw(value)
+        if self._rows is not None:
+            self._rows.set_raw(value or {})
 
     def place_problem(self, place: tuple[int | str, ...], words: str) -> bool:
         """Unfold the fields and show a problem."""
@@ -172,7 +190,12 @@ class GroupEditor(FieldEditor):
 
     def clear_problems(self) -> None:
         """Show no problem."""
-        self.rows.clear_problems()
+        if self._rows is not None:
+            self._rows.clear_problems()
+
+    def _fold(self, unfolded: bool) -> None:
+        self.rows.setVisible(unfolded)
+        self.button.setText(f"{OPEN} Hide" if unfolded else f"{CLOSED} Show")
 
 
 class ListEditor(FieldEditor):
@@ -304,19 +327,3 @@ def _note() -> QLabel:
     note = label("", "problem", wrap=True)
     note.hide()
     return note
-
-
-def _folder(body: QWidget) -> QPushButton:
-    """Return a button that folds ``body``, which is folded at first."""
-    button = QPushButton(f"{CLOSED} Show")
-    button.setCheckable(True)
-    button.setAutoDefault(False)
-    button.setProperty("role", "quiet")
-    body.hide()
-
-    def fold(unfolded: bool) -> None:
-        body.setVisible(unfolded)
-        button.setText(f"{OPEN} Hide" if unfolded else f"{CLOSED} Show")
-
-    button.toggled.connect(fold)
-    return button
