@@ -141,7 +141,7 @@ def test_a_problem_inside_a_folded_group_unfolds_it(qtbot):
     form.editors["park"].box.setChecked(True)
     line = form.editors["park"].inner.rows.editors["position_mm"].lines[1]
     assert line.isVisible()
-    assert form.problem() == "Park, position: Enter a number."
+    assert form.problem() == "Park pose, position: Enter a number."
 
 
 def test_a_box_without_a_volume_is_refused_in_words(qtbot):
@@ -150,7 +150,7 @@ def test_a_box_without_a_volume_is_refused_in_words(qtbot):
     (box,) = form.editors["keep_out"].items
     box.set_raw({"name": "wall", "low_mm": (0, 0, 0), "high_mm": (1, 1, 0)})
     box.edited.emit()
-    assert form.problem() == "Keep out: Low must be below high in x, y and z."
+    assert form.problem() == "Keep-out boxes: Lower corner must be below upper corner in x, y and z."
 
 
 def test_settings_without_a_model_are_lines_of_toml(qtbot):
@@ -165,5 +165,5 @@ def test_names_are_words_with_units():
     assert field_words("speed_mm_per_s") == ("Speed", "mm/s")
     assert field_words("exposures_us") == ("Exposures", "µs")
     assert field_words("certificate_sha256") == ("Certificate SHA-256", "")
-    assert place_words(("keep_out", 1, "low_mm", 0)) == "Keep out 2, low"
+    assert place_words(("keep_out", 1, "low_mm", 0)) == "Keep-out boxes 2, lower corner"
     assert list(UNITS) == sorted(UNITS, key=lambda ending: -ending.count("_")), "longer endings first"

@@ -32,6 +32,26 @@ UNITS = {
 """Endings of names and the units they stand for, the longest first."""
 PROPER = {"usb": "USB", "tcp": "TCP", "udp": "UDP", "id": "ID", "led": "LED", "egm": "EGM", "sha256": "SHA-256", "io": "I/O"}
 NAME = re.compile(r"\b[a-z0-9]+(?:_[a-z0-9]+)+\b")  # of a field, in a sentence
+LABELS = {
+    "keep_out": "Keep-out boxes",
+    "park": "Park pose",
+    "settle_s": "Settling time",
+    "low_mm": "Lower corner",
+    "high_mm": "Upper corner",
+    "reference": "Reference camera",
+    "head": "Synchronisation",
+    "flange_from_head": "Head on the flange",
+    "head_from_camera": "Camera in the head",
+    "head_from_projector": "Projector in the head",
+    "packet_bytes": "Packet size",
+    "inter_packet_delay": "Delay between packets",
+    "baudrate": "Baud rate",
+    "valid_days": "Validity",
+    "scale_ppm": "Uncertainty of the scale",
+    "head_expansion_per_k": "Thermal expansion of the head",
+    "full_well_e": "Full well",
+}
+"""Labels of fields whose name says too little."""
 PROBLEMS = {
     "missing": "Enter a value",
     "float_parsing": "Enter a number",
@@ -58,7 +78,7 @@ def field_words(name: str) -> tuple[str, str]:
     """
     ending = next((ending for ending in UNITS if name.endswith(f"_{ending}")), "")
     words = name.removesuffix(f"_{ending}").split("_") if ending else name.split("_")
-    label = " ".join(PROPER.get(word, word) for word in words)
+    label = LABELS.get(name) or " ".join(PROPER.get(word, word) for word in words)
     return label[:1].upper() + label[1:], UNITS.get(ending, "")
 
 
@@ -79,7 +99,7 @@ def place_words(place: tuple[int | str, ...]) -> str:
     """Return where a problem is.
 
     >>> place_words(("keep_out", 1, "low_mm", 0))
-    'Keep out 2, low'
+    'Keep-out boxes 2, lower corner'
     """
     parts: list[str] = []
     for step in place:

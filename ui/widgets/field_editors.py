@@ -49,6 +49,9 @@ class FieldEditor(QWidget):
     def clear_problems(self) -> None:
         """Show no problem."""
 
+    def unfold(self) -> None:
+        """Show all of a value that is folded."""
+
 
 class KeptEditor(FieldEditor):
     """Shows a value that is too complex to be edited here, as JSON; it is saved as it is."""
@@ -231,6 +234,8 @@ class OptionalEditor(FieldEditor):
 
     def _toggle(self, is_set: bool) -> None:
         self.inner.setVisible(is_set)
+        if is_set:
+            self.inner.unfold()
         self.edited.emit()
 
 

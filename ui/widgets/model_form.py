@@ -185,13 +185,17 @@ class GroupEditor(FieldEditor):
 
     def place_problem(self, place: tuple[int | str, ...], words: str) -> bool:
         """Unfold the fields and show a problem."""
-        self.button.setChecked(True)
+        self.unfold()
         return self.rows.place_problem(place, words)
 
     def clear_problems(self) -> None:
         """Show no problem."""
         if self._rows is not None:
             self._rows.clear_problems()
+
+    def unfold(self) -> None:
+        """Show the fields."""
+        self.button.setChecked(True)
 
     def _fold(self, unfolded: bool) -> None:
         self.rows.setVisible(unfolded)

@@ -46,7 +46,7 @@ class DriversList(QWidget):
         self.table.set_rows(
             [
                 [
-                    Cell(row.name, bold=True, tip=row.id),
+                    Cell(row.name, bold=True, tip=f"{row.name} ({row.id})"),
                     Cell(row.version or "–"),
                     Cell(", ".join(sentence_case(kind.replace("-", " ")) for kind in row.kinds) or "–"),
                     _state(row),

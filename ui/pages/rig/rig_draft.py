@@ -92,23 +92,31 @@ class RigDraft:
             problem = self._driver_problem(section, kind, choice)
             if problem is not None:
                 return problem
+        problem = self._link_problem()
+        if problem is not None:
+            return problem
         try:
-            rig = RigDescription.model_validate(self._document())
+            return RigDescription.model_validate(self._document())
         except ValidationError as error:
             return self._located(error.errors(include_url=False)[0])
-        return self._link_problem() or rig
 
     def _document(self) -> dict[str, Any]:
         used: dict[str, Any] = {"driver": self.whole["driver"], "driver_settings": self._short(self.whole, "rig")}
         if self.by_device:
             devices = {name: {**choice, "settings": self._short(choice, kind_of(name))} for name, choice in self.devices.items()}
             used = {"devices": devices}
-        return {**self.values, **used, "links": self.links}
+        return {**self.values, **used, "links": self._short_links()}
 
     def _short(self, choice: Mapping[str, Any], kind: PluginKind) -> dict[str, Any]:
         """Return settings as they are written: without defaults, where the driver's model is known."""
         driver = loaded(self.offers, choice["driver"], kind)
         return dict(choice["settings"]) if driver is None else toml_values(driver.settings.model_validate(dict(choice["settings"])))
+
+    def _short_links(self) -> dict[str, Any]:
+        known = {name: driver.link for name, driver in self.link_models().items() if driver.link is not None}
+        return {
+            name: toml_values(known[name].model_validate(dict(table))) if name in known else table for name, table in self.links.items()
+        }
 
     def _driver_problem(self, section: str, kind: PluginKind, choice: Mapping[str, Any]) -> Problem | None:
         if not choice["driver"]:

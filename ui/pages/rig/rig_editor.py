@@ -6,7 +6,8 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtGui import QIcon, QPixmap
 from PySide6.QtWidgets import QDialog, QFileDialog, QListWidget, QListWidgetItem, QMessageBox, QScrollArea, QStackedWidget, QWidget
 
 from measureapp.data.rig import OTHER_DEVICES, CameraDescription, RigDescription
@@ -24,7 +25,7 @@ from ui.widgets.field_editors import ChoiceEditor, FieldEditor
 from ui.widgets.model_form import FieldRows
 from ui.widgets.segments import Segments
 
-WIDTH, HEIGHT, LIST_WIDTH = 1040, 640, 184
+WIDTH, HEIGHT, LIST_WIDTH, LINE_HEIGHT, ICON = 1040, 640, 192, 34, 18
 RIG_FIELDS = ("name", "reference", "exposures_us", "standoff_mm", "head", "flange_from_head")
 TITLES = {RIG: "Rig", MOTION: "Motion", RULES: "Calibration rules", LINKS: "Links", DRIVERS: "Drivers"}
 DEVICES = {"projector": "Projector", "robot": "Robot", "guide": "Linear guide", "table": "Rotary table"}
@@ -52,11 +53,16 @@ class RigEditor(QDialog):
         self.list, self.stack = QListWidget(), QStackedWidget()
         self.list.setFixedWidth(LIST_WIDTH)
         self.list.setAccessibleName("Sections")
+        self.list.setIconSize(QSize(ICON, ICON))
+        blank = QPixmap(ICON, ICON)
+        blank.fill(Qt.GlobalColor.transparent)
+        self._blank = QIcon(blank)  # keeps the titles aligned
         self._scrolls: dict[str, QScrollArea] = {}
         cameras = [camera.name for camera in rig.cameras]
         self.sections = (RIG, MOTION, RULES, *cameras, *OTHER_DEVICES, LINKS, DRIVERS)
         for name in self.sections:
             self.list.addItem(TITLES.get(name) or DEVICES.get(name) or f"Camera {name}")
+            self.list.item(self.list.count() - 1).setSizeHint(QSize(0, LINE_HEIGHT))
             self._scrolls[name] = _scroll()
             self.stack.addWidget(self._scrolls[name])
         self.drivers_list = DriversList(look, offers)
@@ -251,7 +257,7 @@ class RigEditor(QDialog):
         for place, name in enumerate(self.sections):
             item: QListWidgetItem = self.list.item(place)
             wrong = isinstance(found, Problem) and found.section == name
-            item.setIcon(self._look.icon("fail", "verdict_fail") if wrong else self._look.icon("minus", "window"))
+            item.setIcon(self._look.icon("fail", "verdict_fail") if wrong else self._blank)
 
     def _title(self, name: str) -> str:
         return self.list.item(self.sections.index(name)).text() if name in self.sections else sentence_case(name)
