@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import tomllib
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QSize, QTimer, Slot
 from PySide6.QtGui import QHideEvent, QShowEvent
@@ -17,6 +16,7 @@ from ui.look.look import Look
 from ui.look.wording import exposure, several
 from ui.pages.page import Page
 from ui.pages.rig.device_rows import HEADERS, device_rows, rig_properties
+from ui.pages.rig.editing import Editing
 from ui.session import Session
 from ui.widgets.basic import Button, card, column, label, row
 from ui.widgets.data_table import DataTable
@@ -27,9 +27,6 @@ from ui.widgets.live_tile import LiveTile
 from ui.widgets.rig_drawing import RigDrawing
 from ui.widgets.segments import Segments
 from ui.widgets.unit_dialog import UnitDialog
-
-if TYPE_CHECKING:
-    from ui.pages.rig.rig_editor import RigEditor
 
 DEMO_WORDS = (
     "Calibrates a virtual rig with hidden errors, scans the part, stitches the clouds, evaluates the dimensions and writes the report."
@@ -71,10 +68,8 @@ class RigPage(Page):
         self.connect_button.clicked.connect(rig.connect_rig)
         self.disconnect_button = Button("Disconnect", self.look, "disconnect", "normal", "Release every device")
         self.disconnect_button.clicked.connect(rig.disconnect_rig)
-        self.edit = Button("Edit…", self.look, "file", "normal", "Edit this rig: drivers, settings, tolerances, keep-out boxes")
-        self.edit.clicked.connect(self._edit_rig)
-        self.editor: RigEditor | None = None
-        for widget in (self.rigs, self.edit, self.connect_button, self.disconnect_button):
+        self.editing = Editing(self.look, self.session, self.controllers, self)
+        for widget in (self.rigs, self.editing.button, self.connect_button, self.disconnect_button):
             self.action_row.addWidget(widget)
 
     def _lay_out(self) -> None:
@@ -141,6 +136,7 @@ class RigPage(Page):
         session.cellChanged.connect(self._show_cell)
         session.busyChanged.connect(self._show_busy)
         session.appearanceChanged.connect(self._show_cell)
+        self.editing.changed.connect(self._show_busy)
         self._state_timer, self._live_timer = QTimer(self), QTimer(self)
         self._state_timer.setInterval(STATE_INTERVAL_MS)
         self._state_timer.timeout.connect(controllers.rig.refresh)
@@ -160,18 +156,6 @@ class RigPage(Page):
                 self.controllers.rig.choose(Path(path))
         else:
             self.controllers.rig.choose(chosen)
-
-    def _edit_rig(self) -> None:
-        from measureapp.devices.plugin_loader import discover
-        from ui.pages.rig.rig_editor import RigEditor
-
-        rig = self.session.rig
-        if rig is None:
-            return
-        self.editor = RigEditor(self.look, rig, discover(), self)
-        self.editor.saved.connect(self.controllers.rig.choose)
-        self.editor.finished.connect(self.editor.deleteLater)
-        self.editor.open()
 
     def _choose_view(self, view: str) -> None:
         self.pictures.setCurrentIndex(1 if view == "live" else 0)
@@ -198,8 +182,9 @@ class RigPage(Page):
         busy = bool(self.session.busy_with)
         self.run_demo.setEnabled(not busy)
         self.empty.button.setEnabled(not busy)
-        for widget in (self.rigs, self.edit, self.connect_button, self.disconnect_button, self.home):
+        for widget in (self.connect_button, self.disconnect_button, self.home):
             widget.setEnabled(not busy)
+        self.rigs.setEnabled(not busy and self.editing.editor is None)
 
     def _show(self) -> None:
         rig = self.session.rig
@@ -220,8 +205,8 @@ class RigPage(Page):
         rig, cell = self.session.rig, self.session.cell
         if rig is None:
             return
+        self.editing.button.setVisible(self.session.role == "engineer")
         self.connect_button.setVisible(not cell.connected)
-        self.edit.setVisible(not cell.connected and self.session.role == "engineer")
         self.disconnect_button.setVisible(cell.connected)
         self.views.set_available("live", cell.connected and not cell.stopped)
         self.exposures.setVisible(self.views.value() == "live")
@@ -245,7 +230,7 @@ class RigPage(Page):
         if cell.connected:
             unready = sum(not device.status.ready for device in cell.devices)
             return f"{rig.name}, connected. " + (f"{several(unready, 'device')} not ready." if unready else "All devices are ready.")
-        problems = [driver for driver in self.session.drivers if driver.problem]
+        problems = [driver for driver in self.session.drivers if driver.problem and driver.allowed]
         words = f"{rig.name}. {several(len(rig.cameras), 'camera')}, projector, robot, guide and table; not connected."
         return words + (f" {several(len(problems), 'driver')} could not be loaded." if problems else "")
 

@@ -1,235 +1,270 @@
-"""Dialog to edit a rig description: what is common, how it moves, and driver and settings of every device."""
+"""Editor of a rig description: the rig, motion rules, each device with its driver, links, and the drivers there are."""
 
 from __future__ import annotations
 
-import tomllib
+from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
-import tomli_w
-from pydantic import Field, ValidationError
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QComboBox, QDialog, QFileDialog, QListWidget, QPlainTextEdit, QScrollArea, QStackedWidget, QWidget
+from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtGui import QIcon, QPixmap
+from PySide6.QtWidgets import QDialog, QFileDialog, QListWidget, QListWidgetItem, QMessageBox, QScrollArea, QStackedWidget, QWidget
 
-from measureapp.data.model import Model, first_problem
-from measureapp.data.rig import OTHER_DEVICES, HeadRules, MotionRules, RigDescription
+from measureapp.data.rig import OTHER_DEVICES, CameraDescription, RigDescription
+from measureapp.devices.plugin_loader import PluginOffer
 from measureapp.errors import MeasureError
+from measureapp.project.rig_file import has_comments
 from ui.look.look import Look
-from ui.widgets.basic import Button, column, label, row
-from ui.widgets.model_form import ModelForm
+from ui.look.wording import sentence_case
+from ui.pages.rig.driver_form import DriverForm
+from ui.pages.rig.drivers_list import DriversList
+from ui.pages.rig.links_form import LinksForm
+from ui.pages.rig.rig_draft import DRIVERS, LINKS, MOTION, RIG, RULES, Problem, RigDraft, kind_of
+from ui.widgets.basic import Button, card, column, label, row
+from ui.widgets.field_editors import ChoiceEditor, FieldEditor
+from ui.widgets.model_form import FieldRows
+from ui.widgets.segments import Segments
 
-if TYPE_CHECKING:
-    from measureapp.devices.plugin_loader import PluginKind, PluginRow
-
-WHOLE = "One driver for the whole rig"
-KINDS: dict[str, PluginKind] = {"projector": "projector", "robot": "robot", "guide": "linear-guide", "table": "rotary-table"}
-LINK_WORDS = 'What several drivers share, one table each: a serial line, a login. For instance [line1], port = "COM3".'
-SIZE = (960, 640)
-
-
-class Basics(Model):
-    """What is common to the whole rig."""
-
-    name: str = Field(min_length=1, description="as shown in the list of rigs")
-    reference: str = Field(min_length=1, description="name of the reference camera")
-    standoff_mm: float = Field(gt=0, description="distance of the measuring head from the part")
-    exposures_us: tuple[int, ...] = Field(
-        min_length=1, description="the exposure bracket in µs, from long to short, as a list: [100000, 20000]"
-    )
-
-
-class DriverForm(QWidget):
-    """Chooses the driver of one device and edits its settings."""
-
-    changed = Signal()
-
-    def __init__(self, kind: PluginKind, rows: tuple[PluginRow, ...]) -> None:
-        super().__init__()
-        self._kind = kind
-        self.drivers = QComboBox()
-        for plugin in rows:
-            if kind in plugin.kinds:
-                self.drivers.addItem(f"{plugin.name}{' – not loaded' if plugin.problem else ''}", plugin.id)
-        self.reason = label("", "small", wrap=True)
-        self.place = column(spacing=0)
-        self.form: ModelForm | None = None
-        self.drivers.currentIndexChanged.connect(lambda: self._make_form({}))
-        self.setLayout(column(label("Driver", "caption"), self.drivers, self.reason, 8, label("Settings", "caption"), self.place, 0))
-        self._make_form({})
-
-    def show_choice(self, driver: str, settings: dict[str, Any]) -> None:
-        """Show a driver with its settings; an unknown one is listed with its id."""
-        if self.drivers.findData(driver) < 0 and driver:
-            self.drivers.addItem(f"{driver} – not there", driver)
-        self.drivers.blockSignals(True)
-        self.drivers.setCurrentIndex(max(0, self.drivers.findData(driver)))
-        self.drivers.blockSignals(False)
-        self._make_form(settings)
-
-    def choice(self) -> tuple[str, dict[str, Any]]:
-        """Return the driver's id and its settings."""
-        return self.drivers.currentData() or "", {} if self.form is None else self.form.document()
-
-    def problem(self) -> str:
-        """Return what does not fit, in words."""
-        return self.reason.text() or ("" if self.form is None else self.form.problem())
-
-    def _make_form(self, settings: dict[str, Any]) -> None:
-        from measureapp.devices.plugin_loader import load_driver
-
-        if self.form is not None:
-            self.form.hide()
-            self.form.deleteLater()
-            self.form = None
-        self.reason.setText("")
-        driver = self.drivers.currentData()
-        try:
-            kind = load_driver(None, driver, self._kind).settings if driver else None
-        except MeasureError as error:
-            self.reason.setText(str(error))
-        else:
-            if kind is not None:
-                self.form = ModelForm(kind)
-                self.form.setValue(settings)
-                self.form.valueChanged.connect(self.changed)
-                self.place.addWidget(self.form)
-        self.reason.setVisible(bool(self.reason.text()))
-        self.changed.emit()
+WIDTH, HEIGHT, LIST_WIDTH, LINE_HEIGHT, ICON = 1040, 640, 192, 34, 18
+RIG_FIELDS = ("name", "reference", "exposures_us", "standoff_mm", "head", "flange_from_head")
+TITLES = {RIG: "Rig", MOTION: "Motion", RULES: "Calibration rules", LINKS: "Links", DRIVERS: "Drivers"}
+DEVICES = {"projector": "Projector", "robot": "Robot", "guide": "Linear guide", "table": "Rotary table"}
+MODES = {"whole": "One for the whole rig", "devices": "One for each device"}
+COMMENTS = "{} has comments. Saving writes the file anew and deletes them."
+FILES = "Rig descriptions (*.toml)"
 
 
 class RigEditor(QDialog):
-    """Edits a copy of a rig description; `saved` is emitted with the path of the file."""
+    """Edits a `RigDescription`: value(), problem(); `saveAsked` fires with the description and the file."""
 
-    saved = Signal(object)  # Path
+    saveAsked = Signal(object, object)  # RigDescription, Path
+    allowAsked = Signal(object)  # PluginRow
 
-    def __init__(self, look: Look, rig: RigDescription, rows: tuple[PluginRow, ...], parent: QWidget | None = None) -> None:
+    def __init__(
+        self, look: Look, rig: RigDescription, file: Path | None, offers: Sequence[PluginOffer], parent: QWidget | None = None
+    ) -> None:
+        """``file``: where the description comes from, if it belongs to the user."""
         super().__init__(parent)
-        self.setWindowTitle(f"Edit {rig.name}")
-        self.resize(*SIZE)
-        self._rig = rig
-        self.sections, self.pages = QListWidget(), QStackedWidget()
-        self.sections.setFixedWidth(208)
-        self.sections.setSpacing(4)
-        self.basics, self.motion, self.head = ModelForm(Basics), ModelForm(MotionRules), ModelForm(HeadRules)
-        self.way = QComboBox()
-        self.way.addItem("A driver for each device", "devices")
-        self.way.addItem(WHOLE, "whole")
-        self.whole = DriverForm("rig", rows)
-        names = [camera.name for camera in rig.cameras]
-        self.devices = {name: DriverForm(KINDS.get(name, "camera"), rows) for name in (*names, *OTHER_DEVICES)}
-        self.links = QPlainTextEdit()
-        self.trouble = label("", "small", wrap=True)
-        self.save = Button("Save as…", look, "export", "primary", "Write a rig description (TOML)")
-        self.save.clicked.connect(self._save_as)
-        cancel = Button("Cancel", look, "", "normal", "Change nothing")
-        cancel.clicked.connect(self.reject)
-        self._add_sections()
-        body = row(self.sections, self.pages, spacing=16)
-        body.setStretch(1, 1)
-        layout = column(body, self.trouble, row(0, cancel, self.save), margin=24, spacing=16)
-        layout.setStretch(0, 1)
-        self.setLayout(layout)
-        self._show()
-        self._connect()
+        self.setWindowTitle(f"Edit rig: {rig.name}")
+        self._look, self._file = look, file
+        self.draft = RigDraft.of(rig, offers)
+        self.parts: dict[str, dict[str, FieldEditor]] = {}  # of the sections shown so far
+        self.box: QMessageBox | None = None
+        self.list, self.stack = QListWidget(), QStackedWidget()
+        self.list.setFixedWidth(LIST_WIDTH)
+        self.list.setAccessibleName("Sections")
+        self.list.setIconSize(QSize(ICON, ICON))
+        blank = QPixmap(ICON, ICON)
+        blank.fill(Qt.GlobalColor.transparent)
+        self._blank = QIcon(blank)  # keeps the titles aligned
+        self._scrolls: dict[str, QScrollArea] = {}
+        cameras = [camera.name for camera in rig.cameras]
+        self.sections = (RIG, MOTION, RULES, *cameras, *OTHER_DEVICES, LINKS, DRIVERS)
+        for name in self.sections:
+            self.list.addItem(TITLES.get(name) or DEVICES.get(name) or f"Camera {name}")
+            self.list.item(self.list.count() - 1).setSizeHint(QSize(0, LINE_HEIGHT))
+            self._scrolls[name] = _scroll()
+            self.stack.addWidget(self._scrolls[name])
+        self.drivers_list = DriversList(look, offers)
+        self.drivers_list.allowAsked.connect(self.allowAsked)
+        self._lay_out()
+        self.list.currentRowChanged.connect(self._choose)
+        self.list.setCurrentRow(0)
         self._check()
 
-    def description(self) -> RigDescription:
-        """Return the rig description as edited. Raises ValidationError, or ValueError for links that are no TOML."""
-        whole = self.way.currentData() == "whole"
-        driver, settings = self.whole.choice()
-        chosen = {name: dict(zip(("driver", "settings"), form.choice(), strict=True)) for name, form in self.devices.items()}
-        changes = {
-            **self.basics.document(),
-            "motion": self.motion.document(),
-            "head": self.head.document(),
-            "driver": driver if whole else "",
-            "driver_settings": settings if whole else {},
-            "devices": {} if whole else chosen,
-            "links": tomllib.loads(self.links.toPlainText()),
-        }
-        return RigDescription.model_validate({**self._rig.model_dump(mode="json"), **changes})
+    def _lay_out(self) -> None:
+        self.problem_words = label("", "problem", wrap=True)
+        self.cancel = Button("Cancel", self._look, "", "normal", "Change nothing")
+        self.cancel.clicked.connect(self.reject)
+        self.save_as = Button("Save as…", self._look, "", "normal" if self._file is not None else "primary", "Save to another file")
+        self.save_as.clicked.connect(self._choose_file)
+        self.save = Button("Save", self._look, "", "primary", f"Save to {self._file}")
+        self.save.setVisible(self._file is not None)
+        self.save.clicked.connect(lambda: self._save_to(self._file))
+        body = row(self.list, self.stack, spacing=16)
+        body.setStretch(1, 1)
+        bottom = row(self.problem_words, self.cancel, self.save_as, self.save, spacing=8)
+        bottom.setStretch(0, 1)
+        layout = column(body, bottom, margin=16, spacing=16)
+        layout.setStretch(0, 1)
+        self.setLayout(layout)
+        self.resize(WIDTH, HEIGHT)
+
+    # what people do
+
+    def show_section(self, name: str) -> None:
+        """Show a section by its name."""
+        self.list.setCurrentRow(self.sections.index(name))
+
+    def value(self) -> RigDescription:
+        """Return the description. Raises ValueError when something is invalid; see `problem`."""
+        found = self._read()
+        if isinstance(found, Problem):
+            raise ValueError(found.sentence)
+        return found
 
     def problem(self) -> str:
-        """Return what does not fit, in words; empty if the rig can be saved."""
-        forms = {"whole rig": self.whole} if self.way.currentData() == "whole" else self.devices
-        for name, form in forms.items():
-            if found := form.problem():
-                return f"{name.capitalize()}: {found}"
-        try:
-            self.description()
-        except ValidationError as error:
-            return f"{first_problem(error, 'the rig')}."
-        except tomllib.TOMLDecodeError as error:
-            return f"Links: {error}."
-        return ""
+        """Return the first problem with its section and field; empty if everything is valid."""
+        found = self._read()
+        return f"{self._title(found.section)}: {found.sentence}" if isinstance(found, Problem) else ""
 
-    def write(self, path: Path) -> None:
-        """Write the description and close; a failure is shown in the dialog."""
-        from measureapp.project.rig_file import write_rig
+    def set_offers(self, offers: Sequence[PluginOffer]) -> None:
+        """Take another list of drivers, after one was allowed."""
+        self._read()
+        self.draft.offers = offers
+        self.drivers_list.set_offers(offers)
+        self._forget(*[name for name in self.parts if "driver" in self.parts[name] or name == LINKS])
+        self._check()
 
-        try:
-            write_rig(path, self.description())
-        except MeasureError as error:
-            self.trouble.setText(str(error))
+    def show_refusal(self, words: str) -> None:
+        """State why the description was not saved."""
+        self.problem_words.setText(words)
+
+    def _choose(self, place: int) -> None:
+        name = self.sections[place]
+        if name == LINKS:
+            self._read()
+            self._forget(LINKS)  # the drivers chosen meanwhile decide about its forms
+        self._build(name)
+        self.stack.setCurrentWidget(self._scrolls[name])
+        self._check()
+
+    def _choose_mode(self, mode: str) -> None:
+        self._read()
+        self.draft.by_device = mode == "devices"
+        self._forget(*[name for name in self.parts if name in self.draft.devices])
+        self.parts[RIG]["driver"].setVisible(not self.draft.by_device)
+        self._check()
+
+    def _choose_file(self) -> None:
+        start = self._file or Path.home() / "MeasureApp" / "my_rig.toml"
+        chosen, _ = QFileDialog.getSaveFileName(self, "Save the rig description", str(start), FILES)
+        if chosen:
+            self._save_to(Path(chosen) if Path(chosen).suffix else Path(chosen).with_suffix(".toml"))
+
+    def _save_to(self, path: Path | None) -> None:
+        found = self._read()
+        if path is None or isinstance(found, Problem):
             return
-        self.accept()
-        self.saved.emit(path)
+        try:
+            commented = has_comments(path)
+        except MeasureError as error:
+            self.show_refusal(str(error))
+            return
+        if commented:
+            self._warn_of_comments(found, path)
+        else:
+            self.saveAsked.emit(found, path)
 
-    def _add_sections(self) -> None:
-        for words, form in (("Rig", self.basics), ("Motion", self.motion), ("Measuring head", self.head)):
-            self._add(words, form)
-        drivers = QWidget()
-        drivers.setLayout(column(label("Drivers", "caption"), self.way, 8, self.whole, 0))
-        self._add("Drivers", drivers)
-        for name, form in self.devices.items():
-            self._add(name.capitalize() if name in OTHER_DEVICES else f"Camera {name}", form)
-        links = QWidget()
-        links.setLayout(column(label(LINK_WORDS, "soft", wrap=True), self.links))
-        self._add("Links", links)
-        self.sections.currentRowChanged.connect(self.pages.setCurrentIndex)
-        self.sections.setCurrentRow(0)
+    def _warn_of_comments(self, rig: RigDescription, path: Path) -> None:
+        self.box = box = QMessageBox(QMessageBox.Icon.Warning, "Delete the comments?", COMMENTS.format(path.name), parent=self)
+        over = box.addButton("Save without comments", QMessageBox.ButtonRole.DestructiveRole)
+        other = box.addButton("Save as…", QMessageBox.ButtonRole.ActionRole)
+        box.setDefaultButton(box.addButton(QMessageBox.StandardButton.Cancel))
+        over.clicked.connect(lambda: self.saveAsked.emit(rig, path))
+        other.clicked.connect(self._choose_file)
+        box.finished.connect(box.deleteLater)
+        box.open()
 
-    def _add(self, words: str, page: QWidget) -> None:
-        self.sections.addItem(words)
-        area = QScrollArea()
-        area.setWidgetResizable(True)
-        area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
-        area.setWidget(page)
-        self.pages.addWidget(area)
+    # the sections
 
-    def _show(self) -> None:
-        rig = self._rig
-        plain = rig.model_dump(mode="json", exclude_defaults=True, exclude_none=True)
-        self.basics.setValue({name: plain[name] for name in Basics.model_fields})
-        self.motion.setValue(plain.get("motion", {}))
-        self.head.setValue(plain.get("head", {}))
-        self.way.setCurrentIndex(self.way.findData("whole" if rig.driver else "devices"))
-        self.whole.show_choice(rig.driver, rig.driver_settings)
-        for name, choice in rig.devices.items():
-            self.devices[name].show_choice(choice.driver, choice.settings)
-        self.links.setPlainText(tomli_w.dumps(rig.links))
+    def _build(self, name: str) -> None:
+        if name in self.parts:
+            return
+        builders: dict[str, Callable[[], tuple[dict[str, FieldEditor], list[QWidget]]]] = {
+            RIG: self._rig_section,
+            LINKS: self._links_section,
+            DRIVERS: lambda: ({}, [self.drivers_list]),
+        }
+        parts, widgets = builders[name]() if name in builders else self._fields_section(name)
+        for part in parts.values():
+            part.edited.connect(self._check)
+        self.parts[name] = parts
+        content = QWidget()
+        content.setObjectName("clear")
+        content.setLayout(column(label(self._title(name), "title"), *widgets, *([] if name == DRIVERS else [0]), spacing=16))
+        content.layout().setContentsMargins(0, 0, 12, 0)
+        self._scrolls[name].setWidget(content)
 
-    def _connect(self) -> None:
-        forms: tuple[ModelForm, ...] = (self.basics, self.motion, self.head)
-        for form in forms:
-            form.valueChanged.connect(self._check)
-        for device in (self.whole, *self.devices.values()):
-            device.changed.connect(self._check)
-        self.way.currentIndexChanged.connect(self._check)
-        self.links.textChanged.connect(self._check)
+    def _rig_section(self) -> tuple[dict[str, FieldEditor], list[QWidget]]:
+        cameras = ChoiceEditor([camera["name"] for camera in self.draft.values["cameras"]])
+        fields = FieldRows(RigDescription, RIG_FIELDS, {"reference": cameras})
+        fields.set_raw(self.draft.values)
+        driver = DriverForm("rig", self.draft.offers, self.draft.whole)
+        driver.setVisible(not self.draft.by_device)
+        self.mode = Segments(MODES, name="Drivers")
+        self.mode.setValue("devices" if self.draft.by_device else "whole")
+        self.mode.valueChanged.connect(self._choose_mode)
+        drivers = card(label("Drivers", "heading"), row(self.mode, 0), driver)
+        return {"fields": fields, "driver": driver}, [card(fields), drivers]
+
+    def _links_section(self) -> tuple[dict[str, FieldEditor], list[QWidget]]:
+        links = LinksForm(self._look, self.draft.links, self.draft.link_models())
+        return {"link": links}, [links]
+
+    def _fields_section(self, name: str) -> tuple[dict[str, FieldEditor], list[QWidget]]:
+        """Build the section of a device, or of rules."""
+        model = CameraDescription if name not in RigDescription.model_fields else RigDescription.model_fields[name].annotation
+        assert model is not None
+        fields = FieldRows(model, [field for field in model.model_fields if model is not CameraDescription or field != "name"])
+        fields.set_raw(self._values_of(name))
+        parts: dict[str, FieldEditor] = {"fields": fields}
+        if name not in self.draft.devices:
+            return parts, [card(fields)]
+        nominal = card(label("Nominal values", "heading"), fields)
+        if not self.draft.by_device:
+            return parts, [nominal]
+        parts["driver"] = DriverForm(kind_of(name), self.draft.offers, self.draft.devices[name])
+        return parts, [card(label("Driver", "heading"), parts["driver"]), nominal]
+
+    def _values_of(self, name: str) -> dict[str, Any]:
+        values = self.draft.values
+        found: dict[str, Any] = values[name] if name in values else next(one for one in values["cameras"] if one["name"] == name)
+        return found
+
+    def _forget(self, *names: str) -> None:
+        """Delete sections, so that they are built anew; the one shown is built at once."""
+        for name in names:
+            if self.parts.pop(name, None) is not None:
+                self._scrolls[name].takeWidget().deleteLater()
+        self._build(self.sections[max(0, self.list.currentRow())])
+
+    def _read(self) -> RigDescription | Problem:
+        """Take over what was entered; return the description or the first problem."""
+        draft = self.draft
+        for name, parts in self.parts.items():
+            if "link" in parts:
+                draft.links = parts["link"].raw()
+            if "driver" in parts and name == RIG:
+                draft.whole = parts["driver"].raw()
+            elif "driver" in parts:
+                draft.devices[name] = parts["driver"].raw()
+            if "fields" in parts:
+                (draft.values if name == RIG else self._values_of(name)).update(parts["fields"].raw())
+        return draft.check()
 
     def _check(self) -> None:
-        whole = self.way.currentData() == "whole"
-        self.whole.setVisible(whole)
-        for place in range(self.sections.count()):
-            item = self.sections.item(place)
-            if 4 <= place < 4 + len(self.devices):
-                item.setHidden(whole)
-        problem = self.problem()
-        self.trouble.setText(problem)
-        self.save.setEnabled(not problem)
+        """Show the first problem in its section and at the bottom; only a valid description can be saved."""
+        found = self._read()
+        for parts in self.parts.values():
+            for part in parts.values():
+                part.clear_problems()
+        if isinstance(found, Problem) and found.part in self.parts.get(found.section, {}):
+            self.parts[found.section][found.part].place_problem(found.place, found.words)
+        self.problem_words.setText(f"{self._title(found.section)}: {found.sentence}" if isinstance(found, Problem) else "")
+        for button in (self.save, self.save_as):
+            button.setEnabled(not isinstance(found, Problem))
+        for place, name in enumerate(self.sections):
+            item: QListWidgetItem = self.list.item(place)
+            wrong = isinstance(found, Problem) and found.section == name
+            item.setIcon(self._look.icon("fail", "verdict_fail") if wrong else self._blank)
 
-    def _save_as(self) -> None:
-        path, _ = QFileDialog.getSaveFileName(self, "Save the rig description", str(Path.home() / "rig.toml"), "Rig descriptions (*.toml)")
-        if path:
-            self.write(Path(path).with_suffix(".toml"))
+    def _title(self, name: str) -> str:
+        return self.list.item(self.sections.index(name)).text() if name in self.sections else sentence_case(name)
+
+
+def _scroll() -> QScrollArea:
+    area = QScrollArea()
+    area.setWidgetResizable(True)
+    area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+    return area
