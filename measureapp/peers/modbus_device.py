@@ -7,11 +7,12 @@ import select
 import socket
 import struct
 import threading
-import tty
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from typing import Literal, Protocol
+
+from measureapp.peers.pseudo_terminal import serial_line
 
 Kind = Literal["coil", "discrete", "holding", "input"]
 Framing = Literal["rtu", "ascii"]
@@ -170,18 +171,14 @@ class ModbusDevice:
 @contextmanager
 def on_serial(device: ModbusDevice, framing: Framing) -> Iterator[str]:
     """Serve on a pair of pseudo-terminals; yields the port for the client."""
-    handle, other = os.openpty()
-    tty.setraw(handle)
-    tty.setraw(other)
-    thread = threading.Thread(target=device.serve_serial, args=(handle, framing), name="Modbus device, serial")
-    thread.start()
-    try:
-        yield os.ttyname(other)
-    finally:
-        device.end()
-        thread.join()
-        os.close(other)
-        os.close(handle)
+    with serial_line() as (handle, port):
+        thread = threading.Thread(target=device.serve_serial, args=(handle, framing), name="Modbus device, serial")
+        thread.start()
+        try:
+            yield port
+        finally:
+            device.end()
+            thread.join()
 
 
 @contextmanager

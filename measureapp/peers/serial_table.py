@@ -7,13 +7,13 @@ import re
 import select
 import threading
 import time
-import tty
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Literal
 
 from measureapp.peers.modbus_axis import Drive
+from measureapp.peers.pseudo_terminal import serial_line
 
 Dialect = Literal["esp301", "smc100"]
 LOOK_S = 0.02
@@ -115,15 +115,11 @@ class SerialTablePeer:
 def serial_table(drive: Drive, dialect: Dialect = "esp301") -> Iterator[tuple[SerialTablePeer, str]]:
     """Serve on a pair of pseudo-terminals; yields the peer and the port for the client."""
     peer = SerialTablePeer(drive, dialect)
-    handle, other = os.openpty()
-    tty.setraw(handle)
-    tty.setraw(other)
-    thread = threading.Thread(target=peer.serve, args=(handle,), name="serial table")
-    thread.start()
-    try:
-        yield peer, os.ttyname(other)
-    finally:
-        peer.end()
-        thread.join()
-        os.close(other)
-        os.close(handle)
+    with serial_line() as (handle, port):
+        thread = threading.Thread(target=peer.serve, args=(handle,), name="serial table")
+        thread.start()
+        try:
+            yield peer, port
+        finally:
+            peer.end()
+            thread.join()
