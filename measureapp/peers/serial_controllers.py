@@ -33,11 +33,16 @@ class Esp301:
             return self._errors.popleft() if self._errors else self._error("0", "NO ERROR DETECTED")
         found = re.fullmatch(r"(\d+)([A-Z]{2})(.*)", command.upper())
         if found is None:
-            return self._note("6", "COMMAND DOES NOT EXIST")
+            self._note("6", "COMMAND DOES NOT EXIST")
+            return None
         number, mnemonic, value = found.groups()
         if number != "1":
-            return self._note("37", "AXIS NUMBER OUT OF RANGE")
-        return self._ask(mnemonic) if mnemonic == "TP" or value == "?" else self._do(mnemonic, value)
+            self._note("37", "AXIS NUMBER OUT OF RANGE")
+            return None
+        if mnemonic == "TP" or value == "?":
+            return self._ask(mnemonic)
+        self._do(mnemonic, value)
+        return None
 
     def _ask(self, mnemonic: str) -> str | None:
         axis = self.axis
@@ -47,15 +52,17 @@ class Esp301:
             "MD": str(int(not axis.told_moving())),
             "MO": str(int(axis.motor_on)),
         }
-        return answers[mnemonic] if mnemonic in answers else self._note("6", "COMMAND DOES NOT EXIST")
+        if mnemonic not in answers:
+            self._note("6", "COMMAND DOES NOT EXIST")
+        return answers.get(mnemonic)
 
-    def _do(self, mnemonic: str, value: str) -> str | None:
+    def _do(self, mnemonic: str, value: str) -> None:
         axis = self.axis
         if mnemonic in ("PA", "OR") and axis.faults.refuse:
-            return self._note(f"1{axis.faults.refuse}", "REFUSED BY ORDER")
-        if mnemonic in ("PA", "OR") and not axis.motor_on:
-            return self._note("113", "AXIS-1 MOTOR NOT ENABLED")
-        if mnemonic == "PA":
+            self._note(f"1{axis.faults.refuse}", "REFUSED BY ORDER")
+        elif mnemonic in ("PA", "OR") and not axis.motor_on:
+            self._note("113", "AXIS-1 MOTOR NOT ENABLED")
+        elif mnemonic == "PA":
             axis.start(float(value))
         elif mnemonic == "OR":
             axis.find_reference()
@@ -64,8 +71,7 @@ class Esp301:
         elif mnemonic in ("MO", "MF"):
             axis.motor_on = mnemonic == "MO"
         elif mnemonic not in ("VA", "AC", "AG"):
-            return self._note("6", "COMMAND DOES NOT EXIST")
-        return None
+            self._note("6", "COMMAND DOES NOT EXIST")
 
     def _note(self, code: str, text: str) -> None:
         self._errors.append(self._error(code, text))

@@ -100,9 +100,9 @@ class CommandTable(Model):
             raise ValueError(
                 "conditions.moving, and conditions.refused or acknowledge, are needed: nothing is believed that was not read back"
             )
-        for name in ("move", "stop"):
-            if name not in self.sequences:
-                raise ValueError(f"sequences.{name} is not described")
+        missing = sorted({"move", "stop"} - set(self.sequences))
+        if missing:
+            raise ValueError(f"sequences.{missing[0]} is not described")
         if not any("{goal}" in text or "{magnitude}" in text for text in self.sequences["move"]):
             raise ValueError("sequences.move sends no goal")
         self._check_places()
