@@ -30,7 +30,7 @@ class Connected:
 
     device: Any
     axis: TableAxis
-    port: str
+    controller: Controller
 
 
 def connect(settings: dict[str, object], link: dict[str, object]) -> tuple[Any, Links]:
@@ -57,9 +57,10 @@ def serial_table(
     scale, make = CONTROLLERS[controller]
     axis = TableAxis(start, scale * speed_deg, 20 * scale * speed_deg)
     chosen = {"speed": speed_deg, "acceleration": 20 * speed_deg, "absolute_encoder": True, **settings}
-    with on_serial(make(axis)) as port:
+    virtual = make(axis)
+    with on_serial(virtual) as port:
         table, shared = connect({"controller": controller, **chosen}, {"port": port, **(link or {})})
         try:
-            yield Connected(table, axis, port)
+            yield Connected(table, axis, virtual)
         finally:
             shared.close()

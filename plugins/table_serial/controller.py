@@ -93,13 +93,13 @@ class TableController:
         attempt = self._stops.begin(f"The move of {self.name}", allowed_s(duration_s, timeout_s))
         if not self.is_homed():
             raise MotionError(f"{self.name} is not referenced.", FIND_REFERENCE)
-        self._guarded(lambda: self._move(goal, attempt))
+        self._guarded(attempt, lambda: self._move(goal, attempt))
 
     def home(self, timeout_s: float) -> None:
         """Find the reference, if the position is not known. Raises as `move`."""
         attempt = self._stops.begin(f"The search of {self.name} for its reference", timeout_s)
         if not self.is_homed():
-            self._guarded(lambda: self._home(attempt))
+            self._guarded(attempt, lambda: self._home(attempt))
 
     def stop(self) -> None:
         """Stop now, from any thread; the command is sent before any reply is waited for."""
@@ -107,15 +107,17 @@ class TableController:
         self._shout_stop()
         self._refuse_refusal("stop")
 
-    def _guarded(self, motion: Callable[[], None]) -> None:
-        """Run a motion; whatever ends it early also stops the axis."""
+    def _guarded(self, attempt: Attempt, motion: Callable[[], None]) -> None:
+        """Run a motion; whatever ends it early also stops the axis. What fails after a stop has the stop as its cause."""
         try:
             motion()
         except Cancelled:
-            raise  # by `stop`, which has sent the command
+            raise  # by `stop`, which sends the command itself
         except BaseException:
             with suppress(MeasureError):
                 self._shout_stop()
+            with suppress(DeviceTimeout):
+                attempt.check()
             raise
 
     def _move(self, goal: float, attempt: Attempt) -> None:

@@ -44,6 +44,7 @@ class SerialLine:
         self._turn, self._writing = threading.Lock(), threading.Lock()
         self._silent = 0  # transactions in a row without a reply
         self._lost = ""  # why
+        self._proven = False  # whether a controller ever identified itself
         self.doubtful = True  # a reply that belongs to no question may arrive: nothing is believed before `trust`
 
     def ask(self, who: str, text: str) -> str:
@@ -69,7 +70,7 @@ class SerialLine:
 
     def trust(self) -> None:
         """Believe replies again, after one was proven to be the controller's own."""
-        self.doubtful = False
+        self.doubtful, self._proven = False, True
 
     def close(self) -> None:
         """Close the line; harmless when repeated."""
@@ -149,7 +150,7 @@ class SerialLine:
     def _lose(self, who: str, reason: str) -> DeviceLost:
         self._lost = self._lost or reason
         return DeviceLost(
-            f"{who} at {self._place} does not answer any more: {self._lost}.",
+            f"{who} at {self._place} does not answer{' any more' if self._proven else ''}: {self._lost}.",
             f"{CHECK_LINE} Connect again, and find the reference anew if the controller lost it.",
         )
 
