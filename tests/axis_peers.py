@@ -15,7 +15,7 @@ from measureapp.peers.modbus_axis import Drive, SimpleMemory, ToyoMemory
 from measureapp.peers.modbus_device import Framing, ModbusDevice, on_serial, on_tcp
 from measureapp.project.rig_file import read_rig
 
-FAST = {"poll_s": 0.002, "settled_s": 0.02}
+FAST = {"poll_s": 0.002, "settled_s": 0.02, "absolute_encoder": True}
 NAMES: dict[PluginKind, str] = {"linear-guide": "guide", "rotary-table": "table"}
 
 

@@ -33,7 +33,9 @@ def fast(position: float = 0.0, **named: object) -> TableAxis:
 
 def test_an_esp301_moves_and_keeps_its_errors_until_they_are_read() -> None:
     axis = fast()
-    answers = talk(Esp301(axis), b"?TB?", b"1PA45.0", b"?TB?", b"1MO", b"1PA45.0", b"1XX", b"?1TP", b"?1MD?", b"?1DP?", b"?TB?", b"?TB?", b"?VE?")
+    answers = talk(
+        Esp301(axis), b"?TB?", b"1PA45.0", b"?TB?", b"1MO", b"1PA45.0", b"1XX", b"?1TP", b"?1MD?", b"?1DP?", b"?TB?", b"?TB?", b"?VE?"
+    )
     told = [answer.decode().strip() for answer in answers]
     assert told[0].startswith("0, ")
     assert told[0].endswith("NO ERROR DETECTED")
@@ -66,7 +68,9 @@ def test_a_shot_acknowledges_every_command() -> None:
 
 
 def test_a_ps90_tells_all_axes_by_one_letter_each() -> None:
-    answers = talk(Ps90(fast(), 2), b"??ASTAT", b"INIT2", b"ABSOL2", b"PSET2=-700", b"PGO2", b"??CNT2", b"??ASTAT", b"??ERR", b"NONSENSE", b"??ERR")
+    answers = talk(
+        Ps90(fast(), 2), b"??ASTAT", b"INIT2", b"ABSOL2", b"PSET2=-700", b"PGO2", b"??CNT2", b"??ASTAT", b"??ERR", b"NONSENSE", b"??ERR"
+    )
     assert answers == [b"OIOOOOOOO\r", b"-700\r", b"OROOOOOOO\r", b"0\r", b"33\r"]
 
 

@@ -102,7 +102,8 @@ def test_slow_and_sliced_answers_are_understood(controller: str, faults: TableFa
 
 
 @pytest.mark.parametrize(
-    "garbage", [b"\x01\x83\x07\xff\xff\r\n", bytes(400), b"HTTP/1.1 400 Bad Request\r\n", b"1.0\r\n2.0\r\n", b"nan\r\n", b"\r\n", b"1e5\xb0\r\n"]
+    "garbage",
+    [b"\x01\x83\x07\xff\xff\r\n", bytes(400), b"HTTP/1.1 400 Bad Request\r\n", b"1.0\r\n2.0\r\n", b"nan\r\n", b"\r\n", b"1e5\xb0\r\n"],
 )
 @pytest.mark.parametrize("controller", ALL)
 def test_malformed_replies_are_refused_with_an_excerpt(controller: str, garbage: bytes) -> None:
@@ -279,7 +280,7 @@ def test_an_adapter_that_is_unplugged_is_lost() -> None:
 
 
 def test_another_controller_is_refused_by_its_identity() -> None:
-    with on_serial(Shot(TableAxis())) as port, pytest.raises(DeviceError, match="'NG' .* no reply of a Newport SMC100"):
+    with on_serial(Shot(TableAxis())) as port, pytest.raises(DeviceError, match=r"'NG' .* no reply of a Newport SMC100"):
         connect({"controller": "newport_smc100"}, {"port": port})
     with on_serial(Esp301(TableAxis())) as port, pytest.raises(DeviceError, match="does not answer: no reply"):
         connect({"controller": "newport_smc100"}, {"port": port})
