@@ -33,13 +33,16 @@ class Connected:
     controller: Controller
 
 
-def connect(settings: dict[str, object], link: dict[str, object]) -> tuple[Any, Links]:
-    """Connect the driver alone."""
+def connect(settings: dict[str, object], link: dict[str, object], limits_deg: tuple[float, float] | None = None) -> tuple[Any, Links]:
+    """Connect the driver alone; ``limits_deg``: other limits than the rig has."""
+    rig = read_rig("paper")
+    if limits_deg is not None:
+        rig = rig.model_copy(update={"table": rig.table.model_copy(update={"limits_deg": limits_deg})})
     shared = Links({"line": link})
     loaded = load_driver(None, "table_serial", "rotary-table")
     try:
         chosen = loaded.settings.model_validate({"link": "line", **FAST, **settings})
-        return loaded.entry(DeviceRequest("table", read_rig("paper"), chosen, shared)), shared
+        return loaded.entry(DeviceRequest("table", rig, chosen, shared)), shared
     except BaseException:
         shared.close()
         raise

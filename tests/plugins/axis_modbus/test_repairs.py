@@ -102,10 +102,10 @@ def test_frames_with_a_flipped_bit_are_never_taken_for_values(framing: Framing) 
 
 def test_low_words_first_and_bits_of_a_shared_register(tmp_path: Path) -> None:
     with low_first(tmp_path) as (found, memory):
-        for goal_mm in (-1200.0, 600.0):
+        for goal_mm in (-650.0, 600.0):
             found.device.move_to(goal_mm, timeout_s=10.0)
             assert found.device.position_mm() == pytest.approx(goal_mm, abs=0.011)
-        assert found.drive.moves == [-120_000, 60_000]
+        assert found.drive.moves == [-65_000, 60_000]
         found.device.stop()
         assert memory.input == [0x0080, 0xA000]
 
