@@ -48,7 +48,7 @@ class Esp301:
         axis = self.axis
         answers = {
             "TP": f"{axis.told_position():.4f}",
-            "DP": f"{axis.goal:.4f}",
+            "DP": f"{axis.position():.4f}",  # where it should be at this moment
             "MD": str(int(not axis.told_moving())),
             "MO": str(int(axis.motor_on)),
         }

@@ -70,6 +70,7 @@ class CommandTable(Model):
     reply_end: str = Field(default="\r\n", min_length=1, description="end of an answer")
     echo: bool = Field(default=False, description="the controller repeats every command before it answers")
     acknowledge: str = Field(default="", description="answer to every command of a sequence, as a regular expression; empty: none")
+    pause_s: float = Field(default=0.0, ge=0, le=1, description="after a command that has no answer; a stop does not wait for it")
     counts_per_unit: float = Field(default=1.0, gt=0, description="counts per degree; 1 where the controller works in degrees")
     decimals: int = Field(default=0, ge=0, le=9, description="of a goal and a speed")
     turns: Literal["unlimited", "modulo"] = Field(default="unlimited", description="modulo: the position returns to 0 after one turn")

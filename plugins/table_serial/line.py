@@ -31,6 +31,7 @@ class LineFormat:
     terminator: bytes
     reply_end: bytes
     echo: bool
+    pause_s: float  # after a command that has no answer
 
 
 class SerialLine:
@@ -99,6 +100,7 @@ class SerialLine:
                     raise DeviceError(f"{who} at {self._place} did not repeat {text!r} ({self.excerpt(received)}).", CHECK_LINE)
                 received = received[len(sent) :]
             if not answered:
+                time.sleep(form.pause_s)
                 return ""
             return self._decode(who, self._receive(who, received, lambda heard: form.reply_end in heard))
 
@@ -176,5 +178,5 @@ def open_line(table: Mapping[str, object], commands: CommandTable) -> SerialLine
         port = Serial(place, chosen.baudrate or commands.baudrate, timeout=0, write_timeout=chosen.reply_timeout_s, exclusive=True)
     except (SerialException, OSError, ValueError) as error:
         raise DeviceError(f"{place} cannot be opened: {error}.", "Check the port, and that no other program uses it.") from error
-    form = LineFormat(commands.terminator.encode("ascii"), commands.reply_end.encode("ascii"), commands.echo)
+    form = LineFormat(commands.terminator.encode("ascii"), commands.reply_end.encode("ascii"), commands.echo, commands.pause_s)
     return SerialLine(port, place, form, chosen.reply_timeout_s)

@@ -51,7 +51,7 @@ def test_every_shipped_table_names_its_source_and_what_is_uncertain(read_table: 
 @pytest.mark.parametrize(
     ("change", "named"),
     [
-        (("[queries]\nposition", "[queries]\nplace"), "queries.position with a group value"),
+        (("position = {", "place = {"), "queries.position with a group value"),
         ((r"(?P<value>[01])", r"(?P<value>[01]"), "not a regular expression"),
         ((r"(?P<value>[01])", r"[01]"), "needs a named group"),
         (("{goal}", "{gaol}"), "sends no goal"),
