@@ -7,7 +7,6 @@ import select
 import socket
 import struct
 import threading
-import tty
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
@@ -173,6 +172,8 @@ class ModbusDevice:
 @contextmanager
 def on_serial(device: ModbusDevice, framing: Framing) -> Iterator[str]:
     """Serve on a pair of pseudo-terminals; yields the port for the client."""
+    import tty  # here, because Windows has none
+
     handle, other = os.openpty()
     tty.setraw(handle)
     tty.setraw(other)

@@ -6,7 +6,6 @@ import os
 import select
 import threading
 import time
-import tty
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
@@ -159,6 +158,8 @@ class TableLine:
 @contextmanager
 def on_serial(controller: Controller) -> Iterator[str]:
     """Serve on a pair of pseudo-terminals; yields the port for the client."""
+    import tty  # here, because Windows has none
+
     handle, other = os.openpty()
     tty.setraw(handle)
     tty.setraw(other)

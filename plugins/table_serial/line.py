@@ -21,6 +21,7 @@ LOST_AFTER = 2  # transactions without a reply
 QUIET_S = 0.2  # without a byte, after which a late reply is not expected any more
 LONGEST_REPLY = 256  # bytes
 EXCERPT_BYTES = 24
+LOOK_S = 0.01  # set once: changing the time-out of an open port configures it anew, while a stop may be sent
 CHECK_LINE = "Check power, cable, address and baud rate."
 
 
@@ -66,7 +67,7 @@ class SerialLine:
             self._refuse_if_lost(who)
             quiet_since = time.monotonic()
             while time.monotonic() - quiet_since < QUIET_S:
-                if self._take(who, within_s=0.02):
+                if self._take(who):
                     quiet_since = time.monotonic()
 
     def trust(self) -> None:
@@ -89,7 +90,7 @@ class SerialLine:
         form = self._form
         with self._turn:
             self._refuse_if_lost(who)
-            self._take(who, within_s=0.0)
+            self._take(who, wait=False)
             self._send(who, text, check)
             received = b""
             if form.echo:
@@ -114,10 +115,9 @@ class SerialLine:
     def _receive(self, who: str, received: bytes, complete: Callable[[bytes], bool]) -> bytes:
         end = time.monotonic() + self._reply_timeout_s
         while not complete(received) and len(received) <= LONGEST_REPLY:
-            left_s = end - time.monotonic()
-            if left_s <= 0:
+            if time.monotonic() > end:
                 raise self._miss(who, received)
-            received += self._take(who, left_s)
+            received += self._take(who)
         self._silent = 0
         return received
 
@@ -128,12 +128,11 @@ class SerialLine:
             return self._lose(who, f"no reply ({self.excerpt(received)})")
         return DeviceTimeout(f"{who} at {self._place} did not reply ({self.excerpt(received)}).", CHECK_LINE)
 
-    def _take(self, who: str, within_s: float) -> bytes:
-        """Return what arrives, at most after ``within_s``."""
+    def _take(self, who: str, *, wait: bool = True) -> bytes:
+        """Return what has arrived; if nothing has, wait for it no longer than `LOOK_S`."""
         try:
-            self._port.timeout = within_s
-            first = self._port.read(max(1, self._port.in_waiting)) if within_s else b""
-            return bytes(first + self._port.read(self._port.in_waiting))
+            waiting = self._port.in_waiting
+            return bytes(self._port.read(waiting or 1)) if waiting or wait else b""
         except (OSError, TypeError) as error:  # pyserial's errors are OSErrors; TypeError: its port was closed meanwhile
             raise self._lose(who, str(error)) from error
 
@@ -175,7 +174,7 @@ def open_line(table: Mapping[str, object], commands: CommandTable) -> SerialLine
 
     place = chosen.port or find_port(chosen.usb_serial)
     try:
-        port = Serial(place, chosen.baudrate or commands.baudrate, timeout=0, write_timeout=chosen.reply_timeout_s, exclusive=True)
+        port = Serial(place, chosen.baudrate or commands.baudrate, timeout=LOOK_S, write_timeout=chosen.reply_timeout_s, exclusive=True)
     except (SerialException, OSError, ValueError) as error:
         raise DeviceError(f"{place} cannot be opened: {error}.", "Check the port, and that no other program uses it.") from error
     form = LineFormat(commands.terminator.encode("ascii"), commands.reply_end.encode("ascii"), commands.echo, commands.pause_s)
