@@ -13,11 +13,9 @@ from measureapp.devices.plugin_loader import PluginKind, load_driver
 from measureapp.devices.request import DeviceRequest
 from measureapp.peers.modbus_axis import Drive, SimpleMemory, ToyoMemory
 from measureapp.peers.modbus_device import Framing, ModbusDevice, on_serial, on_tcp
-from measureapp.peers.serial_table import Dialect, serial_table
 from measureapp.project.rig_file import read_rig
 
-PATIENT_S = 1.0  # on a busy computer a reply may take long
-FAST = {"poll_s": 0.002, "settled_s": 0.02}
+FAST = {"poll_s": 0.002, "settled_s": 0.02, "absolute_encoder": True}
 NAMES: dict[PluginKind, str] = {"linear-guide": "guide", "rotary-table": "table"}
 
 
@@ -26,7 +24,7 @@ class Connected:
     """A driver and its peer."""
 
     device: Any
-    peer: Any
+    peer: ModbusDevice
     drive: Drive
 
 
@@ -43,14 +41,12 @@ def connect(kind: PluginKind, settings: dict[str, object], links: dict[str, dict
 
 
 @contextmanager
-def toyo_guide(
-    speed_mm: float = 2000.0, framing: Framing = "ascii", reply_timeout_s: float = PATIENT_S, **settings: object
-) -> Iterator[Connected]:
+def toyo_guide(speed_mm: float = 2000.0, framing: Framing = "ascii", **settings: object) -> Iterator[Connected]:
     """A guide on a TOYO controller, over a pair of pseudo-terminals; 100 pulses per mm."""
     drive = Drive(speed=100 * speed_mm, acceleration=2000 * speed_mm)
     peer = ModbusDevice(ToyoMemory(drive))
     with on_serial(peer, framing) as port:
-        link = {"port": port, "framing": framing, "reply_timeout_s": reply_timeout_s}
+        link = {"port": port, "framing": framing}
         chosen = {"drive": "toyo_xc100", "link": "bus", "speed": speed_mm, "acceleration": 20 * speed_mm, **FAST, **settings}
         guide, shared = connect("linear-guide", chosen, {"bus": link})
         yield Connected(guide, peer, drive)
@@ -72,21 +68,6 @@ def simple_table(speed_deg: float = 3000.0, **settings: object) -> Iterator[Conn
             **FAST,
             **settings,
         }
-        table, shared = connect("rotary-table", chosen, {"bus": {"host": "127.0.0.1", "tcp_port": port, "reply_timeout_s": PATIENT_S}})
+        table, shared = connect("rotary-table", chosen, {"bus": {"host": "127.0.0.1", "tcp_port": port}})
         yield Connected(table, peer, drive)
         shared.close()
-
-
-@contextmanager
-def serial_axis(dialect: Dialect = "esp301", speed_deg: float = 3000.0, **settings: object) -> Iterator[Connected]:
-    """A table on a serial line."""
-    drive = Drive(speed=1e6 * speed_deg, acceleration=2e7 * speed_deg)
-    with serial_table(drive, dialect) as (peer, port):
-        loaded = load_driver(None, "table_serial", "rotary-table")
-        chosen = {
-            "controller": dialect, "port": port, "speed_deg_per_s": speed_deg, "acceleration_deg_per_s2": 20 * speed_deg,
-            "tolerance_deg": 0.0005, "reply_timeout_s": PATIENT_S, **FAST, **settings,
-        }  # fmt: skip
-        table = loaded.entry(DeviceRequest("table", read_rig("paper"), loaded.settings.model_validate(chosen), Links({})))
-        yield Connected(table, peer, drive)
-        table.close()

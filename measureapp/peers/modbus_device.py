@@ -52,6 +52,7 @@ class LineFaults:
     sliced: bool = False  # answers arrive byte by byte
     garbage: bytes = b""  # sent in place of answers
     longer: int = 0  # bytes appended to answers
+    broken: bool = False  # one bit of every answer is flipped
 
 
 class ModbusDevice:
@@ -151,6 +152,8 @@ class ModbusDevice:
         if faults.shifted:
             reply, self._before = self._before or reply, reply
         reply = faults.garbage or reply + bytes(faults.longer)
+        if faults.broken:
+            reply = reply[:4] + bytes([reply[4] ^ 1]) + reply[5:]
         if faults.late_s:
             if faults.late_once:
                 self.faults = replace(faults, late_s=0.0, late_once=False)

@@ -2,34 +2,38 @@
 
 from __future__ import annotations
 
-from measureapp.devices.arrival import Arrival, within_s
-from measureapp.devices.attempt import Attempt, Stops
-from measureapp.errors import DeviceError, DeviceLost, DeviceTimeout, MotionError
+import time
+from collections.abc import Callable
+from contextlib import suppress
 
-from .drive_map import DriveMap
-from .line import ModbusLine, Target
+from measureapp.devices.attempt import Attempt, Stops
+from measureapp.devices.settling import ELSEWHERE_S, Settling, allowed_s
+from measureapp.errors import DeviceError, DeviceLost, DeviceTimeout, LimitError, MeasureError, MotionError
+from measureapp.progress import Cancelled
+
+from .drive_map import DriveMap, Step
+from .line import ModbusLine, Target, Urgency
 from .settings import AxisSettings
 
 IDENTITY_TRIES = 3  # after late replies
+STOP_TRIES = 2  # writing a stop again does no harm
+ENABLE_S = 2.0
 
 
 class ModbusAxis:
     """Moves one drive. `move` and `home` are for one thread, `stop` for any."""
 
-    def __init__(self, name: str, unit: str, line: ModbusLine, drive: DriveMap, settings: AxisSettings) -> None:
+    def __init__(self, name: str, line: ModbusLine, drive: DriveMap, settings: AxisSettings) -> None:
         self.name = name
         self.counts_per_unit = settings.counts_per_unit or drive.counts_per_unit
         self._line, self._drive, self._settings = line, drive, settings
         self._target = Target(name, drive.unit_id if settings.unit_id is None else settings.unit_id)
         self._stops = Stops()
-        self._arrival = Arrival(name, unit, settings.tolerance, settings.settled_s, settings.poll_s)
+        self._referenced = settings.absolute_encoder
+        self._written: dict[str, int] = {}  # registers of which only some bits are changed
         self._confirm_identity()
-        if self._holds("alarm"):
-            raise DeviceError(
-                f"{name} reports an alarm: {self._alarm_words()}.", "Remove the cause and reset the drive, then connect again."
-            )
-        if not self._holds("enabled", default=True):
-            self._run("enable", 0)
+        self._refuse_alarm(DeviceError, "connect again")
+        self._enable()
 
     # reading
 
@@ -38,8 +42,8 @@ class ModbusAxis:
         return self._read("position")
 
     def is_homed(self) -> bool:
-        """Tell whether the drive knows its position; a drive that cannot tell is believed."""
-        return self._holds("homed", default=True)
+        """Return whether the position is known; a drive that cannot report it must have been referenced since it was connected."""
+        return self._holds("homed") if "homed" in self._drive.conditions else self._referenced
 
     def state_words(self) -> tuple[bool, str, str]:
         """Return whether the axis is ready, its state in words, and the remedy."""
@@ -65,59 +69,114 @@ class ModbusAxis:
         Cancelled
             `stop` was called.
         """
+        attempt = self._stops.begin(f"The move of {self.name}", allowed_s(duration_s, timeout_s))
+        self._refuse_unrepresentable(goal)
         if not self.is_homed():
             raise MotionError(f"{self.name} is not referenced.", "Find its reference before it is moved.")
-        attempt = self._stops.begin(f"{self.name}: the move", within_s(duration_s, timeout_s))
-        self._command(goal)
-        try:
-            scale = self.counts_per_unit
-            self._arrival.wait(goal / scale, lambda: self._counts_without_alarm() / scale, self._moves, attempt)
-        except DeviceTimeout:
-            self._run("stop", 0)
-            raise
+        self._guarded(attempt, lambda: self._move(goal, attempt))
 
     def home(self, timeout_s: float) -> None:
-        """Find the reference, if the drive does not know its position. Raises as `move`."""
-        if self.is_homed():
-            return
-        attempt = self._stops.begin(f"{self.name}: finding the reference", timeout_s)
-        self._run("home", 0)
-        try:
-            self._wait_homed(attempt)
-        except DeviceTimeout:
-            self._run("stop", 0)
-            raise
+        """Find the reference, if the position is not known. Raises as `move`."""
+        attempt = self._stops.begin(f"The search of {self.name} for its reference", timeout_s)
+        if not self.is_homed():
+            self._guarded(attempt, lambda: self._home(attempt))
 
     def stop(self) -> None:
-        """Stop the drive now."""
+        """Stop the drive now; the request goes before all others that wait for the line."""
         self._stops.stop()
-        self._run("stop", 0)
+        for left in reversed(range(STOP_TRIES)):
+            try:
+                self._run("stop", 0, Urgency(is_stop=True))
+                return
+            except DeviceTimeout:
+                if not left:
+                    raise
 
-    def _wait_homed(self, attempt: Attempt) -> None:
-        while not self.is_homed() or self._moves():
-            attempt.wait(self._settings.poll_s)
-            self._counts_without_alarm()
-
-    def _counts_without_alarm(self) -> int:
-        """Read the position; raises MotionError when the drive reports an alarm."""
-        here = self.counts()
-        if self._holds("alarm"):
-            raise MotionError(f"{self.name} reports an alarm: {self._alarm_words()}.", "Remove the cause, then reset the drive.")
-        return here
-
-    def _command(self, goal: int) -> None:
-        """Write goal and command; after a lost reply look whether the drive took it, and never write a second time blindly."""
+    def _guarded(self, attempt: Attempt, motion: Callable[[], None]) -> None:
+        """Run a motion; whatever ends it early also stops the axis. What fails after a stop has the stop as its cause."""
         try:
-            self._run("move", goal)
+            motion()
+        except Cancelled:
+            raise  # by `stop`, which writes it itself
+        except BaseException:
+            with suppress(MeasureError):
+                self._run("stop", 0, Urgency(is_stop=True))
+            with suppress(DeviceTimeout):
+                attempt.check()
+            raise
+
+    def _move(self, goal: int, attempt: Attempt) -> None:
+        self._command(goal, Urgency(attempt.check))
+        settling = Settling(goal, self._settings.tolerance * self.counts_per_unit, self._settings.settled_s)
+        while True:
+            here, moving = self.counts(), self._moves()
+            self._refuse_alarm(MotionError)
+            verdict = settling.observe(time.monotonic(), here, moving)
+            if verdict == "arrived":
+                return
+            if verdict == "elsewhere":
+                raise MotionError(
+                    f"{self.name} came to rest {settling.distance(here) / self.counts_per_unit:.3f} away from its goal.",
+                    "Check for an obstacle, a limit switch, and the scale of the drive.",
+                )
+            attempt.wait(self._settings.poll_s)
+
+    def _home(self, attempt: Attempt) -> None:
+        self._run("home", 0, Urgency(attempt.check))
+        began, seen_moving = time.monotonic(), False
+        while True:
+            attempt.wait(self._settings.settled_s)
+            self._refuse_alarm(MotionError)
+            if self._moves():
+                seen_moving = True
+            elif "homed" in self._drive.conditions:
+                if self._holds("homed"):
+                    return
+            elif seen_moving or time.monotonic() - began > ELSEWHERE_S:
+                self._referenced = True
+                return
+
+    def _enable(self) -> None:
+        """Switch the servo on where it is off, and confirm it."""
+        if self._holds("enabled", default=True):
+            return
+        self._run("enable", 0, Urgency())
+        end = time.monotonic() + ENABLE_S
+        while not self._holds("enabled"):
+            if time.monotonic() > end:
+                raise DeviceError(f"{self.name} does not switch its servo on.", "Check its emergency stop, its supply and its interlocks.")
+            time.sleep(self._settings.poll_s)
+
+    def _command(self, goal: int, urgency: Urgency) -> None:
+        """Write goal and command; after a lost reply read whether the drive took it, and never write a second time blindly."""
+        try:
+            self._run("move", goal, urgency)
         except DeviceTimeout:
+            urgency.check()  # its time-out is no lost reply
             self._confirm_identity()
-            if self._read("goal") != self._wrapped("goal", goal) or not (self._moves() or self._is_at(goal)):
+            if self._read("goal") != goal or not (self._moves() or self._is_at(goal)):
                 raise
-        if self._read("goal") != self._wrapped("goal", goal):
-            self._run("stop", 0)
+        if self._read("goal") != goal:
             raise MotionError(
-                f"{self.name} holds another goal than it was sent.", "Check the map of the drive, and that nobody else commands it."
+                f"{self.name} has another goal than was sent.", "Check the map of the drive, and that no other program commands it."
             )
+
+    def _refuse_alarm(self, kind: type[DeviceError], then: str = "try again") -> None:
+        if self._holds("alarm"):
+            raise kind(f"{self.name} reports an alarm: {self._alarm_words()}.", f"Remove the cause and reset the drive, then {then}.")
+
+    def _refuse_unrepresentable(self, goal: int) -> None:
+        """Refuse a goal or speed that the registers of the drive cannot hold: what is cut off would be another goal."""
+        for step in self._drive.sequences["move"]:
+            value = self._value(step, goal)
+            register = self._drive.registers[step.write]
+            bits = 16 * register.words
+            low, high = (-(1 << bits - 1), (1 << bits - 1) - 1) if register.signed else (0, (1 << bits) - 1)
+            if not low <= value <= high and register.kind == "holding":
+                raise LimitError(
+                    f"{self.name}: {value} does not fit the register {step.write} ({low}…{high}).",
+                    "Check speed, counts_per_unit, zero_counts and the map of the drive; nothing was moved.",
+                )
 
     def _is_at(self, goal: int) -> bool:
         return abs(self.counts() - goal) <= self._settings.tolerance * self.counts_per_unit
@@ -182,26 +241,32 @@ class ModbusAxis:
         bits = 16 * register.words
         return value - (1 << bits) if register.signed and value >> (bits - 1) else value
 
-    def _run(self, sequence: str, goal: int) -> None:
+    def _run(self, sequence: str, goal: int, urgency: Urgency) -> None:
         for step in self._drive.sequences.get(sequence, ()):  # type: ignore[call-overload]
-            speed = max(1, round(self._settings.speed * self.counts_per_unit))
-            value = goal if step.value == "goal" else speed if step.value == "speed" else int(step.value)
+            value = self._value(step, goal)
             if step.bits is not None:
-                value |= self._raw(step.write) & ~step.bits
-            self._write(step.write, value)
+                value = (value & step.bits) | (self._kept(step.write, urgency) & ~step.bits)
+                self._written[step.write] = value
+            self._write(step.write, value, urgency)
 
-    def _write(self, name: str, value: int) -> None:
-        register = self._drive.registers[name]
-        masked = value & ((1 << 16 * register.words) - 1)
-        words = [masked >> 16 * place & 0xFFFF for place in reversed(range(register.words))]
-        self._line.write(self._target, register.kind, register.address, words[::-1] if self._drive.word_order == "low-first" else words)
+    def _value(self, step: Step, goal: int) -> int:
+        if step.value == "goal":
+            return goal
+        if step.value == "speed":
+            return max(1, round(self._settings.speed * (self._drive.speed_per_unit or self.counts_per_unit)))
+        return int(step.value)
 
-    def _wrapped(self, name: str, value: int) -> int:
-        """Return a value as the register can hold it."""
+    def _kept(self, name: str, urgency: Urgency) -> int:
+        """Return a register of which some bits are kept; for a stop as it was written last, which takes no time and cannot fail."""
+        if urgency.is_stop and name in self._written:
+            return self._written[name]
+        return self._read(name)
+
+    def _write(self, name: str, value: int, urgency: Urgency) -> None:
         register = self._drive.registers[name]
-        bits = 16 * register.words
-        masked = value & ((1 << bits) - 1)
-        return masked - (1 << bits) if register.signed and masked >> (bits - 1) else masked
+        words = [value >> 16 * place & 0xFFFF for place in reversed(range(register.words))]
+        ordered = words[::-1] if self._drive.word_order == "low-first" else words
+        self._line.write(self._target, register.kind, register.address, ordered, urgency)
 
     def _alarm_words(self) -> str:
         if "alarm_code" not in self._drive.registers:

@@ -19,25 +19,21 @@ GO_BACK = "Choose a goal inside the limits; nothing was moved."
 
 def connect_guide(request: DeviceRequest) -> ModbusGuide:
     """Connect a linear guide. Raises InputError for a map or line that does not fit, DeviceError when the drive does not answer."""
-    return ModbusGuide(
-        request.rig.guide.model, _axis(request, request.rig.guide.model, ModbusGuide.unit), request.settings, request.rig.guide.limits_mm
-    )
+    return ModbusGuide(request.rig.guide.model, _axis(request, request.rig.guide.model), request.settings, request.rig.guide.limits_mm)
 
 
 def connect_table(request: DeviceRequest) -> ModbusTable:
     """Connect a rotary table. Raises as `connect_guide`."""
     low, high = request.rig.table.limits_deg
-    return ModbusTable(
-        request.rig.table.model, _axis(request, request.rig.table.model, ModbusTable.unit), request.settings, (radians(low), radians(high))
-    )
+    return ModbusTable(request.rig.table.model, _axis(request, request.rig.table.model), request.settings, (radians(low), radians(high)))
 
 
-def _axis(request: DeviceRequest, name: str, unit: str) -> ModbusAxis:
+def _axis(request: DeviceRequest, name: str) -> ModbusAxis:
     settings = request.settings
     assert isinstance(settings, AxisSettings)
     drive = read_map(settings.drive)
     line = request.links.open(settings.link, ModbusLine, lambda table: open_line(table, drive), ModbusLine.close)
-    return ModbusAxis(name, unit, line, drive, settings)
+    return ModbusAxis(name, line, drive, settings)
 
 
 class _Scaled:
@@ -63,19 +59,19 @@ class _Scaled:
         """Read the state, for display."""
         try:
             ready, text, remedy = self._axis.state_words()
-            where = f"at {self._position():.3f}{self.unit}, " if ready else ""
+            where = f"at {self._position():.3f}{self._unit}, " if ready else ""
         except MeasureError as error:
             return DeviceStatus(False, error.message, error.hint)
         return DeviceStatus(ready, where + text, remedy)
 
-    unit = ""
+    _unit = ""
 
     def _position(self) -> float:
         return self._settings.sense * (self._axis.counts() - self._settings.zero_counts) / self._axis.counts_per_unit
 
     def _move(self, goal: float, low: float, high: float, timeout_s: float) -> None:
         if not (isfinite(goal) and low - INSIDE <= goal <= high + INSIDE):
-            raise LimitError(f"{self.name}: the goal {goal:g}{self.unit} is outside {low:g}…{high:g}{self.unit}.", GO_BACK)
+            raise LimitError(f"{self.name}: the goal {goal:g}{self._unit} is outside {low:g}…{high:g}{self._unit}.", GO_BACK)
         settings = self._settings
         counts = round(settings.sense * goal * self._axis.counts_per_unit) + settings.zero_counts
         way = abs(goal - self._position())
@@ -85,7 +81,7 @@ class _Scaled:
 class ModbusGuide(_Scaled):
     """A linear guide."""
 
-    unit = " mm"
+    _unit = " mm"
 
     def __init__(self, name: str, axis: ModbusAxis, settings: object, limits_mm: tuple[float, float]) -> None:
         super().__init__(name, axis, settings)
@@ -103,7 +99,7 @@ class ModbusGuide(_Scaled):
 class ModbusTable(_Scaled):
     """A rotary table."""
 
-    unit = "°"
+    _unit = "°"
 
     def __init__(self, name: str, axis: ModbusAxis, settings: object, limits_rad: tuple[float, float]) -> None:
         super().__init__(name, axis, settings)

@@ -1,53 +1,62 @@
-"""Command tables of controllers: what is sent and how replies are read, as data from TOML files."""
+"""Command tables of controllers as data: line format, queries, conditions and sequences, read from TOML files."""
 
 from __future__ import annotations
 
 import re
 import tomllib
 from pathlib import Path
+from typing import Literal
 
-from pydantic import Field, ValidationError, field_validator
+from pydantic import Field, ValidationError, field_validator, model_validator
 
 from measureapp.data.model import Model, first_problem
 from measureapp.errors import InputError
 
-SHIPPED = Path(__file__).parent / "tables"
+SHIPPED = Path(__file__).parent / "controllers"
+PLACES = {"axis": 1, "before": 0, "goal": "0", "sign": "+", "magnitude": "0", "speed": "0", "acceleration": "0"}
 
 
-class Commands(Model):
-    """What is sent; ``{goal}`` stands for the goal."""
+class Query(Model):
+    """A question and the form of its answer: a regular expression with named groups that matches the whole line.
 
-    position: str
-    move: tuple[str, ...] = Field(min_length=1, description="one or several, in this order")
-    stop: str
-    state: str
-    home: tuple[str, ...] = ()
-    error: str = Field(default="", description="asked after every command that changes something; empty: never")
+    ``{axis}`` and ``{before}`` (the number of axes before this one) are replaced in both.
+    """
 
+    send: str
+    reply: str
 
-class Replies(Model):
-    """Regular expressions for replies. ``position`` has a group ``value``."""
+    @model_validator(mode="after")
+    def _has_groups(self) -> Query:
+        if not self.pattern(1).groupindex:
+            raise ValueError("reply needs a named group, such as (?P<value>…)")
+        return self
 
-    position: str
-    at_rest: str = Field(description="of the state: the table is at rest")
-    referenced: str = Field(default="", description="of the state: the reference is known; empty: always")
-    no_error: str = Field(default="", description="of the error")
-
-    @field_validator("position", "at_rest", "referenced", "no_error")
-    @classmethod
-    def _compiles(cls, value: str) -> str:
+    def pattern(self, axis: int) -> re.Pattern[str]:
+        """Return the form of the answer for one axis."""
         try:
-            re.compile(value)
+            return re.compile(self.reply.replace("{axis}", str(axis)).replace("{before}", str(axis - 1)))
         except re.error as error:
-            raise ValueError(f"is no regular expression ({error})") from error
-        return value
+            raise ValueError(f"reply is not a regular expression: {error}") from error
 
-    @field_validator("position")
-    @classmethod
-    def _has_value(cls, value: str) -> str:
-        if "value" not in re.compile(value).groupindex:
-            raise ValueError("needs a group (?P<value>…)")
-        return value
+
+class Condition(Model):
+    """A statement about a named group of an answer: it matches, or differs from, a regular expression."""
+
+    query: str
+    group: str = "value"
+    matches: str | None = None
+    differs: str | None = None
+
+    @model_validator(mode="after")
+    def _states_one(self) -> Condition:
+        if (self.matches is None) == (self.differs is None):
+            raise ValueError("give either matches or differs")
+        return self
+
+    def holds(self, groups: dict[str, str]) -> bool:
+        """Return whether the statement is true for an answer."""
+        found = re.fullmatch(self.matches if self.matches is not None else self.differs or "", groups[self.group]) is not None
+        return found if self.matches is not None else not found
 
 
 class CommandTable(Model):
@@ -55,19 +64,61 @@ class CommandTable(Model):
 
     name: str
     source: str = Field(description="where the commands come from")
-    certain: bool = Field(default=True, description="false: from memory; compare with the manual")
-    baudrate: int
-    sent_end: str = Field(default="\r", description="ends what is sent")
-    reply_end: str = Field(default="\r\n", description="ends replies")
-    answers_commands: bool = Field(default=False, description="commands that change something are answered, too")
-    counts_per_degree: float = Field(default=1.0, gt=0)
-    digits: int = Field(default=4, ge=0, le=9, description="after the point of a goal")
-    commands: Commands
-    replies: Replies
+    uncertain: tuple[str, ...] = Field(default=(), description="queries and sequences to be compared with the manual")
+    baudrate: int = 9600
+    terminator: str = Field(default="\r\n", description="end of a command")
+    reply_end: str = Field(default="\r\n", min_length=1, description="end of an answer")
+    echo: bool = Field(default=False, description="the controller repeats every command before it answers")
+    acknowledge: str = Field(default="", description="answer to every command of a sequence, as a regular expression; empty: none")
+    pause_s: float = Field(default=0.0, ge=0, le=1, description="after a command that has no answer; a stop does not wait for it")
+    counts_per_unit: float = Field(default=1.0, gt=0, description="counts per degree; 1 where the controller works in degrees")
+    decimals: int = Field(default=0, ge=0, le=9, description="of a goal and a speed")
+    turns: Literal["unlimited", "modulo"] = Field(default="unlimited", description="modulo: the position returns to 0 after one turn")
+    sense: Literal[1, -1] = Field(default=1, description="-1: counts grow clockwise seen from above")
+    queries: dict[str, Query]
+    conditions: dict[Literal["moving", "alarm", "homed", "enabled", "refused", "identity"], Condition]
+    sequences: dict[Literal["enable", "speed", "move", "stop", "home"], tuple[str, ...]]
+    errors: dict[str, str] = Field(default_factory=dict, description="codes of refusals and alarms, and what they mean")
+
+    @field_validator("acknowledge")
+    @classmethod
+    def _compiles(cls, pattern: str) -> str:
+        try:
+            re.compile(pattern)
+        except re.error as error:
+            raise ValueError(f"is not a regular expression: {error}") from error
+        return pattern
+
+    @model_validator(mode="after")
+    def _is_complete(self) -> CommandTable:
+        if "position" not in self.queries or "value" not in self.queries["position"].pattern(1).groupindex:
+            raise ValueError("queries.position with a group value is not described")
+        for name, condition in self.conditions.items():
+            query = self.queries.get(condition.query)
+            if query is None or condition.group not in query.pattern(1).groupindex:
+                raise ValueError(f"conditions.{name} names a query or group that is not described")
+        if not {"moving", "refused"} <= set(self.conditions) and not (self.acknowledge and "moving" in self.conditions):
+            raise ValueError(
+                "conditions.moving, and conditions.refused or acknowledge, are needed: nothing is believed that was not read back"
+            )
+        missing = sorted({"move", "stop"} - set(self.sequences))
+        if missing:
+            raise ValueError(f"sequences.{missing[0]} is not described")
+        if not any("{goal}" in text or "{magnitude}" in text for text in self.sequences["move"]):
+            raise ValueError("sequences.move sends no goal")
+        self._check_places()
+        return self
+
+    def _check_places(self) -> None:
+        for text in (*(query.send for query in self.queries.values()), *(text for texts in self.sequences.values() for text in texts)):
+            try:
+                text.format(**PLACES)
+            except (KeyError, IndexError, ValueError) as error:
+                raise ValueError(f"command {text!r} has an unknown place {error} (known: {', '.join(PLACES)})") from error
 
 
 def read_table(name_or_path: str) -> CommandTable:
-    """Read a shipped table by its name, or one of a user by its path.
+    """Read a shipped command table by its name, or one of a user by its path.
 
     Raises
     ------
@@ -83,4 +134,6 @@ def read_table(name_or_path: str) -> CommandTable:
     except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
         raise InputError(f"{path} cannot be read as a command table: {error}.", "Correct the file.") from error
     except ValidationError as error:
-        raise InputError(f"{path}: {first_problem(error, 'the command table')}.", "Correct this field.") from error
+        raise InputError(
+            f"{path}: {first_problem(error, 'the command table')}.", "Correct this field; the README describes the form."
+        ) from error

@@ -4,22 +4,21 @@ from __future__ import annotations
 
 import threading
 import time
-from contextlib import ExitStack
-from types import SimpleNamespace
 
 import pytest
-from axis_peers import FAST, connect, simple_table, toyo_guide
+from axis_peers import connect, simple_table, toyo_guide
 
 from measureapp.errors import DeviceError, DeviceLost, DeviceTimeout, LimitError, MotionError
 from measureapp.peers.modbus_axis import Drive, DriveFaults, SimpleMemory, ToyoMemory
-from measureapp.peers.modbus_device import LineFaults, ModbusDevice, on_serial, on_tcp
+from measureapp.peers.modbus_device import Framing, LineFaults, ModbusDevice, on_serial, on_tcp
 from measureapp.progress import Cancelled
 
-LINKS = {"port": "", "reply_timeout_s": 0.1}
+FRAMINGS = pytest.mark.parametrize("framing", ["rtu", "ascii"])
 
 
-def test_a_command_whose_answer_is_late_is_carried_out_once() -> None:
-    with toyo_guide(framing="rtu", reply_timeout_s=0.15) as found:
+@FRAMINGS
+def test_a_command_whose_answer_is_late_is_carried_out_once(framing: Framing) -> None:
+    with toyo_guide(framing=framing) as found:
         genuine = ToyoMemory.write
 
         def write(memory: ToyoMemory, kind: str, address: int, value: int) -> None:
@@ -34,8 +33,9 @@ def test_a_command_whose_answer_is_late_is_carried_out_once() -> None:
         assert found.device.position_mm() == pytest.approx(5.0)
 
 
-def test_after_a_late_answer_nothing_is_believed_before_the_identity_was_read() -> None:
-    with toyo_guide(framing="rtu", reply_timeout_s=0.15) as found:
+@FRAMINGS
+def test_after_a_late_answer_nothing_is_believed_before_the_identity_was_read(framing: Framing) -> None:
+    with toyo_guide(framing=framing) as found:
         found.drive.start(1234)
         time.sleep(0.05)
         found.peer.faults = LineFaults(late_s=0.25, late_once=True)
@@ -83,20 +83,8 @@ def test_a_drive_that_is_busy_is_asked_again() -> None:
 def test_a_position_that_never_changes_is_no_arrival_and_stops_the_drive() -> None:
     with toyo_guide() as found:
         found.drive.faults = DriveFaults(frozen=True)
-        with pytest.raises((DeviceTimeout, MotionError), match=r"did not end within|came to rest"):
+        with pytest.raises((DeviceTimeout, MotionError), match=r"did not end|came to rest"):
             found.device.move_to(20.0, timeout_s=0.5)
-
-
-def test_a_move_that_never_ends_is_over_after_one_and_a_half_times_its_prediction_and_two_seconds() -> None:
-    with toyo_guide(speed_mm=100.0) as found:
-        found.drive.faults = DriveFaults(frozen=True)
-        found.drive.told_moving = lambda: True  # type: ignore[method-assign]
-        predicted_s = 20.0 / 100.0 + 100.0 / 2000.0  # constant speed, and the ramps at 20 times as much per second
-        started = time.monotonic()
-        with pytest.raises(DeviceTimeout, match=r"within 2\.[34] s"):
-            found.device.move_to(20.0, timeout_s=60.0)
-        assert time.monotonic() - started < 1.5 * predicted_s + 2.0 + 0.5
-        assert found.drive.stops
 
 
 def test_in_position_told_early_is_not_believed() -> None:
@@ -110,7 +98,7 @@ def test_in_position_told_early_is_not_believed() -> None:
 def test_an_axis_that_rests_beside_its_goal_is_refused_with_the_distance() -> None:
     with toyo_guide() as found:
         found.drive.faults = DriveFaults(off_counts=30)
-        with pytest.raises(MotionError, match=r"rest 0\.300 mm away from its goal"):
+        with pytest.raises(MotionError, match=r"rest 0\.300 away from its goal"):
             found.device.move_to(20.0, timeout_s=5.0)
 
 
@@ -139,39 +127,6 @@ def test_an_adapter_that_is_not_there_is_named_with_those_that_are() -> None:
         connect("linear-guide", {"drive": "toyo_xc100", "link": "bus"}, {"bus": {"usb_serial": "A50285BI"}})
 
 
-def plug_in(monkeypatch: pytest.MonkeyPatch, **ports: str) -> None:
-    """Let the system list serial adapters, by serial number."""
-    entries = [SimpleNamespace(serial_number=number, device=port) for number, port in ports.items()]
-    monkeypatch.setattr("serial.tools.list_ports.comports", lambda: entries)
-
-
-def test_an_adapter_that_returns_under_a_new_name_is_found_by_its_serial_number_and_a_lost_reference_is_asked_for(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    line, drive = {"bus": {"usb_serial": "A50285BI", "framing": "rtu"}}, Drive(speed=3e7, acceleration=6e8)
-    settings = {"drive": "simple_axis", "link": "bus", "speed": 3000.0, "acceleration": 60_000.0, **FAST}
-    with ExitStack() as second:
-        with on_serial(ModbusDevice(SimpleMemory(drive)), "rtu") as before:
-            other = second.enter_context(on_serial(ModbusDevice(SimpleMemory(drive)), "rtu"))
-            plug_in(monkeypatch, X1=other, A50285BI=before)
-            table, shared = connect("rotary-table", settings, line)
-            table.move_to(0.5, timeout_s=5.0)
-        with pytest.raises(DeviceLost):
-            for _ in range(3):
-                table.angle_rad()
-        shared.close()
-        plug_in(monkeypatch, A50285BI=other)
-        drive.faults = DriveFaults(homed=False)  # it was without power
-        table, shared = connect("rotary-table", settings, line)
-        with pytest.raises(MotionError, match="not referenced"):
-            table.move_to(1.0, timeout_s=5.0)
-        table.home(timeout_s=5.0)
-        table.move_to(1.0, timeout_s=5.0)
-        assert table.angle_rad() == pytest.approx(1.0, abs=4e-4)
-        shared.close()
-    assert drive.moves == [286479, 0, 572958]
-
-
 def test_an_axis_that_is_not_referenced_is_not_moved_before_it_is() -> None:
     with simple_table() as found:
         found.drive.faults = DriveFaults(homed=False)
@@ -191,7 +146,7 @@ def test_an_alarm_is_told_with_its_meaning() -> None:
 
 
 def test_a_silent_drive_is_lost_within_two_time_outs() -> None:
-    with toyo_guide(reply_timeout_s=0.15) as found:
+    with toyo_guide() as found:
         found.peer.faults = LineFaults(silent=True)
         started = time.monotonic()
         with pytest.raises(DeviceLost, match="no reply"):
@@ -200,8 +155,9 @@ def test_a_silent_drive_is_lost_within_two_time_outs() -> None:
 
 
 @pytest.mark.parametrize("faults", [LineFaults(sliced=True), LineFaults(late_s=0.05)])
-def test_slow_and_sliced_answers_are_understood(faults: LineFaults) -> None:
-    with toyo_guide(framing="rtu") as found:
+@FRAMINGS
+def test_slow_and_sliced_answers_are_understood(faults: LineFaults, framing: Framing) -> None:
+    with toyo_guide(framing=framing) as found:
         found.peer.faults = faults
         found.device.move_to(3.0, timeout_s=10.0)
         assert found.device.position_mm() == pytest.approx(3.0)
@@ -210,8 +166,9 @@ def test_slow_and_sliced_answers_are_understood(faults: LineFaults) -> None:
 @pytest.mark.parametrize(
     "faults", [LineFaults(garbage=b"\x01\x83\x07\xff\xff"), LineFaults(garbage=bytes(300)), LineFaults(garbage=b"HTTP/1.1 400 Bad Request")]
 )
-def test_garbage_is_refused_with_an_excerpt(faults: LineFaults) -> None:
-    with toyo_guide(framing="rtu") as found:
+@FRAMINGS
+def test_garbage_is_refused_with_an_excerpt(faults: LineFaults, framing: Framing) -> None:
+    with toyo_guide(framing=framing) as found:
         found.peer.faults = faults
         with pytest.raises(DeviceError, match=r"received [0-9a-f]{2} "):
             found.device.position_mm()
@@ -219,7 +176,7 @@ def test_garbage_is_refused_with_an_excerpt(faults: LineFaults) -> None:
 
 def test_a_stop_from_another_thread_takes_effect_at_once_again_and_again() -> None:
     with toyo_guide(speed_mm=20.0) as found:
-        for _ in range(20):
+        for _ in range(100):
             outcome: list[str] = []
 
             def move(outcome: list[str] = outcome) -> None:
@@ -258,7 +215,7 @@ def test_two_drives_share_one_line() -> None:
         for kind, unit_id in (("linear-guide", 1), ("rotary-table", 2)):
             loaded = load_driver(None, "axis_modbus", kind)  # type: ignore[arg-type]
             settings = loaded.settings.model_validate(
-                {"drive": "toyo_xc100", "link": "bus", "unit_id": unit_id, "speed": 2000.0, "poll_s": 0.002, "settled_s": 0.02}
+                {"drive": "toyo_xc100", "link": "bus", "unit_id": unit_id, "speed": 2000.0, "absolute_encoder": True}
             )
             made.append(loaded.entry(DeviceRequest(kind, rig, settings, shared)))
         guide, table = made
