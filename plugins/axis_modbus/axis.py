@@ -88,7 +88,7 @@ class ModbusAxis:
         """Stop the drive now."""
         self._stops += 1
         self._asked_to_stop.set()
-        self._run("stop", 0)
+        self._run("stop", 0, urgent=True)
 
     def _begin(self) -> int:
         self._asked_to_stop.clear()
@@ -199,19 +199,20 @@ class ModbusAxis:
         bits = 16 * register.words
         return value - (1 << bits) if register.signed and value >> (bits - 1) else value
 
-    def _run(self, sequence: str, goal: int) -> None:
+    def _run(self, sequence: str, goal: int, *, urgent: bool = False) -> None:
         for step in self._drive.sequences.get(sequence, ()):  # type: ignore[call-overload]
             speed = max(1, round(self._settings.speed * self.counts_per_unit))
             value = goal if step.value == "goal" else speed if step.value == "speed" else int(step.value)
             if step.bits is not None:
                 value |= self._raw(step.write) & ~step.bits
-            self._write(step.write, value)
+            self._write(step.write, value, urgent)
 
-    def _write(self, name: str, value: int) -> None:
+    def _write(self, name: str, value: int, urgent: bool) -> None:
         register = self._drive.registers[name]
         masked = value & ((1 << 16 * register.words) - 1)
         words = [masked >> 16 * place & 0xFFFF for place in reversed(range(register.words))]
-        self._line.write(self._target, register.kind, register.address, words[::-1] if self._drive.word_order == "low-first" else words)
+        ordered = words[::-1] if self._drive.word_order == "low-first" else words
+        self._line.write(self._target, register.kind, register.address, ordered, urgent=urgent)
 
     def _wrapped(self, name: str, value: int) -> int:
         """Return a value as the register can hold it."""

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import threading
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any, Literal
 
@@ -45,7 +46,8 @@ class ModbusLine:
     def __init__(self, make_client: Callable[[Callable[[bool, bytes], bytes]], Any], place: str, *, serial: bool) -> None:
         self._client = make_client(self._trace)
         self._place, self._serial = place, serial
-        self._lock = threading.Lock()
+        self._turns = threading.Condition()
+        self._is_busy, self._urgent = False, 0  # a transaction is under way; stops that wait for it
         self._heard = b""
         self._silent = 0  # transactions in a row without a reply
         self.doubtful = False  # a late reply may still arrive: nothing is believed before `trust`
@@ -68,21 +70,21 @@ class ModbusLine:
             )
         return list(values)
 
-    def write(self, target: Target, kind: Kind, address: int, values: Sequence[int]) -> None:
-        """Write registers or one bit; never repeated by itself. Raises DeviceTimeout, DeviceLost, DeviceError."""
+    def write(self, target: Target, kind: Kind, address: int, values: Sequence[int], *, urgent: bool = False) -> None:
+        """Write registers or one bit; never repeated by itself. What is urgent comes next. Raises DeviceTimeout, DeviceLost, DeviceError."""
         if kind == "coil":
-            self._transact(target, lambda: self._client.write_coil(address, bool(values[0]), device_id=target.unit_id))
+            self._transact(target, lambda: self._client.write_coil(address, bool(values[0]), device_id=target.unit_id), urgent)
         elif len(values) == 1:
-            self._transact(target, lambda: self._client.write_register(address, values[0], device_id=target.unit_id))
+            self._transact(target, lambda: self._client.write_register(address, values[0], device_id=target.unit_id), urgent)
         else:
-            self._transact(target, lambda: self._client.write_registers(address, list(values), device_id=target.unit_id))
+            self._transact(target, lambda: self._client.write_registers(address, list(values), device_id=target.unit_id), urgent)
 
     def drain(self) -> None:
-        """Discard what arrives late, until the line is silent."""
-        with self._lock:
+        """Discard what arrives late, until the line is silent or a stop needs it."""
+        with self._turn():
             port = self._client.socket
             quiet_since = time.monotonic()
-            while self._serial and port is not None and time.monotonic() - quiet_since < QUIET_S:
+            while self._serial and port is not None and time.monotonic() - quiet_since < QUIET_S and not self._urgent:
                 waiting = port.in_waiting
                 if waiting:
                     port.read(waiting)
@@ -97,9 +99,24 @@ class ModbusLine:
         """Close the line."""
         self._client.close()
 
-    def _transact(self, target: Target, request: Callable[[], Any]) -> Any:
+    @contextmanager
+    def _turn(self, *, urgent: bool = False) -> Iterator[None]:
+        """Wait for the line: a stop comes right after the transaction under way, before everything that waited longer."""
+        with self._turns:
+            self._urgent += urgent
+            self._turns.wait_for(lambda: not self._is_busy and (urgent or not self._urgent))
+            self._is_busy = True
+        try:
+            yield
+        finally:
+            with self._turns:
+                self._is_busy = False
+                self._urgent -= urgent
+                self._turns.notify_all()
+
+    def _transact(self, target: Target, request: Callable[[], Any], urgent: bool = False) -> Any:
         for attempt in range(BUSY_TRIES):
-            reply = self._once(target, request)
+            reply = self._once(target, request, urgent)
             if not reply.isError():
                 return reply
             if reply.exception_code != BUSY:
@@ -112,10 +129,10 @@ class ModbusLine:
             "Check that the map fits this drive, and the state of the drive.",
         )
 
-    def _once(self, target: Target, request: Callable[[], Any]) -> Any:
+    def _once(self, target: Target, request: Callable[[], Any], urgent: bool) -> Any:
         from pymodbus.exceptions import ConnectionException, ModbusException
 
-        with self._lock:
+        with self._turn(urgent=urgent):
             self._heard = b""
             try:
                 reply = request()
