@@ -29,21 +29,25 @@ class Settings(Model):
 """
 HALF_DEAD = """
 from types import SimpleNamespace
+from measureapp.devices.rig import Rig
 from measureapp.devices.status import DeviceStatus
 
-def alive(*_):
-    return SimpleNamespace(status=lambda: DeviceStatus(True, "ready"))
+def device(status):
+    return SimpleNamespace(name="device", status=status, close=lambda: None)
 
-def dead(*_):
-    return SimpleNamespace(status=lambda: DeviceStatus(False, "no answer.", "Switch it on."))
+def alive():
+    return device(lambda: DeviceStatus(True, "ready"))
+
+def dead():
+    return device(lambda: DeviceStatus(False, "no answer.", "Switch it on."))
 
 def broken():
     raise OSError("reset by peer")
 
 def connect(request):
-    return SimpleNamespace(
-        cameras={"left": dead()}, projector=alive(), robot=dead(), guide=alive(),
-        table=SimpleNamespace(status=broken), close=lambda: print("closed"),
+    return Rig(
+        request.rig, {"left": dead()}, alive(), dead(), alive(), device(broken),
+        place_on_table=lambda thing: None, release=lambda: print("closed"),
     )
 """
 
