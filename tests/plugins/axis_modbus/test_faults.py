@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import threading
 import time
+from contextlib import suppress
 
 import pytest
 from axis_peers import connect, simple_table, toyo_guide
@@ -174,7 +175,7 @@ def test_garbage_is_refused_with_an_excerpt(faults: LineFaults, framing: Framing
             found.device.position_mm()
 
 
-def test_a_stop_from_another_thread_takes_effect_at_once_again_and_again() -> None:
+def test_a_stop_from_another_thread_takes_effect_at_once_a_hundred_times() -> None:
     with toyo_guide(speed_mm=20.0) as found:
         for _ in range(100):
             outcome: list[str] = []
@@ -196,6 +197,55 @@ def test_a_stop_from_another_thread_takes_effect_at_once_again_and_again() -> No
             thread.join(2.0)
             assert outcome == ["cancelled"]
             assert found.drive.stops
+
+
+def stops_while_replies_are_late(times: int) -> float:
+    """Return the longest time from a stop until the drive has it, while the move's own reads wait for replies that come late."""
+    worst = 0.0
+    with simple_table(speed_deg=2.0) as found:
+        genuine, stopped_at = found.drive.stop, [0.0]
+
+        def note() -> None:
+            stopped_at.append(time.monotonic())
+            genuine()
+
+        found.drive.stop = note  # type: ignore[method-assign]
+        for turn in range(times):
+            outcome: list[BaseException] = []
+
+            def move(goal: float = 3.0 - 6.0 * (turn % 2), outcome: list[BaseException] = outcome) -> None:
+                try:
+                    found.device.move_to(goal, timeout_s=60.0)
+                except (Cancelled, DeviceError) as error:
+                    outcome.append(error)
+
+            moves = len(found.drive.moves)
+            thread = threading.Thread(target=move)
+            thread.start()
+            while len(found.drive.moves) == moves:
+                assert thread.is_alive(), outcome
+                time.sleep(0.002)
+            found.peer.faults = LineFaults(late_s=0.1)
+            time.sleep(0.05 + 0.002 * turn % 0.1)
+            started = time.monotonic()
+            with suppress(DeviceTimeout):  # the reply to the stop itself may come too late on a busy computer
+                found.device.stop()
+            worst = max(worst, stopped_at[-1] - started)
+            thread.join(5.0)
+            time.sleep(0.12)  # for the last late reply
+            found.peer.faults = LineFaults()
+            assert stopped_at[-1] > started
+            assert isinstance(outcome[0], Cancelled | DeviceTimeout)
+    return worst
+
+
+def test_a_stop_comes_next_on_a_line_whose_replies_are_late() -> None:
+    assert stops_while_replies_are_late(20) < 0.2
+
+
+@pytest.mark.slow
+def test_a_stop_comes_next_on_a_line_whose_replies_are_late_a_hundred_times() -> None:
+    assert stops_while_replies_are_late(100) < 0.2
 
 
 def test_two_drives_share_one_line() -> None:
