@@ -19,7 +19,7 @@ from PySide6.QtWidgets import QCheckBox, QComboBox, QLineEdit, QPlainTextEdit, Q
 
 from ui.widgets.basic import column, label, row
 
-NUMBER_WIDTH, TUPLE_WIDTH, TEXT_HEIGHT, LINE_HEIGHT, FRAME = 144, 96, 200, 20, 20
+NUMBER_WIDTH, TUPLE_WIDTH, TEXT_HEIGHT, LINE_HEIGHT, FRAME = 144, 88, 200, 20, 20
 PARAGRAPH = "\u2029"
 INVALID = "Write one setting per line, as TOML: name = value. Texts are in quotation marks"
 

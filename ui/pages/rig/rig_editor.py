@@ -215,7 +215,7 @@ class RigEditor(QDialog):
         if not self.draft.by_device:
             return parts, [nominal]
         parts["driver"] = DriverForm(kind_of(name), self.draft.offers, self.draft.devices[name])
-        return parts, [card(label("Driver", "heading"), parts["driver"]), nominal]
+        return parts, [card(parts["driver"]), nominal]
 
     def _values_of(self, name: str) -> dict[str, Any]:
         values = self.draft.values
