@@ -10,7 +10,7 @@ from typing import Annotated, Any, Literal, Union, get_args, get_origin
 from pydantic import SecretStr, ValidationError
 from pydantic.fields import FieldInfo
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QLabel, QPushButton, QWidget
+from PySide6.QtWidgets import QAbstractButton, QLabel, QPushButton, QWidget
 
 from measureapp.data.model import Model
 from ui.look.field_words import field_words, place_words, problem_words
@@ -58,9 +58,10 @@ class FieldRows(FieldEditor):
         tip = (field.description or "").strip()
         for widget in (named, editor):
             widget.setToolTip(tip[:1].upper() + tip[1:])
-        editor.setAccessibleName(words)
-        if isinstance(editor, TextEditor | NumberEditor):
-            editor.line.setAccessibleName(words)
+        for inner in (editor, *editor.findChildren(QWidget)):
+            if inner is editor or (inner.focusPolicy() != Qt.FocusPolicy.NoFocus and not inner.accessibleName()):
+                own = inner.text() if isinstance(inner, QAbstractButton) else ""
+                inner.setAccessibleName(f"{words}: {own}" if own else words)
         self.editors[name], self._notes[name] = editor, note
         cell = QWidget()
         cell.setLayout(column(editor, note, spacing=2))
