@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from typing import Literal
 
 import pytest
@@ -69,6 +70,11 @@ def test_few_settings_of_shipped_drivers_can_only_be_looked_at(qtbot, plugin, ki
     form = made(qtbot, settings_model(plugin, kind))
     kept = {name for name, editor in form.editors.items() if isinstance(editor, KeptEditor)}
     assert kept <= {"board"}
+
+
+def test_a_value_that_cannot_be_edited_is_shown_as_json(qtbot):
+    form = made(qtbot, load_driver(None, "virtual_rig", "rig").settings)
+    assert json.loads(form.editors["board"].text.toPlainText())["columns"] == 14
 
 
 INNER = st.builds(Inner, low_mm=st.tuples(*[st.floats(-1e9, 1e9)] * 3), on=st.booleans())

@@ -6,7 +6,8 @@ import shutil
 from pathlib import Path
 
 import pytest
-from PySide6.QtWidgets import QFileDialog, QMessageBox
+from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QFileDialog, QLineEdit, QMessageBox
 
 from measureapp.data.rig import DriverChoice, MotionRules
 from measureapp.devices.plugin_loader import load_all
@@ -239,3 +240,48 @@ def test_a_driver_from_outside_is_loaded_once_a_person_has_allowed_its_fingerpri
     assert (states[folder] == "") == (answer == QMessageBox.StandardButton.Yes)
     assert window.header.devices.text() != "1 driver failed", "a driver that waits for permission is no fault"
     editor.reject()
+
+
+def test_two_links_with_one_name_are_refused(edited, composed):
+    editor = edited(composed)
+    editor.show_section("links")
+    links = editor.parts["links"]["link"]
+    links.add.click()
+    name = links._rows[1][0]
+    assert editor.problem() == ""
+    name.setText("bus")
+    name.textEdited.emit("bus")
+    assert editor.problem() == "Links: Two links have the name bus."
+    name.setText("")
+    name.textEdited.emit("")
+    assert editor.problem() == "Links: Enter a name for each link."
+
+
+def test_escape_stops_a_connected_rig_and_keeps_the_editor_open(application, window, rig, qtbot):
+    application.session.set_rig(rig.at_resolution("quarter"))
+    page, editor = opened_from_page(application, window, qtbot)
+    page.connect_button.click()
+    qtbot.waitUntil(lambda: application.session.cell.connected, timeout=PATIENCE_MS)
+    qtbot.keyClick(editor, Qt.Key.Key_Escape)
+    qtbot.waitUntil(lambda: bool(application.session.cell.stopped), timeout=PATIENCE_MS)
+    assert page.editing.editor is editor
+    editor.reject()
+
+
+def test_a_rig_is_not_exchanged_under_a_running_job(application, window, rig, qtbot, tmp_path):
+    application.session.set_rig(rig)
+    _, editor = opened_from_page(application, window, qtbot)
+    application.session.set_busy("Scanning")
+    editor.saveAsked.emit(editor.value(), tmp_path / "mine.toml")
+    assert "Scanning" in editor.problem_words.text()
+    assert not (tmp_path / "mine.toml").exists()
+    application.session.set_busy("")
+    editor.reject()
+
+
+def test_every_field_has_a_name_for_a_screen_reader(edited, composed):
+    editor = edited(composed)
+    for name in editor.sections:
+        editor.show_section(name)
+    nameless = [line.parent() for line in editor.findChildren(QLineEdit) if not line.accessibleName()]
+    assert nameless == []

@@ -25,7 +25,7 @@ class RigEditing(QObject):
     offered = Signal(object)  # tuple[PluginOffer, ...]: all plugins, loaded
     permissionAsked = Signal(object, str)  # PluginRow, fingerprint of its files
     saved = Signal(object)  # Path
-    refused = Signal(str)  # why it was not saved
+    refused = Signal(str)  # why the drivers were not listed, or the rig not saved
 
     def __init__(self, session: Session, runner: JobRunner, rig: RigControl, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -34,7 +34,7 @@ class RigEditing(QObject):
     @Slot()
     def list_drivers(self) -> None:
         """Load every driver; `offered` follows."""
-        self._runner.run("Loading the drivers", _load_all, self._offer, quiet=True)
+        self._runner.run("Loading the drivers", _load_all, self._offer, on_failed=self._refuse, quiet=True)
 
     @Slot(object)
     def ask_permission(self, row: PluginRow) -> None:
@@ -63,6 +63,9 @@ class RigEditing(QObject):
     @Slot(object, object)
     def save(self, description: RigDescription, path: Path) -> None:
         """Write a description, and work with it from now on; `saved` or `refused` follows."""
+        if self._session.busy_with:
+            self.refused.emit(f"Another task is running: {self._session.busy_with}. Save the rig when it has ended.")
+            return
 
         def work(job: Job) -> Path:
             from measureapp.project.rig_file import write_rig

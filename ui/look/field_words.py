@@ -34,6 +34,7 @@ PROPER = {"usb": "USB", "tcp": "TCP", "udp": "UDP", "id": "ID", "led": "LED", "e
 NAME = re.compile(r"\b[a-z0-9]+(?:_[a-z0-9]+)+\b")  # of a field, in a sentence
 LABELS = {
     "keep_out": "Keep-out boxes",
+    "quaternion_wxyz": "Quaternion",
     "park": "Park pose",
     "settle_s": "Settling time",
     "low_mm": "Lower corner",

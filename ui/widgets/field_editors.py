@@ -12,14 +12,14 @@ from enum import Enum
 from typing import Any
 
 import tomli_w
-from pydantic import SecretStr
+from pydantic import BaseModel, SecretStr
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtWidgets import QCheckBox, QComboBox, QLineEdit, QPlainTextEdit, QWidget
 
 from ui.widgets.basic import column, label, row
 
-NUMBER_WIDTH, TUPLE_WIDTH, TEXT_HEIGHT, LINE_HEIGHT, FRAME = 144, 96, 200, 20, 20
+NUMBER_WIDTH, TUPLE_WIDTH, TEXT_HEIGHT, LINE_HEIGHT, FRAME = 144, 88, 200, 20, 20
 PARAGRAPH = "\u2029"
 INVALID = "Write one setting per line, as TOML: name = value. Texts are in quotation marks"
 
@@ -65,7 +65,7 @@ class KeptEditor(FieldEditor):
     def set_raw(self, value: Any) -> None:
         """Show a value."""
         super().set_raw(value)
-        self.text.setPlainText(json.dumps(value, indent=1, ensure_ascii=False, default=str))
+        self.text.setPlainText(json.dumps(value, indent=1, ensure_ascii=False, default=_readable))
         _fit(self.text)
 
 
@@ -280,6 +280,10 @@ def _number(text: str) -> int | float | str:
 
 def _digits(value: Any) -> str:
     return "" if value is None else repr(value).removesuffix(".0") if isinstance(value, int | float) else str(value)
+
+
+def _readable(value: Any) -> Any:
+    return value.model_dump(mode="json") if isinstance(value, BaseModel) else str(value)
 
 
 def _number_line(width: int) -> QLineEdit:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from enum import Enum
 from types import UnionType
 from typing import Annotated, Any, Literal, Union, get_args, get_origin
@@ -10,7 +10,7 @@ from typing import Annotated, Any, Literal, Union, get_args, get_origin
 from pydantic import SecretStr, ValidationError
 from pydantic.fields import FieldInfo
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QLabel, QPushButton, QWidget
+from PySide6.QtWidgets import QAbstractButton, QLabel, QPushButton, QWidget
 
 from measureapp.data.model import Model
 from ui.look.field_words import field_words, place_words, problem_words
@@ -37,18 +37,18 @@ class FieldRows(FieldEditor):
     """Editors of the fields of a model, or of some of them; what they contain is not validated."""
 
     def __init__(
-        self, model: type[Model], only: Collection[str] | None = None, own: Mapping[str, FieldEditor] | None = None, depth: int = 0
+        self, model: type[Model], only: Sequence[str] | None = None, own: Mapping[str, FieldEditor] | None = None, depth: int = 0
     ) -> None:
-        """``only``: fields shown, None: all; ``own``: editors in place of those that follow from the type."""
+        """``only``: fields shown, in this order, None: all; ``own``: editors in place of those that follow from the type."""
         super().__init__()
         self.model = model
         self.editors: dict[str, FieldEditor] = {}
         self._notes: dict[str, QLabel] = {}
         self.note = _note()
         form = Form()
-        for name, field in model.model_fields.items():
-            if only is None or name in only:
-                self._add(form, name, field, (own or {}).get(name) or editor_for(field.annotation, name, depth))
+        for name in model.model_fields if only is None else only:
+            field = model.model_fields[name]
+            self._add(form, name, field, (own or {}).get(name) or editor_for(field.annotation, name, depth))
         self.setLayout(column(form, self.note, spacing=8))
         self.set_raw({})
 
@@ -58,9 +58,10 @@ class FieldRows(FieldEditor):
         tip = (field.description or "").strip()
         for widget in (named, editor):
             widget.setToolTip(tip[:1].upper() + tip[1:])
-        editor.setAccessibleName(words)
-        if isinstance(editor, TextEditor | NumberEditor):
-            editor.line.setAccessibleName(words)
+        for inner in (editor, *editor.findChildren(QWidget)):
+            if inner is editor or (inner.focusPolicy() != Qt.FocusPolicy.NoFocus and not inner.accessibleName()):
+                own = inner.text() if isinstance(inner, QAbstractButton) else ""
+                inner.setAccessibleName(f"{words}: {own}" if own else words)
         self.editors[name], self._notes[name] = editor, note
         cell = QWidget()
         cell.setLayout(column(editor, note, spacing=2))

@@ -11,7 +11,6 @@ from PySide6.QtWidgets import QWidget
 
 from ui.controllers.controllers import Controllers
 from ui.look.look import Look
-from ui.pages.rig.drivers_list import may_run
 from ui.session import Session
 from ui.widgets.basic import Button
 
@@ -27,7 +26,8 @@ class Editing(QObject):
 
     def __init__(self, look: Look, session: Session, controllers: Controllers, parent: QWidget) -> None:
         super().__init__(parent)
-        self._look, self._session, self._rig, self._page = look, session, controllers.rig_editing, parent
+        self._look, self._session, self._page = look, session, parent
+        self._rig, self._stopping = controllers.rig_editing, controllers.rig
         self.editor: RigEditor | None = None
         self._wanted = False
         self.button = Button("Edit rig…", look, tip="Drivers, settings, motion rules and nominal values of this rig")
@@ -62,12 +62,15 @@ class Editing(QObject):
         editor = self.editor = RigEditor(self._look, self._session.rig, self._session.rig_file, offers, self._page)
         editor.saveAsked.connect(self._rig.save)
         editor.allowAsked.connect(self._rig.ask_permission)
+        editor.escapePressed.connect(self._stop)
         editor.finished.connect(self._forget)
         editor.show()
         self._show()
 
     @Slot(object, str)
     def _ask(self, row: PluginRow, seen: str) -> None:
+        from ui.pages.rig.drivers_list import may_run
+
         if self.editor is not None and may_run(self.editor, row, seen):
             self._rig.allow(row, seen)
 
@@ -78,8 +81,15 @@ class Editing(QObject):
 
     @Slot(str)
     def _refuse(self, words: str) -> None:
+        self._wanted = False
         if self.editor is not None:
             self.editor.show_refusal(words)
+        self._show()
+
+    @Slot()
+    def _stop(self) -> None:
+        if self._session.cell.connected or self._session.moving:
+            self._stopping.stop()
 
     @Slot()
     def _forget(self) -> None:

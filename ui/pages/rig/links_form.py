@@ -33,8 +33,16 @@ class LinksForm(FieldEditor):
         self.set_raw(links)
 
     def raw(self) -> dict[str, Any]:
-        """Return the tables by name; of two with the same name the later one."""
+        """Return the tables by name; of two with the same name the later one, see `names_problem`."""
         return {name.text().strip(): settings.raw() for name, settings in self._rows}
+
+    def names_problem(self) -> str:
+        """Return what is wrong with the names; empty if nothing is."""
+        names = [name.text().strip() for name, _ in self._rows]
+        if "" in names:
+            return "Enter a name for each link."
+        twice = next((name for name in names if names.count(name) > 1), "")
+        return f"Two links have the name {twice}." if twice else ""
 
     def set_raw(self, value: Any) -> None:
         """Show tables by name."""
@@ -85,5 +93,8 @@ class LinksForm(FieldEditor):
         self._column.addWidget(framed)
 
     def _remove(self, entry: tuple[QLineEdit, FieldEditor]) -> None:
-        self.set_raw({name.text().strip(): settings.raw() for name, settings in self._rows if (name, settings) != entry})
+        kept = [(name.text(), settings.raw()) for name, settings in self._rows if (name, settings) != entry]
+        self.set_raw({})
+        for name, table in kept:  # two may have the same name
+            self._show(name, table)
         self.edited.emit()

@@ -55,6 +55,7 @@ class RigDraft:
     devices: dict[str, dict[str, Any]]
     links: dict[str, Any]
     offers: Sequence[PluginOffer] = field(default=())
+    link_names_problem: str = ""
 
     @classmethod
     def of(cls, rig: RigDescription, offers: Sequence[PluginOffer]) -> RigDraft:
@@ -85,6 +86,8 @@ class RigDraft:
 
     def check(self) -> RigDescription | Problem:
         """Return the description, or the first problem."""
+        if self.link_names_problem:
+            return Problem(LINKS, "link", (), self.link_names_problem)
         for name, table in self.links.items():
             if table_problem(table):
                 return Problem(LINKS, "link", (name,), table_problem(table))

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtGui import QIcon, QPixmap
+from PySide6.QtGui import QIcon, QKeyEvent, QPixmap
 from PySide6.QtWidgets import QDialog, QFileDialog, QListWidget, QListWidgetItem, QMessageBox, QScrollArea, QStackedWidget, QWidget
 
 from measureapp.data.rig import OTHER_DEVICES, CameraDescription, RigDescription
@@ -39,6 +39,7 @@ class RigEditor(QDialog):
 
     saveAsked = Signal(object, object)  # RigDescription, Path
     allowAsked = Signal(object)  # PluginRow
+    escapePressed = Signal()
 
     def __init__(
         self, look: Look, rig: RigDescription, file: Path | None, offers: Sequence[PluginOffer], parent: QWidget | None = None
@@ -91,6 +92,13 @@ class RigEditor(QDialog):
         self.resize(WIDTH, HEIGHT)
 
     # what people do
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Keep the editor open on Escape, which means Stop wherever something can move."""
+        if event.key() == Qt.Key.Key_Escape:
+            self.escapePressed.emit()
+        else:
+            super().keyPressEvent(event)
 
     def show_section(self, name: str) -> None:
         """Show a section by its name."""
@@ -215,7 +223,7 @@ class RigEditor(QDialog):
         if not self.draft.by_device:
             return parts, [nominal]
         parts["driver"] = DriverForm(kind_of(name), self.draft.offers, self.draft.devices[name])
-        return parts, [card(label("Driver", "heading"), parts["driver"]), nominal]
+        return parts, [card(parts["driver"]), nominal]
 
     def _values_of(self, name: str) -> dict[str, Any]:
         values = self.draft.values
@@ -233,8 +241,9 @@ class RigEditor(QDialog):
         """Take over what was entered; return the description or the first problem."""
         draft = self.draft
         for name, parts in self.parts.items():
-            if "link" in parts:
-                draft.links = parts["link"].raw()
+            links = parts.get("link")
+            if isinstance(links, LinksForm):
+                draft.links, draft.link_names_problem = links.raw(), links.names_problem()
             if "driver" in parts and name == RIG:
                 draft.whole = parts["driver"].raw()
             elif "driver" in parts:
