@@ -80,7 +80,9 @@ def rig_at(
         **{camera.name: image for camera in description.cameras},
         "projector": image,
         "robot": DriverChoice(driver="robot_abb", settings={"address": addresses.robot_url, **robot}),
-        "guide": DriverChoice(driver="axis_modbus", settings={"drive": "toyo_xc100", "link": "guide", "speed": 300.0, **reads}),
+        "guide": DriverChoice(
+            driver="axis_modbus", settings={"drive": "toyo_xc100", "link": "guide", "speed": 300.0, "absolute_encoder": True, **reads}
+        ),
         "table": DriverChoice(
             driver="axis_modbus", settings={"drive": "simple_axis", "link": "table", "speed": 30.0, "tolerance": 0.001, **reads}
         ),

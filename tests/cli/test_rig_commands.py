@@ -20,7 +20,7 @@ def described(monkeypatch: pytest.MonkeyPatch):
 
     def use(port: str, **settings: object) -> None:
         head = {"driver": "virtual_rig", "settings": {"link": "cell"}}
-        guide = {"driver": "axis_modbus", "settings": {"drive": "toyo_xc100", "link": "bus", **settings}}
+        guide = {"driver": "axis_modbus", "settings": {"drive": "toyo_xc100", "link": "bus", "absolute_encoder": True, **settings}}
         others = {"robot": {"driver": "robot_generic_tcp"}, "table": {"driver": "axis_modbus"}}
         devices = {**dict.fromkeys(("left", "right", "upper", "projector"), head), **others, "guide": guide}
         links = {"cell": {"part": "flat"}, "bus": {"port": port, "framing": "rtu", "reply_timeout_s": PATIENT_S}}
@@ -60,7 +60,8 @@ def test_a_guide_with_a_wrong_scale_and_sense_is_taught_by_one_step(described, o
         code = main(["rig", "teach", "mine", "guide", "--step", "2", "--observed", "-1.0", "--json"])
     assert drive.moves == [100]  # 2 mm at the wrong scale, which at the true 100 counts per mm are 1 mm, the wrong way
     assert code == 0
-    assert json.loads(capsys.readouterr().out) == {"counts_per_unit": 100.0, "sense": -1}
+    taught = json.loads(capsys.readouterr().out)
+    assert taught == {"counts_per_unit": 100.0, "sense": -1, "relative_uncertainty": pytest.approx(0.1)}
 
 
 def test_a_rig_that_states_no_scale_is_refused_before_anything_moves(capsys: pytest.CaptureFixture[str]) -> None:

@@ -7,7 +7,7 @@ import time
 from contextlib import suppress
 
 import pytest
-from axis_peers import connect, simple_table, toyo_guide
+from axis_peers import PATIENT_S, connect, simple_table, toyo_guide
 
 from measureapp.errors import DeviceError, DeviceLost, DeviceTimeout, LimitError, MotionError
 from measureapp.peers.modbus_axis import Drive, DriveFaults, SimpleMemory, ToyoMemory
@@ -158,7 +158,7 @@ def test_a_silent_drive_is_lost_within_two_time_outs() -> None:
 @pytest.mark.parametrize("faults", [LineFaults(sliced=True), LineFaults(late_s=0.05)])
 @FRAMINGS
 def test_slow_and_sliced_answers_are_understood(faults: LineFaults, framing: Framing) -> None:
-    with toyo_guide(framing=framing) as found:
+    with toyo_guide(framing=framing, reply_timeout_s=PATIENT_S) as found:
         found.peer.faults = faults
         found.device.move_to(3.0, timeout_s=10.0)
         assert found.device.position_mm() == pytest.approx(3.0)
