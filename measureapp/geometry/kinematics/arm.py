@@ -46,14 +46,14 @@ class ArmModel:
         self._check()
         object.__setattr__(self, "_motions", read_only(_motions(self.parent_from_joint, self.axes)))
 
-    def forward(self, joints_rad: npt.ArrayLike) -> FloatArray:
+    def forward(self, joints_rad: npt.ArrayLike) -> RigidTransform:
+        """Return ``base_from_flange`` for joint angles (6,)."""
+        return RigidTransform(self.forward_matrices(joints_rad), "base", "flange")
+
+    def forward_matrices(self, joints_rad: npt.ArrayLike) -> FloatArray:
         """Return the matrices of ``base_from_flange``, (..., 4, 4), for joint angles (..., 6)."""
         *_, last = self._links(joints_rad)
         return np.tensordot(last, self.last_from_flange, 1)
-
-    def pose(self, joints_rad: npt.ArrayLike) -> RigidTransform:
-        """Return ``base_from_flange`` for joint angles (6,)."""
-        return RigidTransform(self.forward(joints_rad), "base", "flange")
 
     def link_frames(self, joints_rad: npt.ArrayLike) -> FloatArray:
         """Return ``base_from_link`` of the six links, (..., 6, 4, 4), for joint angles (..., 6).

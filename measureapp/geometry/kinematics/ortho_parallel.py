@@ -57,7 +57,7 @@ class OrthoParallelArm:
 @lru_cache(maxsize=16)
 def ortho_parallel(model: ArmModel) -> OrthoParallelArm | None:
     """Return the geometry of the ortho-parallel arm nearest to ``model``; None if the model is of another kind."""
-    links, flange = model.link_frames(np.zeros(JOINTS)), model.forward(np.zeros(JOINTS))
+    links, flange = model.link_frames(np.zeros(JOINTS)), model.forward_matrices(np.zeros(JOINTS))
     axes, points_mm = np.einsum("jab,jb->ja", links[:, :3, :3], model.axes), links[:, :3, 3]
     wrist_mm = _meeting_point(points_mm[3:], axes[3:])
     offsets_mm = np.linalg.norm(np.cross(wrist_mm - points_mm[3:], axes[3:]), axis=1)

@@ -58,7 +58,7 @@ def seeds(limits_rad: FloatArray, count: int) -> FloatArray:
 
 
 def _errors(model: ArmModel, goal: FloatArray, joints_rad: FloatArray) -> FloatArray:
-    reached = model.forward(joints_rad)
+    reached = model.forward_matrices(joints_rad)
     rotations = Rotation.from_matrix(goal[:3, :3] @ reached[:, :3, :3].swapaxes(-1, -2))
     return np.hstack([(goal[:3, 3] - reached[:, :3, 3]) / LENGTH_MM, rotations.as_rotvec()])
 
