@@ -7,10 +7,14 @@ from dataclasses import replace
 import numpy as np
 
 from measureapp.arrays import FloatArray
+from measureapp.errors import LimitError
 from measureapp.geometry.kinematics.arm import ArmModel
-from measureapp.geometry.kinematics.inverse import inverse
+from measureapp.geometry.kinematics.inverse import inverse, nearest
+from measureapp.geometry.kinematics.singularity import SingularityMargins, singularity_near
 from measureapp.geometry.transform import RigidTransform
 from measureapp.project.geometry.robot_file import read_robot
+
+MARGINS = SingularityMargins(shoulder_mm=5.0, elbow_rad=float(np.deg2rad(0.5)), wrist_rad=float(np.deg2rad(0.5)), condition=0.002)
 
 
 class Arm:
@@ -37,13 +41,19 @@ class Arm:
     def joints_for(self, base_from_flange: RigidTransform, present_deg: FloatArray) -> FloatArray:
         """Return the joint angles (6,) for a pose that are reached first from the present ones.
 
-        At a singularity the joint that the pose leaves open keeps its present angle.
-
         Raises
         ------
         LimitError
-            Out of reach, or beyond a joint's limit in every configuration; says by how much.
+            Out of reach, at a singularity, or beyond a joint's limit in every configuration; says by how much.
         """
-        solutions = inverse(self._model, base_from_flange, np.deg2rad(present_deg))
-        found = [np.rad2deg(solution.joints_rad) for solution in solutions]
-        return min(found, key=lambda one: float(np.max(np.abs(one - present_deg) / self.speeds_deg_per_s)))
+        present_rad = np.deg2rad(present_deg)
+        try:
+            solutions = inverse(self._model, base_from_flange, present_rad)
+        except LimitError as error:
+            raise LimitError(error.message, f"{error.hint.removesuffix('.')}; nothing was moved.") from error
+        found = nearest(solutions, present_rad, self._model.speeds_rad_s)
+        if near := singularity_near(found, MARGINS):
+            raise LimitError(
+                f"{self._model.name}: the pose has {near}.", "Shift the pose by 10 mm or tilt it by a degree; nothing was moved."
+            )
+        return np.rad2deg(found.joints_rad)

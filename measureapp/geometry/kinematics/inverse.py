@@ -12,6 +12,7 @@ from measureapp.arrays import FloatArray, read_only
 from measureapp.errors import FrameMismatch
 from measureapp.geometry.kinematics.arm import JOINTS, ArmModel
 from measureapp.geometry.kinematics.closed_form import all_branches
+from measureapp.geometry.kinematics.jacobian import inverse_condition
 from measureapp.geometry.kinematics.ortho_parallel import OrthoParallelArm, ortho_parallel
 from measureapp.geometry.kinematics.posture import Posture, posture_of
 from measureapp.geometry.kinematics.refine import refine, seeds
@@ -29,6 +30,7 @@ class JointSolution:
     joints_rad: FloatArray  # (6,), read-only, within the limits
     posture: Posture | None  # branch and margins to the singularities; None for arms without a spherical wrist
     limit_margin_rad: float  # smallest distance of a joint from its limits
+    condition: float  # of the Jacobian, see `inverse_condition`; 0 at a singularity
 
 
 def inverse(model: ArmModel, base_from_flange: RigidTransform, current_rad: npt.ArrayLike | None = None) -> tuple[JointSolution, ...]:
@@ -58,21 +60,30 @@ def inverse(model: ArmModel, base_from_flange: RigidTransform, current_rad: npt.
     current = np.zeros(JOINTS) if current_rad is None else np.asarray(current_rad, float)
     arm = ortho_parallel(model)
     found = _solve_numerically(model, goal, current[None]) if arm is None else _solve_in_closed_form(model, arm, goal, current)
-    solutions = tuple(_solution(model, arm, joints) for branch in found for joints in within_limits(branch, model.limits_rad))
+    solutions = tuple(
+        _solution(model, arm, joints, condition)
+        for branch, condition in zip(found, inverse_condition(model, found).tolist(), strict=True)
+        for joints in within_limits(branch, model.limits_rad)
+    )
     if not solutions:
         raise beyond_limits(model, found)
     return solutions
 
 
-def nearest(solutions: Sequence[JointSolution], from_joints_rad: npt.ArrayLike) -> JointSolution:
-    """Return the solution with the smallest largest joint motion from ``from_joints_rad`` (6,); of equals, with the smallest sum."""
-    start = np.asarray(from_joints_rad, float)
+def nearest(solutions: Sequence[JointSolution], from_joints_rad: npt.ArrayLike, speeds_rad_s: npt.ArrayLike) -> JointSolution:
+    """Return the solution that is reached first from ``from_joints_rad`` (6,), all joints moving at once; of equals, by the sum of times.
 
-    def motion(solution: JointSolution) -> tuple[float, float]:
-        angles = np.abs(solution.joints_rad - start)
-        return float(angles.max()), float(angles.sum())
+    Parameters
+    ----------
+    speeds_rad_s : (6,), as `ArmModel.speeds_rad_s`
+    """
+    start, speeds = np.asarray(from_joints_rad, float), np.asarray(speeds_rad_s, float)
 
-    return min(solutions, key=motion)
+    def times_s(solution: JointSolution) -> tuple[float, float]:
+        seconds = np.abs(solution.joints_rad - start) / speeds
+        return float(seconds.max()), float(seconds.sum())
+
+    return min(solutions, key=times_s)
 
 
 def _goal(base_from_flange: RigidTransform) -> FloatArray:
@@ -104,6 +115,6 @@ def _solve_numerically(model: ArmModel, goal: FloatArray, starts_rad: FloatArray
     return distinct(refined.joints_rad[refined.reached])
 
 
-def _solution(model: ArmModel, arm: OrthoParallelArm | None, joints_rad: FloatArray) -> JointSolution:
+def _solution(model: ArmModel, arm: OrthoParallelArm | None, joints_rad: FloatArray, condition: float) -> JointSolution:
     margins = np.abs(joints_rad[:, None] - model.limits_rad)
-    return JointSolution(read_only(joints_rad), posture_of(arm, joints_rad) if arm else None, float(margins.min()))
+    return JointSolution(read_only(joints_rad), posture_of(arm, joints_rad) if arm else None, float(margins.min()), condition)

@@ -10,7 +10,7 @@ from measureapp.geometry.kinematics.arm import ArmModel
 from measureapp.geometry.kinematics.jacobian import LENGTH_MM
 from measureapp.geometry.kinematics.ortho_parallel import OrthoParallelArm
 from measureapp.geometry.kinematics.refine import Refined
-from measureapp.geometry.kinematics.turns import excess_rad
+from measureapp.geometry.kinematics.turns import excess_rad, nearest_to_middle
 
 OTHER_AXES = "or let the linear guide or the rotary table take over"
 
@@ -22,7 +22,7 @@ def beyond_reach(model: ArmModel, arm: OrthoParallelArm, base_from_flange: Float
     distance = float(np.hypot(forward, across))
     if distance < abs(arm.lateral_mm):
         return LimitError(
-            f"The wrist of {model.name} would be {distance:.1f} mm from axis 1; its lateral offset keeps it at least "
+            f"{model.name}: the wrist would be {distance:.1f} mm from axis 1; its lateral offset keeps it at least "
             f"{abs(arm.lateral_mm):.1f} mm away: {abs(arm.lateral_mm) - distance:.1f} mm too near.",
             f"Move the goal away from axis 1, {OTHER_AXES}.",
         )
@@ -33,21 +33,22 @@ def beyond_reach(model: ArmModel, arm: OrthoParallelArm, base_from_flange: Float
     best = int(missing.argmin())
     is_far = from_shoulder[best] > greatest
     return LimitError(
-        f"The wrist of {model.name} would be {from_shoulder[best]:.1f} mm from axis 2; it reaches {least:.1f}…{greatest:.1f} mm: "
+        f"{model.name}: the wrist would be {from_shoulder[best]:.0f} mm from the shoulder; the arm reaches {least:.0f}…{greatest:.0f} mm: "
         f"{missing[best]:.1f} mm too {'far' if is_far else 'near'}.",
         f"Move the goal {'closer to' if is_far else 'away from'} the robot, {OTHER_AXES}.",
     )
 
 
 def beyond_limits(model: ArmModel, joints_rad: FloatArray) -> LimitError:
-    """Return the error for solutions (N, 6) that all violate joint limits."""
+    """Return the error for solutions (N, 6) that all violate joint limits; it names the one that violates them least."""
     excess = excess_rad(joints_rad, model.limits_rad)
-    best = excess[excess.max(axis=1).argmin()]
-    joint = int(best.argmax())
-    count = "The only solution" if len(joints_rad) == 1 else f"All {len(joints_rad)} solutions"
+    row = int(excess.max(axis=1).argmin())
+    joint = int(excess[row].argmax())
+    angle_deg = np.rad2deg(nearest_to_middle(joints_rad[row], model.limits_rad)[joint])
+    low_deg, high_deg = np.rad2deg(model.limits_rad[joint])
     return LimitError(
-        f"{count} of {model.name} for this pose {'violates' if len(joints_rad) == 1 else 'violate'} joint limits; the best exceeds that of "
-        f"joint {joint + 1} by {np.rad2deg(best[joint]):.1f}°.",
+        f"{model.name}: the pose needs joint {joint + 1} at {angle_deg:.1f}°, outside {low_deg:.4g}…{high_deg:.4g}°, "
+        f"{np.rad2deg(excess[row, joint]):.1f}° too far in the best configuration.",
         f"Rotate the head about its viewing direction, change the pose, {OTHER_AXES}.",
     )
 
@@ -57,6 +58,6 @@ def not_found(model: ArmModel, refined: Refined) -> LimitError:
     best = refined.errors[np.linalg.norm(refined.errors, axis=1).argmin()]
     missing_mm, missing_deg = np.linalg.norm(best[:3]) * LENGTH_MM, np.rad2deg(np.linalg.norm(best[3:]))
     return LimitError(
-        f"No joint angles of {model.name} were found for this pose; the nearest miss it by {missing_mm:.1f} mm and {missing_deg:.1f}°.",
+        f"{model.name}: no joint angles were found for this pose; the nearest miss it by {missing_mm:.1f} mm and {missing_deg:.1f}°.",
         f"It is probably out of reach: move the goal closer to the robot, {OTHER_AXES}.",
     )

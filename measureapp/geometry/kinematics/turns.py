@@ -29,10 +29,16 @@ def within_limits(joints_rad: FloatArray, limits_rad: FloatArray) -> tuple[Float
     return tuple(np.array(choice) for choice in product(*choices))
 
 
+def nearest_to_middle(joints_rad: FloatArray, limits_rad: FloatArray) -> FloatArray:
+    """Return the same angles (..., 6), each by whole turns nearest to the middle of its limits (6, 2)."""
+    middle = limits_rad.mean(axis=1)
+    return middle + wrapped(joints_rad - middle)
+
+
 def excess_rad(joints_rad: FloatArray, limits_rad: FloatArray) -> FloatArray:
     """Return how far each angle is beyond its nearer limit, at the best turn; 0 within. Shapes (..., 6), limits (6, 2)."""
-    middle, half = limits_rad.mean(axis=1), np.ptp(limits_rad, axis=1) / 2.0
-    return np.maximum(np.abs(wrapped(joints_rad - middle)) - half, 0.0)
+    off_middle = np.abs(nearest_to_middle(joints_rad, limits_rad) - limits_rad.mean(axis=1))
+    return np.maximum(off_middle - np.ptp(limits_rad, axis=1) / 2.0, 0.0)
 
 
 def distinct(joints_rad: FloatArray, tolerance_rad: float = 1e-6) -> FloatArray:

@@ -161,14 +161,14 @@ def test_a_stretched_arm_is_still_reachable():
 def test_joints_at_their_limits_are_within_them():
     model = irb1200()
     joints_rad = model.limits_rad[:, 1] * [1, 1, 1, 1, 1, 0.5]
-    solution = nearest(inverse(model, model.forward(joints_rad)), joints_rad)
+    solution = nearest(inverse(model, model.forward(joints_rad)), joints_rad, model.speeds_rad_s)
     assert np.abs(solution.joints_rad - joints_rad).max() < 1e-8
     assert solution.limit_margin_rad < 1e-8
 
 
 def test_margins_are_distances_to_limits_and_singularities():
     model = irb1200()
-    solution = nearest(inverse(model, model.forward(np.deg2rad(ROW_3_DEG))), np.deg2rad(ROW_3_DEG))
+    solution = nearest(inverse(model, model.forward(np.deg2rad(ROW_3_DEG))), np.deg2rad(ROW_3_DEG), model.speeds_rad_s)
     assert np.rad2deg(solution.limit_margin_rad) == pytest.approx(80)  # joint 3 to 70°, joint 5 to 130°
     assert np.rad2deg(solution.posture.wrist_margin_rad) == pytest.approx(50)
     assert np.rad2deg(solution.posture.elbow_margin_rad) == pytest.approx(83.176 - 10, abs=1e-3)
@@ -176,17 +176,21 @@ def test_margins_are_distances_to_limits_and_singularities():
     assert solution.posture.shoulder_margin_mm == pytest.approx(np.hypot(*wrist_mm))
 
 
-def test_the_nearest_solution_is_the_one_with_the_least_motion():
+def test_the_nearest_solution_is_the_one_that_is_reached_first():
     model = irb1200()
     solutions = inverse(model, model.forward(np.deg2rad(ROW_3_DEG)))
     for solution in solutions:
-        assert nearest(solutions, solution.joints_rad + 0.01) is solution
+        assert nearest(solutions, solution.joints_rad + 0.01, model.speeds_rad_s) is solution
+    start_rad = np.zeros(6)
+    times_s = np.abs(joints_of(solutions) - start_rad) / [1.0, 1.0, 1.0, 1e-3, 1e-3, 1e-3]  # a slow wrist
+    slow_wrist = nearest(solutions, start_rad, [1.0, 1.0, 1.0, 1e-3, 1e-3, 1e-3])
+    assert slow_wrist is solutions[int(times_s.max(axis=1).argmin())]
 
 
 def test_a_pose_out_of_reach_is_refused_with_the_distance_that_is_missing():
     model = irb1200()
     pose = RigidTransform.from_parts(np.eye(3), [600.0, 0.0, 399.1 + 82.0 + 800.0], "base", "flange")
-    with pytest.raises(LimitError, match=r"would be 1000\.0 mm from axis 2; it reaches 3\.5…703\.5 mm: 296\.5 mm too far") as refused:
+    with pytest.raises(LimitError, match=r"would be 1000 mm from the shoulder; the arm reaches 4…704 mm: 296\.5 mm too far") as refused:
         inverse(model, pose)
     assert "closer to the robot" in refused.value.hint
     inside = RigidTransform.from_parts(np.eye(3), [0.0, 0.0, 399.1 + 82.0 + 1.0], "base", "flange")
@@ -204,7 +208,7 @@ def test_a_pose_that_only_limits_forbid_is_refused_with_the_joint():
     allowed = irb1200()
     narrow = arm(IRB_DEG_MM, [*LIMITS_DEG[:4], (-20, 20), LIMITS_DEG[5]])
     pose = allowed.forward(np.deg2rad([0, 0, 0, 0, 30, 0]))
-    with pytest.raises(LimitError, match=r"All 8 solutions .* violate joint limits; the best exceeds that of joint 5 by 10\.0°"):
+    with pytest.raises(LimitError, match=r"needs joint 5 at -?30\.0°, outside -20…20°, 10\.0° too far"):
         inverse(narrow, pose)
 
 
