@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from measureapp.arrays import FloatArray
+from measureapp.devices.attempt import Stops
 from measureapp.devices.request import DeviceRequest
 from measureapp.devices.status import DeviceStatus
 from measureapp.errors import DeviceError, DeviceLost, DeviceTimeout, MotionError
@@ -26,7 +27,7 @@ from .login import Login, open_login
 from .mailbox import FAILED, REFUSED, Answer, Identity, own_name
 from .motion import predicted_s
 from .settings import AbbSettings
-from .stopping import StopFlag, StopLadder
+from .stopping import StopLadder
 
 BEAT_S = 2.0  # a program whose heart does not beat for so long is dead
 FIRST_POLL_S = 0.02
@@ -54,7 +55,7 @@ class AbbRobot:
         self._main, self._stop_login = parts.main, parts.stop
         self._controller, self._mailbox = parts.main.controller, parts.main.mailbox
         self._ladder = StopLadder(parts.stop.controller, parts.stop.mailbox)
-        self._flag = StopFlag()
+        self._stops = Stops()
         self._moving = threading.Lock()
         self._started_for: int | None = None  # count of stops when this connection started the program; another count: start it again
         self._log_mark = 0  # number of the newest message of the event log that is known
@@ -99,7 +100,7 @@ class AbbRobot:
         try:
             if self._fault is not None:
                 raise self._fault
-            self._move(base_from_flange, time.monotonic() + timeout_s, self._flag.count)
+            self._move(base_from_flange, time.monotonic() + timeout_s, self._stops.count)
         except (DeviceLost, MotionError) as error:
             self._fault = self._fault or error
             raise
@@ -121,7 +122,7 @@ class AbbRobot:
 
     def stop(self) -> None:
         """Stop now, from any thread; a waiting `move_to` then raises Cancelled. Raises DeviceLost when no stop is confirmed."""
-        self._flag.set()
+        self._stops.stop()
         self._ladder.stop()
 
     def close(self) -> None:
@@ -136,7 +137,7 @@ class AbbRobot:
             closing.callback(self._stop_login.close)
             closing.callback(self._main.close)
             if self._moving.locked():
-                self._flag.set()
+                self._stops.stop()
                 self._quietly(self._ladder.stop)
             if not isinstance(self._fault, DeviceLost):
                 self._quietly(self._mailbox.release)
@@ -163,19 +164,19 @@ class AbbRobot:
         self._log_mark = max((message.number for message in self._controller.messages()), default=0)
         self._check_identity()
         settings = self._settings
-        self._mailbox.start(settings.switch_motors_on, settings.settle_s, lambda seconds: self._flag.wait(seconds, stops))
+        self._mailbox.start(settings.switch_motors_on, settings.settle_s, lambda seconds: self._stops.wait(seconds, stops))
         self._started_for = stops
 
     def _order(self, goal_deg: FloatArray, end: float, stops: int) -> int:
         if time.monotonic() > end:
             raise DeviceTimeout(f"{self.name} was not ready to move in time.", "Allow more time for the move.")
         speeds = self._settings.speed_mm_per_s, self._settings.speed_deg_per_s
-        return self._mailbox.order(goal_deg, *speeds, lambda seconds: self._flag.wait(seconds, stops))
+        return self._mailbox.order(goal_deg, *speeds, lambda seconds: self._stops.wait(seconds, stops))
 
     def _wait_until_done(self, number: int, end: float, stops: int) -> None:
         beat, beat_at, poll_s = -1, time.monotonic(), min(FIRST_POLL_S, self._settings.poll_s)
         while True:
-            self._flag.wait(poll_s, stops)
+            self._stops.wait(poll_s, stops)
             poll_s = min(2.0 * poll_s, self._settings.poll_s)
             answer = self._mailbox.answer()
             self._require_unchanged(answer)
@@ -216,7 +217,7 @@ class AbbRobot:
     def _wait_until_at_rest(self, goal_deg: FloatArray, end: float, stops: int) -> None:
         before = self._controller.joints_deg()
         while True:
-            self._flag.wait(self._settings.reads_apart_s, stops)
+            self._stops.wait(self._settings.reads_apart_s, stops)
             now_deg = self._controller.joints_deg()
             if float(np.max(np.abs(now_deg - before))) < self._settings.rest_deg:
                 break
@@ -238,11 +239,11 @@ class AbbRobot:
             yield
         except BaseException as error:
             self._started_for = None
-            if self._flag.count == stops:
+            if self._stops.count == stops:
                 self._quietly(self._ladder.stop_unheard if isinstance(error, DeviceLost) else self._ladder.stop)
             elif not isinstance(error, DeviceLost):
                 self._quietly(self._ladder.forget_move)  # again: while mastership was held for an order, the stop could not do it
-            if self._flag.count != stops and not isinstance(error, Cancelled | DeviceLost):
+            if self._stops.count != stops and not isinstance(error, Cancelled | DeviceLost):
                 raise Cancelled from error  # what a stop causes is no fault
             raise
 

@@ -1,4 +1,4 @@
-"""Stopping: the flag that ends a waiting call, and the ladder that makes the controller stop, on a login of its own."""
+"""Stopping: the ladder of ways that make the controller stop, on a login of its own."""
 
 from __future__ import annotations
 
@@ -8,7 +8,6 @@ import time
 from collections.abc import Callable
 
 from measureapp.errors import DeviceError, DeviceLost
-from measureapp.progress import Cancelled
 
 from .controller import Controller
 from .mailbox import Mailbox
@@ -17,36 +16,6 @@ from .session import Unanswered
 STOP_FORM = {"stopmode": "stop", "usetsp": "normal"}
 MOTORS_OFF = {"ctrl-state": "motoroff"}
 _log = logging.getLogger(__name__)
-
-
-class StopFlag:
-    """Ends waits of a move that began before the last stop."""
-
-    def __init__(self) -> None:
-        self._condition = threading.Condition()
-        self._stops = 0
-
-    @property
-    def count(self) -> int:
-        """Number of stops so far; a move remembers it at its beginning."""
-        return self._stops
-
-    def set(self) -> None:
-        """Stop now."""
-        with self._condition:
-            self._stops += 1
-            self._condition.notify_all()
-
-    def check(self, count: int) -> None:
-        """Raise Cancelled if there was a stop since ``count``."""
-        if self._stops != count:
-            raise Cancelled
-
-    def wait(self, seconds: float, count: int) -> None:
-        """Wait; raises Cancelled at a stop since ``count``."""
-        with self._condition:
-            self._condition.wait_for(lambda: self._stops != count, seconds)
-        self.check(count)
 
 
 class StopLadder:

@@ -14,6 +14,7 @@ from contextlib import ExitStack, contextmanager
 import numpy as np
 
 from measureapp.data.rig import RobotDescription
+from measureapp.devices.attempt import Stops
 from measureapp.devices.request import DeviceRequest
 from measureapp.devices.status import DeviceStatus
 from measureapp.errors import DeviceError, DeviceLost, DeviceTimeout, LimitError, MotionError
@@ -22,7 +23,6 @@ from measureapp.progress import Cancelled
 
 from .link import LineLink, Message, Unanswered, numbers, whole
 from .settings import LineRobotSettings
-from .stop_flag import StopFlag
 
 VERSION = 1
 STATES = ("ready", "moving", "fault")
@@ -40,7 +40,7 @@ class LineRobotDriver:
         self.name = name
         self._description, self._settings = description, settings
         self._link, self._stop_link = links
-        self._flag = StopFlag()
+        self._stops = Stops()
         self._moving = threading.Lock()
         self._fault: DeviceError | None = None
         self._identity, self._number = self._hello(self._link)
@@ -75,7 +75,7 @@ class LineRobotDriver:
             if self._fault is not None:
                 raise self._fault
             self._check_reach(base_from_flange)
-            self._move(base_from_flange, time.monotonic() + timeout_s, self._flag.count)
+            self._move(base_from_flange, time.monotonic() + timeout_s, self._stops.count)
         except (DeviceLost, MotionError) as error:
             self._fault = self._fault or error
             raise
@@ -97,7 +97,7 @@ class LineRobotDriver:
 
     def stop(self) -> None:
         """Stop now, from any thread; a waiting `move_to` then raises Cancelled. Raises DeviceLost when the stop is not confirmed."""
-        self._flag.set()
+        self._stops.stop()
         for _ in range(2):
             try:
                 self._stop_link.send("stop", up_to=self._number)
@@ -127,7 +127,7 @@ class LineRobotDriver:
         start = self.pose()
         self._require_ready(self._state())
         with self._stopped_on_failure(stops):
-            self._flag.wait(0.0, stops)
+            self._stops.wait(0.0, stops)
             self._number += 1
             self._order(goal, self._number)
             end = min(end, time.monotonic() + 1.5 * self._predicted_s(start, goal) + 2.0)
@@ -156,7 +156,7 @@ class LineRobotDriver:
     def _wait_until_done(self, number: int, end: float, stops: int) -> None:
         poll_s = min(FIRST_POLL_S, self._settings.poll_s)
         while True:
-            self._flag.wait(poll_s, stops)
+            self._stops.wait(poll_s, stops)
             poll_s = min(2.0 * poll_s, self._settings.poll_s)
             state = self._state()
             self._require_ready(state)
@@ -172,7 +172,7 @@ class LineRobotDriver:
     def _wait_until_at_rest(self, goal: RigidTransform, end: float, stops: int) -> None:
         settings, before = self._settings, self.pose()
         while True:
-            self._flag.wait(settings.reads_apart_s, stops)
+            self._stops.wait(settings.reads_apart_s, stops)
             here = self.pose()
             if _is_near(before, here, settings.rest_mm, settings.rest_deg):
                 break
@@ -222,7 +222,7 @@ class LineRobotDriver:
         except LimitError:
             raise
         except BaseException as error:
-            was_stopped = self._flag.count != stops
+            was_stopped = self._stops.count != stops
             self._quiet_stop()
             if was_stopped and not isinstance(error, Cancelled | DeviceLost):
                 raise Cancelled from error  # what a stop causes is no fault

@@ -35,3 +35,13 @@ def test_a_stop_before_a_call_leaves_it_alone() -> None:
 def test_time_that_is_up_is_said_with_the_call_and_its_limit() -> None:
     with pytest.raises(DeviceTimeout, match=r"Showing image 3 did not end within 0\.01 s"):
         Stops().begin("Showing image 3", 0.01).wait(1.0)
+
+
+def test_calls_with_limits_of_their_own_wait_by_the_count_of_stops() -> None:
+    stops = Stops()
+    began = stops.count
+    stops.wait(0.001, began)
+    stops.stop()
+    with pytest.raises(Cancelled):
+        stops.wait(5.0, began)
+    stops.check(stops.count)
