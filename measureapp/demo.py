@@ -37,6 +37,7 @@ from measureapp.planning.viewpoints import plan_around_part
 from measureapp.progress import PartOf, Progress
 from measureapp.project.folder import ProjectFolder, ProjectSettings
 from measureapp.project.geometry.files import write_mesh
+from measureapp.project.geometry.robot_file import arm_of
 from measureapp.project.rig_file import read_rig
 from measureapp.register.joint.registration_cache import RegistrationCache
 from measureapp.register.settings import StitchSettings
@@ -94,6 +95,7 @@ def run_demo(request: DemoRequest, on_event: OnEvent, progress: Progress) -> Out
         height_mm=part.height_mm,
         count=request.viewpoints if request.viewpoints is not None else DEFAULT_VIEWPOINTS.get(request.part, OTHER_VIEWPOINTS),
         patterns=request.patterns,
+        arm=arm_of(description),
     )
     name = f"Demo: {part.name}, {request.resolution} resolution, {len(plan)} views, seed {request.seed}"
     settings = ProjectSettings(name=name, part=part.name, rig=description)

@@ -17,6 +17,7 @@ from measureapp.fringe.decode import decode
 from measureapp.fringe.patterns.draw import pattern_images
 from measureapp.fringe.settings import DecodeSettings
 from measureapp.planning.viewpoints import plan_around_part
+from measureapp.project.geometry.robot_file import arm_of
 from measureapp.project.rig_file import read_rig
 from measureapp.simulate.options import LightSettings, WorldOptions
 from measureapp.simulate.parts import make_part
@@ -46,7 +47,7 @@ class Scene:
         light = LightSettings(projector=LightSettings().projector * self.brightness)
         world = World(rig, part, self.seed, options=WorldOptions(light=light))
         world.table_holds = "part"
-        plan = plan_around_part(rig, part.name, radius_mm=part.radius_mm, height_mm=part.height_mm, count=VIEWS)
+        plan = plan_around_part(rig, part.name, radius_mm=part.radius_mm, height_mm=part.height_mm, count=VIEWS, arm=arm_of(rig))
         viewpoint = plan.viewpoints[self.view % VIEWS]
         world.turn_table(radians(viewpoint.table_deg))
         world.move_guide(viewpoint.guide_mm)

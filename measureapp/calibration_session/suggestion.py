@@ -16,8 +16,10 @@ from measureapp.calibrate.guidance.next_view import candidates, gain_of
 from measureapp.data.board import BoardDescription
 from measureapp.data.plan import FlangePose, Viewpoint
 from measureapp.data.rig import RigDescription
+from measureapp.geometry.kinematics.arm import ArmModel
 from measureapp.geometry.transform import RigidTransform
 from measureapp.planning.reach import limit_violations
+from measureapp.project.geometry.robot_file import arm_of
 
 SLIDES_MM = (0.0, -150.0, 150.0, -300.0, 300.0)  # beside the place straight before the table's centre
 NEAR_MM, NEAR_RAD = 20.0, float(np.deg2rad(8.0))  # of an existing view: adds no new information
@@ -48,11 +50,12 @@ def suggest_viewpoint(draft: Draft, rig: RigDescription, name: str) -> Suggestio
     observation, seen = last
     distance = float(np.median([place.apply(solution.board.middle_mm)[2] for place in solution.boards.values()]))
     best: tuple[float, Suggestion] | None = None
+    arm = arm_of(rig)
     lenses = draft.setup.lenses
     for place in candidates(solution, distance, lenses):
         if any(_is_near(place, known) for known in solution.boards.values()):
             continue
-        viewpoint = _viewpoint(rig, name, place, observation, seen)
+        viewpoint = _viewpoint(rig, arm, name, place, observation, seen)
         if viewpoint is not None:
             gain = gain_of(solution, place, lenses)
             if gain > (LEAST_GAIN if best is None else best[0]):
@@ -79,7 +82,12 @@ def _last_with_readback(draft: Draft, solution: CameraArraySolution) -> tuple[Ob
 
 
 def _viewpoint(
-    rig: RigDescription, name: str, camera_from_board: RigidTransform, observation: Observation, seen: RigidTransform
+    rig: RigDescription,
+    arm: ArmModel | None,
+    name: str,
+    camera_from_board: RigidTransform,
+    observation: Observation,
+    seen: RigidTransform,
 ) -> Viewpoint | None:
     """The viewpoint from which the board appears at ``camera_from_board``, with the first slide position from which it can be reached."""
     read = observation.readback.full()
@@ -90,7 +98,7 @@ def _viewpoint(
     for guide_mm in _slides(guide_from_flange):
         flange = FlangePose.of(_slide(guide_mm).inverse() @ guide_from_flange)
         viewpoint = Viewpoint(id=name, flange=flange, guide_mm=guide_mm, table_deg=degrees(read.table_rad))
-        if not limit_violations(viewpoint, rig):
+        if not limit_violations(viewpoint, rig, arm):
             return viewpoint
     return None
 

@@ -69,6 +69,9 @@ class RobotDescription(Model):
     """The six-axis robot; its reach is the distance of the flange from the shoulder."""
 
     model: str
+    model_file: str = Field(
+        default="", description="kinematic model: a name in `resources/robots`, or the path of a TOML or URDF file; empty: reach only"
+    )
     shoulder_mm: Vector
     min_reach_mm: float
     max_reach_mm: float

@@ -35,6 +35,7 @@ from measureapp.pipeline.watch import Stopwatch
 from measureapp.planning.reach import check_reach
 from measureapp.progress import NoProgress, PartOf, Progress
 from measureapp.project.folder import ProjectFolder
+from measureapp.project.geometry.robot_file import arm_of
 from measureapp.reconstruct.diagnosis.camera_shift import camera_shift
 from measureapp.reconstruct.diagnosis.diagnose import diagnose
 from measureapp.reconstruct.projector.with_projector import reconstruct_view_with_projector
@@ -142,7 +143,7 @@ def scan(
     plan = project.plan()
     if plan is None:
         raise CalibrationError(f"{project.path} has no scan plan.", "Plan the scan first.")
-    check_reach(plan, rig.description)
+    check_reach(plan, rig.description, arm_of(rig.description))
     if calibration is not None:
         on_event(ValidityKnown(check_before_scan(rig, calibration)))
     stored = project.stored_viewpoints()

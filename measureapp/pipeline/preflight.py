@@ -20,6 +20,7 @@ from measureapp.pipeline.validity import check_before_scan
 from measureapp.planning.keep_out import check_keep_out
 from measureapp.planning.reach import check_reach
 from measureapp.project.folder import ProjectFolder
+from measureapp.project.geometry.robot_file import arm_of
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -45,7 +46,7 @@ def check_plan(plan: ScanPlan, rig: RigDescription, project: ProjectFolder) -> P
     """Check what needs no device: ambiguity of the patterns, limits, reach, keep-out boxes, disk space."""
     problems = _gather(
         lambda: check_determines_phase(plan.patterns),
-        lambda: check_reach(plan, rig),
+        lambda: check_reach(plan, rig, arm_of(rig)),
         lambda: check_keep_out(plan, rig),
         lambda: check_space(project, rig, plan),
     )

@@ -33,6 +33,7 @@ from measureapp.pipeline.watch import Stopwatch
 from measureapp.planning.calibration_views import calibration_viewpoints
 from measureapp.progress import PartOf, Progress
 from measureapp.project.folder import ProjectFolder, ProjectSettings
+from measureapp.project.geometry.robot_file import arm_of
 from measureapp.register.clouds.filter_chain import FilterChain
 from measureapp.register.joint.registration_cache import RegistrationCache
 
@@ -63,7 +64,7 @@ class ScanRequest:
 
 def calibrate_rig(rig: Rig, project: ProjectFolder, on_event: OnEvent, progress: Progress, watch: Stopwatch) -> RigSolution:
     """Take images of the board from all sides, keep them, and solve the whole rig from them."""
-    viewpoints = calibration_viewpoints(rig.description, project.plan())
+    viewpoints = calibration_viewpoints(rig.description, project.plan(), arm=arm_of(rig.description))
     stored = {view.viewpoint_id for view in project.board_views()}
     with watch.stage("calibration images"):
         waiting = [viewpoint for viewpoint in viewpoints if viewpoint.id not in stored]

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from itertools import chain
 from typing import get_args
 
 import numpy as np
@@ -11,6 +12,7 @@ import numpy as np
 from measureapp.arrays import FloatArray
 from measureapp.data.plan import FlangePose, Motion, ScanPlan, Viewpoint
 from measureapp.data.rig import RigDescription
+from measureapp.geometry.kinematics.arm import ArmModel
 from measureapp.geometry.transform import RigidTransform, rotation_about
 from measureapp.planning.reach import limit_violations
 from measureapp.planning.viewpoints import LookAt, viewpoint_looking_at
@@ -32,12 +34,19 @@ STATION_ANGLES_DEG = (-50.0, -25.0, 0.0, 25.0, 50.0)
 # passes along the guide: tilt, its direction, vertical offset in the image (up: -1), distance beyond the standoff
 PASSES = {"guide": (5.0, 90.0, 0, 80.0), "below": (25.0, 0.0, 1, 60.0), "above": (25.0, 180.0, -1, 60.0)}
 SLIDES_MM = tuple(28.0 * step for step in range(-5, 6))
+TILT_SHARES = (1.0, 0.75, 0.5, 0.25, 0.0)  # of a pose, for its neighbours
+NEIGHBOUR_SLIDES_MM = (0.0, -60.0, 60.0, -120.0, 120.0, -180.0, 180.0)
 CHECK_ANGLES_DEG = (-12.0, 0.0, 12.0, 0.0)
 CHECK_SLIDES_MM = (-30.0, -10.0, 10.0, 30.0)  # offset of the guide, compensated by the robot
 
 
 def calibration_viewpoints(
-    rig: RigDescription, plan: ScanPlan | None = None, motions: Sequence[Motion] = ALL_MOTIONS, *, guide_at_zero: bool = False
+    rig: RigDescription,
+    plan: ScanPlan | None = None,
+    motions: Sequence[Motion] = ALL_MOTIONS,
+    *,
+    guide_at_zero: bool = False,
+    arm: ArmModel | None = None,
 ) -> tuple[Viewpoint, ...]:
     """Return the viewpoints of a calibration: `pose…` for cameras and hand-eye, `axis…`, `guide…` and further passes along it, `station…`.
 
@@ -45,24 +54,43 @@ def calibration_viewpoints(
     all four sides. Turning it in the image meanwhile also gives hand-eye what Tsai and Lenz ask for (IEEE Trans. Robotics and
     Automation 5(3), 1989): large rotations about axes that are not parallel. From the stations of ``plan`` the board is viewed at several
     table angles: a part appears enlarged by twice the robot's error towards the table unless that error is known where the scan is made.
-    Viewpoints that the rig cannot reach are omitted.
+    Viewpoints that the rig cannot reach are omitted. With ``arm``, a pose that its joints do not reach is replaced by the first of its
+    neighbours that they do: the same view from another place of the guide, then a lesser tilt of the board.
 
     Parameters
     ----------
     motions : which of these groups
     guide_at_zero : reach the same views with the guide at 0, as far as possible: the robot's base then stays where it is
+    arm : of the rig's robot, whose joint limits are then kept; None: its reach only
     """
     centre = _board_middle_mm(rig)
     groups: dict[Motion, Callable[[], list[Viewpoint]]] = {
-        "robot": lambda: _poses(rig, centre),
+        "robot": lambda: [_reachable(neighbours, rig, arm, guide_at_zero) for neighbours in _poses(rig, centre)],
         "table": lambda: _axis(rig, centre),
         "guide": lambda: _passes(rig, centre, ("guide",)),
         "passes": lambda: _passes(rig, centre, ("below", "above")),
         "stations": lambda: _stations(plan),
     }
     candidates = (viewpoint for motion in groups if motion in motions for viewpoint in groups[motion]())
-    chosen = (_with_guide_at_zero(one) for one in candidates if not limit_violations(one, rig)) if guide_at_zero else candidates
-    return tuple(viewpoint for viewpoint in chosen if not limit_violations(viewpoint, rig))
+    return tuple(seen for one in candidates if (seen := _seen(one, rig, arm, guide_at_zero)) is not None)
+
+
+def _seen(viewpoint: Viewpoint, rig: RigDescription, arm: ArmModel | None, guide_at_zero: bool) -> Viewpoint | None:
+    """Return the viewpoint, with the guide at 0 if that is wanted; None if it, or the one it is made of, is out of reach."""
+    if limit_violations(viewpoint, rig, None if guide_at_zero else arm):
+        return None
+    if not guide_at_zero:
+        return viewpoint
+    slid = _with_guide_at_zero(viewpoint)
+    return None if limit_violations(slid, rig, arm) else slid
+
+
+def _reachable(neighbours: Iterator[Viewpoint], rig: RigDescription, arm: ArmModel | None, guide_at_zero: bool) -> Viewpoint:
+    """Return the first viewpoint of ``neighbours`` within reach, or the very first; without an arm it is always the latter."""
+    first = next(neighbours)
+    if arm is None:
+        return first
+    return next((one for one in chain([first], neighbours) if _seen(one, rig, arm, guide_at_zero) is not None), first)
 
 
 def _with_guide_at_zero(viewpoint: Viewpoint) -> Viewpoint:
@@ -112,8 +140,8 @@ class _BoardPose:
         return RigidTransform.from_parts(tilt @ turn, [*(offset * self.corner * field_mm), self.distance_mm], "head", "board")
 
 
-def _poses(rig: RigDescription, centre: FloatArray) -> list[Viewpoint]:
-    """Viewpoints with the board tilted in four directions, lightly once per corner of the image and strongly twice, rotated in the image.
+def _poses(rig: RigDescription, centre: FloatArray) -> list[Iterator[Viewpoint]]:
+    """Viewpoints, each followed by its neighbours, with the board tilted in four directions, lightly once per corner of the image and strongly twice, rotated in the image.
 
     Strong tilts are about the vertical axis, where the robot can reach; for tilts up or down in the image the head is rolled.
     """
@@ -126,7 +154,15 @@ def _poses(rig: RigDescription, centre: FloatArray) -> list[Viewpoint]:
         for again, distance_mm in enumerate((DISTANCES_MM[0], DISTANCES_MM[-1])):
             turn_deg = TURNS_DEG[2 * again + way % 2]
             poses.append(_BoardPose(STRONG_DEG, lean_deg, turn_deg, rig.standoff_mm + distance_mm, CORNERS[(way + 2 * again) % 4]))
-    return [_viewpoint(rig, f"pose{number:02d}", centre, pose) for number, pose in enumerate(poses, start=1)]
+    return [_neighbours(rig, f"pose{number:02d}", centre, pose) for number, pose in enumerate(poses, start=1)]
+
+
+def _neighbours(rig: RigDescription, name: str, centre: FloatArray, pose: _BoardPose) -> Iterator[Viewpoint]:
+    """Yield the viewpoint of ``pose``, then the same view from other places of the guide, then with lesser tilts of the board."""
+    for tilt_share in TILT_SHARES:
+        tilted = replace(pose, tilt_deg=pose.tilt_deg * tilt_share)
+        for slide_mm in NEIGHBOUR_SLIDES_MM:
+            yield _viewpoint(rig, name, centre, tilted, slide_mm)
 
 
 def _viewpoint(rig: RigDescription, name: str, centre: FloatArray, pose: _BoardPose, slide_mm: float = 0.0) -> Viewpoint:

@@ -13,6 +13,7 @@ from measureapp.data.pattern_sets import DEFAULT_NAME, make_pattern_sets
 from measureapp.data.plan import FlangePose, ScanPlan, Viewpoint
 from measureapp.data.rig import RigDescription
 from measureapp.errors import PlanError
+from measureapp.geometry.kinematics.arm import ArmModel
 from measureapp.geometry.transform import RigidTransform
 from measureapp.planning.reach import limit_violations
 
@@ -56,7 +57,14 @@ def viewpoint_looking_at(
 
 
 def plan_around_part(
-    rig: RigDescription, name: str, *, radius_mm: float, height_mm: float, count: int, patterns: str = DEFAULT_NAME
+    rig: RigDescription,
+    name: str,
+    *,
+    radius_mm: float,
+    height_mm: float,
+    count: int,
+    patterns: str = DEFAULT_NAME,
+    arm: ArmModel | None = None,
 ) -> ScanPlan:
     """Plan ``count`` viewpoints in rings around a part in the centre of the table.
 
@@ -71,6 +79,7 @@ def plan_around_part(
     radius_mm, height_mm : of the enclosing cylinder of the part about the table's axis
     count : number of viewpoints, at least 1
     patterns : name of a predefined pattern set
+    arm : of the rig's robot, whose joint limits are then kept; None: its reach only
 
     Raises
     ------
@@ -90,7 +99,7 @@ def plan_around_part(
         for index in range(share)
     ]
     viewpoints = [
-        _reachable(rig, f"view{number:02d}", _target(rig, radius_mm, height, RINGS_DEG[ring][0]), *RINGS_DEG[ring], table_deg)
+        _reachable(rig, arm, f"view{number:02d}", _target(rig, radius_mm, height, RINGS_DEG[ring][0]), *RINGS_DEG[ring], table_deg)
         for number, (ring, height, table_deg) in enumerate(sorted(places), start=1)
     ]
     return ScanPlan(name=name, viewpoints=tuple(viewpoints), patterns=sets[patterns])
@@ -116,7 +125,7 @@ def _target(rig: RigDescription, radius_mm: float, height_mm: float, azimuth_deg
 
 
 def _reachable(
-    rig: RigDescription, name: str, target_mm: FloatArray, azimuth_deg: float, elevation_deg: float, table_deg: float
+    rig: RigDescription, arm: ArmModel | None, name: str, target_mm: FloatArray, azimuth_deg: float, elevation_deg: float, table_deg: float
 ) -> Viewpoint:
     """Return the reachable viewpoint nearest to the wanted elevation."""
     for offset in np.arange(0.0, 40.0, ELEVATION_STEP_DEG):
@@ -124,7 +133,7 @@ def _reachable(
             look_at = LookAt(azimuth_deg, elevation_deg + sign * offset, rig.standoff_mm)
             guide_mm = -look_at.distance_mm * np.sin(np.deg2rad(azimuth_deg)) * np.cos(np.deg2rad(look_at.elevation_deg))
             candidate = viewpoint_looking_at(rig, name, target_mm, look_at, guide_mm=round(float(guide_mm), 1), table_deg=table_deg)
-            if not limit_violations(candidate, rig):
+            if not limit_violations(candidate, rig, arm):
                 return candidate
     raise PlanError(
         f"{rig.name} cannot reach a viewpoint of this part at or near an elevation of {elevation_deg:.0f}°.", "Write a plan for this part."

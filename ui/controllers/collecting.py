@@ -129,10 +129,11 @@ class CollectingController(QObject):
     def _take_over(self, collected: CalibrationSession, rig: RigDescription | None, thumbnails: dict[tuple[str, str], QImage]) -> None:
         from measureapp.project.folder_lock import lock_folder
 
+        capture = RigCapture(self, self._session, rig)
         self._forget()
         self._held.enter_context(lock_folder(collected.folder))
         self.collected, self.images = collected, CollectedImages(thumbnails)
-        self.capture = RigCapture(self, self._session, rig)
+        self.capture = capture
         self.begun.emit()
         self._after_change()
 

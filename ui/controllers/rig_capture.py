@@ -17,9 +17,18 @@ if TYPE_CHECKING:
 
 
 class RigCapture:
-    """Takes the views of one collection; ``rig`` is None if its images are recorded ones."""
+    """Takes the views of one collection; ``rig`` is None if its images are recorded ones.
+
+    Raises
+    ------
+    InputError
+        The kinematic model that the rig description names cannot be read.
+    """
 
     def __init__(self, collecting: CollectingController, session: Session, rig: RigDescription | None = None) -> None:
+        from measureapp.project.geometry.robot_file import arm_of
+
+        self._arm = None if rig is None else arm_of(rig)
         self._collecting, self._session = collecting, session
         self.rig = rig
         self.connection: RigConnection | None = None  # since the first view was taken
@@ -40,7 +49,7 @@ class RigCapture:
         if snapshot is None or self.rig is None:
             return ()
         taken = {image.name for view in snapshot.observations if view.status != "removed" for image in view.images.values()}
-        planned = calibration_viewpoints(self.rig, self._session.plan, kind.motions, guide_at_zero=kind.guide_at_zero)
+        planned = calibration_viewpoints(self.rig, self._session.plan, kind.motions, guide_at_zero=kind.guide_at_zero, arm=self._arm)
         return tuple(viewpoint for viewpoint in planned if viewpoint.id not in taken)
 
     @property

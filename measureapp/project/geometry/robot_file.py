@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from pathlib import Path
 from typing import Literal
 
@@ -9,6 +10,7 @@ import numpy as np
 from pydantic import Field, ValidationError
 
 from measureapp.data.model import Model, first_problem
+from measureapp.data.rig import RigDescription
 from measureapp.errors import InputError
 from measureapp.geometry.kinematics.arm import ArmModel
 from measureapp.geometry.kinematics.dh import DhRow, arm_from_dh
@@ -57,9 +59,7 @@ def read_robot(name_or_path: str | Path) -> ArmModel:
     InputError
         Naming the file and the invalid field.
     """
-    path = Path(name_or_path)
-    if not path.suffix:
-        path = _named(path.name)
+    path = _path(name_or_path)
     if path.suffix.lower() in (".urdf", ".xml"):
         return read_urdf(path)
     document = read_toml(path, "Name the file of an arm (TOML or URDF).")
@@ -69,6 +69,27 @@ def read_robot(name_or_path: str | Path) -> ArmModel:
         raise InputError(f"{path}: {first_problem(error, 'the robot')}.", "Correct this field.") from error
     except InputError as error:
         raise InputError(f"{path}: {error.message}", error.hint) from error
+
+
+def arm_of(rig: RigDescription) -> ArmModel | None:
+    """Return the arm that the rig description names; None where it names none. Raises InputError as `read_robot`.
+
+    The same file gives the same object until it is changed, so that what is calculated from an arm can be kept.
+    """
+    if not rig.robot.model_file:
+        return None
+    path = _path(rig.robot.model_file)
+    return _unchanged(path, path.stat().st_mtime_ns if path.exists() else 0)
+
+
+@lru_cache(maxsize=8)
+def _unchanged(path: Path, _modified_ns: int) -> ArmModel:
+    return read_robot(path)
+
+
+def _path(name_or_path: str | Path) -> Path:
+    path = Path(name_or_path)
+    return path if path.suffix else _named(path.name)
 
 
 def _named(name: str) -> Path:
