@@ -14,6 +14,7 @@ from measureapp.geometry.kinematics.arm import ArmModel
 from measureapp.geometry.kinematics.inverse import inverse
 from measureapp.geometry.kinematics.singularity import singularity_near
 
+LIMIT_MARGIN_RAD = float(np.deg2rad(2.0))  # what drivers keep from the limits of joints unless they are told otherwise
 POSES_KEPT = 4096  # a plan is checked many times while it is edited
 
 
@@ -55,10 +56,15 @@ def check_reach(viewpoints: Iterable[Viewpoint], rig: RigDescription, arm: ArmMo
 
 @lru_cache(maxsize=POSES_KEPT)
 def _joint_violation(flange: FlangePose, arm: ArmModel) -> str:
-    """Describe why no joint angles are suitable for this pose; empty if some are within limits and away from singularities."""
+    """Describe why no joint angles are suitable for this pose; empty if some are away from limits and singularities."""
     try:
-        solutions = inverse(arm, flange.transform())
+        solutions = inverse(_with_margin(arm), flange.transform())
     except LimitError as error:
         return error.message.removesuffix(".")
     near = [singularity_near(solution) for solution in solutions]
     return "" if "" in near else f"{arm.name}: every configuration is near a singularity, such as {near[0]}"
+
+
+@lru_cache(maxsize=8)
+def _with_margin(arm: ArmModel) -> ArmModel:
+    return arm.with_margin(LIMIT_MARGIN_RAD)

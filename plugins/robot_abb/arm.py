@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 
 from measureapp.arrays import FloatArray
@@ -26,7 +24,7 @@ class Arm:
     """
 
     def __init__(self, model: ArmModel, margin_deg: float) -> None:
-        self._model = replace(model, limits_rad=model.limits_rad + np.deg2rad([margin_deg, -margin_deg]))
+        self._model = model.with_margin(float(np.deg2rad(margin_deg)))
         self.speeds_deg_per_s = np.rad2deg(model.speeds_rad_s)
 
     @classmethod

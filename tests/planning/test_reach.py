@@ -9,6 +9,7 @@ import pytest
 
 from measureapp.data.plan import FlangePose, Viewpoint
 from measureapp.errors import InputError, PlanError
+from measureapp.geometry.kinematics.inverse import inverse
 from measureapp.planning.calibration_views import calibration_viewpoints
 from measureapp.planning.reach import check_reach, limit_violations
 from measureapp.planning.viewpoints import plan_around_part
@@ -33,7 +34,7 @@ def test_a_pose_beyond_a_joints_limit_is_told_with_joint_and_excess_though_the_f
     viewpoint = viewpoint_of((10, 20, -10, 40, 50, 60))
     assert limit_violations(viewpoint, RIG) == ()
     (reason,) = limit_violations(viewpoint, RIG, narrow)
-    assert "needs joint 1 at 10.0°, outside -5…5°, 5.0° too far" in reason
+    assert "needs joint 1 at 10.0°, outside -3…3°, 7.0° too far" in reason
     with pytest.raises(PlanError, match=r"here: .* needs joint 1"):
         check_reach([viewpoint], RIG, narrow)
 
@@ -73,6 +74,8 @@ def test_with_the_guide_at_zero_no_pose_is_lost_either() -> None:
     by_joints = calibration_viewpoints(RIG, guide_at_zero=True, arm=ARM)
     check_reach(by_joints, RIG, ARM)
     assert {viewpoint.id for viewpoint in by_joints} >= by_reach
+    joints = [max(one.limit_margin_rad for one in inverse(ARM, viewpoint.flange.transform())) for viewpoint in by_joints]
+    assert min(joints) >= np.deg2rad(2.0)  # the ABB driver refuses less
     assert {viewpoint.guide_mm for viewpoint in by_joints if viewpoint.id.startswith("pose")} == {0.0}
 
 

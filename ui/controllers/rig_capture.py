@@ -10,7 +10,7 @@ from ui.workers.job import Job
 
 if TYPE_CHECKING:
     from measureapp.data.calibration import RigCalibration
-    from measureapp.data.plan import Viewpoint
+    from measureapp.data.plan import ScanPlan, Viewpoint
     from measureapp.data.rig import RigDescription
     from ui.controllers.collecting import CollectingController
     from ui.session import Session
@@ -32,6 +32,7 @@ class RigCapture:
         self._collecting, self._session = collecting, session
         self.rig = rig
         self.connection: RigConnection | None = None  # since the first view was taken
+        self._planned: tuple[ScanPlan | None, tuple[Viewpoint, ...]] | None = None  # of a plan
         self._more = 0  # views beyond those planned that are still to be taken
 
     @property
@@ -43,14 +44,11 @@ class RigCapture:
     @property
     def viewpoints_left(self) -> tuple[Viewpoint, ...]:
         """The planned viewpoints from which no view was taken, or only a removed one."""
-        from measureapp.planning.calibration_views import calibration_viewpoints
-
-        snapshot, kind = self._collecting.now, self._collecting.kind
+        snapshot = self._collecting.now
         if snapshot is None or self.rig is None:
             return ()
         taken = {image.name for view in snapshot.observations if view.status != "removed" for image in view.images.values()}
-        planned = calibration_viewpoints(self.rig, self._session.plan, kind.motions, guide_at_zero=kind.guide_at_zero, arm=self._arm)
-        return tuple(viewpoint for viewpoint in planned if viewpoint.id not in taken)
+        return tuple(viewpoint for viewpoint in self._views_of(self.rig, self._session.plan) if viewpoint.id not in taken)
 
     @property
     def can_take_more(self) -> bool:
@@ -95,6 +93,15 @@ class RigCapture:
         """Disconnect the rig."""
         if self.connection is not None and not self.connection.borrowed:
             self.connection.rig.close()
+
+    def _views_of(self, rig: RigDescription, plan: ScanPlan | None) -> tuple[Viewpoint, ...]:
+        """Return the planned viewpoints, calculated once per plan: joint angles for all of them take some tenths of a second."""
+        from measureapp.planning.calibration_views import calibration_viewpoints
+
+        if self._planned is None or self._planned[0] is not plan:
+            kind = self._collecting.kind
+            self._planned = plan, calibration_viewpoints(rig, plan, kind.motions, guide_at_zero=kind.guide_at_zero, arm=self._arm)
+        return self._planned[1]
 
     def _take(self, viewpoints: tuple[Viewpoint, ...]) -> None:
         collected, rig, connection, live = self._collecting.collected, self.rig, self.connection, self._collecting.images.live

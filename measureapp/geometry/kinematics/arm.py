@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 import numpy.typing as npt
@@ -61,6 +61,10 @@ class ArmModel:
         How a link moved from zero, whatever the model's frames: ``link_frames(q)[i] @ inv(link_frames(zeros)[i])``.
         """
         return np.stack(tuple(self._links(joints_rad)), axis=-3)
+
+    def with_margin(self, margin_rad: float) -> ArmModel:
+        """Return the same arm with limits narrowed by ``margin_rad`` at both ends. Raises InputError where nothing is left of them."""
+        return replace(self, limits_rad=self.limits_rad + np.array([margin_rad, -margin_rad]))
 
     def _links(self, joints_rad: npt.ArrayLike) -> Iterator[FloatArray]:
         """Yield ``base_from_link``, (..., 4, 4), link by link."""
