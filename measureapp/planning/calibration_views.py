@@ -64,8 +64,9 @@ def calibration_viewpoints(
     arm : of the rig's robot, whose joint limits are then kept; None: its reach only
     """
     centre = _board_middle_mm(rig)
+    slides_mm = (0.0,) if guide_at_zero else NEIGHBOUR_SLIDES_MM  # whatever the slide, with the guide at 0 the robot is at one pose
     groups: dict[Motion, Callable[[], list[Viewpoint]]] = {
-        "robot": lambda: [_reachable(neighbours, rig, arm, guide_at_zero) for neighbours in _poses(rig, centre)],
+        "robot": lambda: [_reachable(neighbours, rig, arm, guide_at_zero) for neighbours in _poses(rig, centre, slides_mm)],
         "table": lambda: _axis(rig, centre),
         "guide": lambda: _passes(rig, centre, ("guide",)),
         "passes": lambda: _passes(rig, centre, ("below", "above")),
@@ -140,7 +141,7 @@ class _BoardPose:
         return RigidTransform.from_parts(tilt @ turn, [*(offset * self.corner * field_mm), self.distance_mm], "head", "board")
 
 
-def _poses(rig: RigDescription, centre: FloatArray) -> list[Iterator[Viewpoint]]:
+def _poses(rig: RigDescription, centre: FloatArray, slides_mm: Sequence[float]) -> list[Iterator[Viewpoint]]:
     """Viewpoints, each followed by its neighbours, with the board tilted in four directions, lightly once per corner of the image and strongly twice, rotated in the image.
 
     Strong tilts are about the vertical axis, where the robot can reach; for tilts up or down in the image the head is rolled.
@@ -154,14 +155,14 @@ def _poses(rig: RigDescription, centre: FloatArray) -> list[Iterator[Viewpoint]]
         for again, distance_mm in enumerate((DISTANCES_MM[0], DISTANCES_MM[-1])):
             turn_deg = TURNS_DEG[2 * again + way % 2]
             poses.append(_BoardPose(STRONG_DEG, lean_deg, turn_deg, rig.standoff_mm + distance_mm, CORNERS[(way + 2 * again) % 4]))
-    return [_neighbours(rig, f"pose{number:02d}", centre, pose) for number, pose in enumerate(poses, start=1)]
+    return [_neighbours(rig, f"pose{number:02d}", centre, pose, slides_mm) for number, pose in enumerate(poses, start=1)]
 
 
-def _neighbours(rig: RigDescription, name: str, centre: FloatArray, pose: _BoardPose) -> Iterator[Viewpoint]:
+def _neighbours(rig: RigDescription, name: str, centre: FloatArray, pose: _BoardPose, slides_mm: Sequence[float]) -> Iterator[Viewpoint]:
     """Yield the viewpoint of ``pose``, then the same view from other places of the guide, then with lesser tilts of the board."""
     for tilt_share in TILT_SHARES:
         tilted = replace(pose, tilt_deg=pose.tilt_deg * tilt_share)
-        for slide_mm in NEIGHBOUR_SLIDES_MM:
+        for slide_mm in slides_mm:
             yield _viewpoint(rig, name, centre, tilted, slide_mm)
 
 
