@@ -32,7 +32,7 @@ def find_origin(model: DecodeModel, chain: HeterodynePlan | None, layout: ImageL
     Raises
     ------
     DecodeError
-        The phase runs against the Gray code: the shift sign of the images is wrong.
+        The phase decreases where the Gray code increases: the shift sign of the images is wrong.
     """
     for number in SAMPLED_CHUNKS:
         solve = sample(sampled_chunks(pixels, number))
@@ -95,7 +95,7 @@ def _count_on_phase(phases: list[FloatArray], usable: list[BoolArray]) -> float 
         return None
     if float(np.sign(count_on[border]).mean()) * float(np.sign(step[smooth]).mean()) < -0.25:
         raise DecodeError(
-            "The phase runs against the Gray code.", "Change the sign of `shift_sign`, or reverse the order of the shifted images."
+            "The phase decreases where the Gray code increases.", "Change the sign of `shift_sign`, or reverse the order of the shifted images."
         )
     return 0.0 if float(np.cos(2 * np.pi * before[border]).mean()) >= 0 else -0.5
 

@@ -46,7 +46,7 @@ OF_POINT = {
 }
 
 OF_POINT_WITH_PROJECTOR = OF_POINT | {
-    PointState.UNMATCHED: "The viewing ray does not meet the {lit} before the camera and inside the projector's image: a wrong fringe order, "
+    PointState.UNMATCHED: "The viewing ray does not meet the {lit} in front of the camera and inside the projector's image: a wrong fringe order, "
     "light from a reflection, or the calibration of another projector.",
     PointState.AMBIGUOUS: "The viewing ray is nearly parallel to the surface that the {lit} illuminates, so that the depth is undetermined. Move the projector "
     "or the camera apart, or add fringes of the other direction.",

@@ -147,7 +147,7 @@ def volume_uncertainty(
     points, by_parameters, seeing = points[seeing >= 2], by_parameters[seeing >= 2], seeing[seeing >= 2]
     if len(points) < 4:
         raise CalibrationError(
-            f"Only {len(points)} points of the working volume {volume.standoff_mm:.0f} mm before the cameras are seen by two of them.",
+            f"Only {len(points)} points of the working volume {volume.standoff_mm:.0f} mm in front of the cameras are seen by two of them.",
             "Give the distance at which parts are measured.",
         )
     columns = np.concatenate([by_parameters, points[:, :, None]], axis=2)  # the board's scale is one parameter more

@@ -63,7 +63,7 @@ class HandEyeSolution:
     base_from_board: RigidTransform
     degeneracy: Degeneracy
     spread_mm: float  # largest distance between the methods' translations
-    part_in_camera_mm: FloatArray  # (3,), a point before the camera as far away as the board was, in place of the part
+    part_in_camera_mm: FloatArray  # (3,), a point in front of the camera as far away as the board was, in place of the part
     spread_at_part_mm: float  # largest distance between that point transformed to the flange by each method
     influence_mm: FloatArray  # (N,), displacement of that point in the flange frame without the pose (leave-one-out)
     sigma_ratio: float  # residuals over those expected of robot and images; about 1 where the stated noise is right

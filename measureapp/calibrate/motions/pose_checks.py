@@ -43,7 +43,7 @@ def check_units(camera: FloatArray, motions: Motions) -> None:
 def check_direction(robot: FloatArray, camera: FloatArray, shift_mm: FloatArray | None = None) -> None:
     """Refuse poses given as their inverses. Raises CalibrationError.
 
-    Inverting the robot poses or the board poses spoils A X = X B in the same way; only the board's place before the camera
+    Inverting the robot poses or the board poses spoils A X = X B in the same way; only the board's place in front of the camera
     tells which. Inverting both leaves an equation of the same form. ``shift_mm`` (N, 3) is displacement of the robot by a guide.
     """
     hint = "Give base_from_flange for the robot and camera_from_board for the board."

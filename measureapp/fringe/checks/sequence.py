@@ -207,7 +207,7 @@ def _check_order(products: FloatArray, name: Name) -> None:
             best, pair = left, (first, second)
     if best < 0.5 * energy and pair != (0, 0):
         raise DecodeError(
-            f"The steps of the group are out of order: {lower_first(name(pair[0]))} and {lower_first(name(pair[1]))} look exchanged.",
+            f"The steps of the group are out of order: {lower_first(name(pair[0]))} and {lower_first(name(pair[1]))} appear to be exchanged.",
             RECORD_AGAIN,
         )
 

@@ -205,7 +205,7 @@ def _check_brightness(sample: _Sample) -> None:
         raise DecodeError(
             f"The images of camera {sample.camera!r} at {exposures[first]} µs are {found:.2f} times as bright as those at "
             f"{exposures[second]} µs, not {np.exp(expected):.2f} times.",
-            "The two exposures look exchanged: check their order."
+            "The two exposures appear to be exchanged: check their order."
             if swapped
             else "Check that the camera took every exposure, without automatic gain.",
         )

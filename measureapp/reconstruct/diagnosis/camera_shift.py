@@ -28,7 +28,7 @@ OUTLIER = 5.0  # robust standard deviations; beyond them a sample is a wrong mat
 
 
 def camera_shift(phase_maps: Mapping[str, PhaseMap], cameras: CameraArrayCalibration) -> ShiftEvidence | None:
-    """Measure the evidence of one viewpoint for turned cameras.
+    """Measure the evidence of one viewpoint for rotated cameras.
 
     The points are matched here, between the reference camera and the next one alone: a cloud has only those that all cameras
     agree on, of which a turned camera leaves few and wrong ones.
@@ -49,7 +49,7 @@ def camera_shift(phase_maps: Mapping[str, PhaseMap], cameras: CameraArrayCalibra
     samples = Samples.of(phase_maps[names[0]]).thinned(SAMPLES)
     if len(samples) < LEAST_SAMPLES:
         return None
-    points, pixels = _matched(samples, names[:2], phase_maps[names[1]], cameras)
+    points, pixels = _match_points(samples, names[:2], phase_maps[names[1]], cameras)
     if len(points) < LEAST_SAMPLES:
         return None
     equations = [_equations(names, phase_maps, points, pixels, cameras)]
@@ -58,7 +58,9 @@ def camera_shift(phase_maps: Mapping[str, PhaseMap], cameras: CameraArrayCalibra
     return _evidence(names, equations)
 
 
-def _matched(samples: Samples, pair: tuple[str, ...], there: PhaseMap, cameras: CameraArrayCalibration) -> tuple[FloatArray, FloatArray]:
+def _match_points(
+    samples: Samples, pair: tuple[str, ...], there: PhaseMap, cameras: CameraArrayCalibration
+) -> tuple[FloatArray, FloatArray]:
     """Points (N, 3) in the reference camera's frame and their pixels (N, 2) as (x, y), matched with one other camera."""
     first, second = cameras.cameras[pair[0]], cameras.cameras[pair[1]]
     matches = match_samples(samples, first, second, FlatView.of(there, second))
@@ -85,57 +87,61 @@ def _equations(
 ) -> _Equations:
     count = len(points_mm)
     reference = cameras.cameras[names[0]].pinhole
-    phase, sigma, slope, good = _read(maps[names[0]], pixels)
+    phase, sigma, slope, good = _sample_phase(maps[names[0]], pixels)
     _, by_point = reference.project_with_jacobian(points_mm)
     made = _Equations(good, np.zeros((count, len(names), 3)))
-    made.own[:, 0] = _across(slope, by_point @ _turning(points_mm))
+    made.own[:, 0] = _project_across_fringes(slope, by_point @ _rotation_jacobian(points_mm))
     rays = points_mm / points_mm[:, 2:]
     for number, name in enumerate(names[1:], start=1):
         inside = cameras.cameras[name].reference_from_camera.inverse()
         local = inside.apply(points_mm)
         at, by_point = cameras.cameras[name].pinhole.project_with_jacobian(local)
-        theirs, their_sigma, their_slope, good = _read(maps[name], at)
+        theirs, their_sigma, their_slope, good = _sample_phase(maps[name], at)
         steep = np.maximum(np.linalg.norm(their_slope, axis=1), 1e-9)
         by_turn = np.zeros((count, 3 * len(names)))
-        by_turn[:, :3] = _across(their_slope, by_point @ (inside.rotation @ -_turning(points_mm)))  # the reference's turn moves the point
-        by_turn[:, 3 * number : 3 * number + 3] = made.own[:, number] = _across(their_slope, by_point @ _turning(local))
+        by_turn[:, :3] = _project_across_fringes(
+            their_slope, by_point @ (inside.rotation @ -_rotation_jacobian(points_mm))
+        )  # the reference's turn moves the point
+        by_turn[:, 3 * number : 3 * number + 3] = made.own[:, number] = _project_across_fringes(
+            their_slope, by_point @ _rotation_jacobian(local)
+        )
         made.good[:] &= good & (np.abs(theirs - phase) < LARGEST_PX * steep)
         made.off.append((theirs - phase) / steep)
-        made.by_depth.append(_across(their_slope, (by_point @ (rays @ inside.rotation.T)[..., None]))[:, 0])
+        made.by_depth.append(_project_across_fringes(their_slope, (by_point @ (rays @ inside.rotation.T)[..., None]))[:, 0])
         made.by_turn.append(by_turn)
         made.sigma.append(their_sigma / steep)
         made.shared_sigma.append(sigma / steep)
     return made
 
 
-def _read(phase_map: PhaseMap, at: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray, BoolArray]:
+def _sample_phase(phase_map: PhaseMap, at: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray, BoolArray]:
     """Return phase (N,), its standard deviation, its slope (N, 2) in rad/px along x and y, and where all are good, at pixels (N, 2)."""
     valid = phase_map.valid.astype(np.float32)
     good = np.ones(len(at), bool)
     read = []
     for shift in ((0.0, 0.0), (SLOPE_PX, 0.0), (-SLOPE_PX, 0.0), (0.0, SLOPE_PX), (0.0, -SLOPE_PX)):
         places = (at + shift).astype(np.float32)
-        good &= _interpolated(valid, places) > WHOLE
-        read.append(_interpolated(phase_map.phase_rad, places))
+        good &= _interpolate(valid, places) > WHOLE
+        read.append(_interpolate(phase_map.phase_rad, places))
     slope = np.column_stack([read[1] - read[2], read[3] - read[4]]) / (2.0 * SLOPE_PX)
-    return read[0], _interpolated(phase_map.sigma_rad, at.astype(np.float32)), slope, good & (np.linalg.norm(slope, axis=1) > 0)
+    return read[0], _interpolate(phase_map.sigma_rad, at.astype(np.float32)), slope, good & (np.linalg.norm(slope, axis=1) > 0)
 
 
-def _interpolated(image: FloatArray, at: FloatArray) -> FloatArray:
+def _interpolate(image: FloatArray, at: FloatArray) -> FloatArray:
     x, y = np.ascontiguousarray(at[:, :1]), np.ascontiguousarray(at[:, 1:])
     taken = cv2.remap(np.asarray(image, np.float32), x, y, cv2.INTER_LINEAR, borderMode=cv2.BORDER_CONSTANT, borderValue=0)
     return np.asarray(taken, np.float64)[:, 0]
 
 
-def _turning(points_mm: FloatArray) -> FloatArray:
-    """Return how points (N, 3) move in the frame of a camera that turns by a rotation vector: −ω × X = [X]× ω, (N, 3, 3)."""
+def _rotation_jacobian(points_mm: FloatArray) -> FloatArray:
+    """Return the derivatives (N, 3, 3) of points (N, 3) in the frame of a camera that rotates by ω: −ω × X = [X]× ω."""
     x, y, z = points_mm.T
     zero = np.zeros_like(x)
     return np.stack([np.stack([zero, -z, y], -1), np.stack([z, zero, -x], -1), np.stack([-y, x, zero], -1)], -2)
 
 
-def _across(slope: FloatArray, motion: FloatArray) -> FloatArray:
-    """Return the share across the fringes of motions (N, 2, K) of the image, (N, K) px."""
+def _project_across_fringes(slope: FloatArray, motion: FloatArray) -> FloatArray:
+    """Return the components (N, K) px of image motions (N, 2, K) across the fringes."""
     steep = np.maximum(np.linalg.norm(slope, axis=1, keepdims=True), 1e-9)
     return np.einsum("nj,njk->nk", slope / steep, motion)
 
@@ -154,7 +160,7 @@ def _evidence(names: tuple[str, ...], equations: list[_Equations]) -> ShiftEvide
     depth = -np.einsum("ni,nij->nj", along, by_turn)  # what a turn does to the point's depth, mm/rad
     left = -(off - by_depth * np.einsum("ni,ni->n", along, off)[:, None])
     design = by_turn + by_depth[..., None] * depth[:, None, :]
-    near = _explained(left, design)
+    near = _find_inliers(left, design)
     left, design, depth = left[near], design[near], depth[near].reshape(-1, len(names), 3)
     own = np.concatenate([one.own[good][near] for one in equations])
     return ShiftEvidence(
@@ -169,8 +175,8 @@ def _evidence(names: tuple[str, ...], equations: list[_Equations]) -> ShiftEvide
     )
 
 
-def _explained(left: FloatArray, design: FloatArray) -> BoolArray:
-    """Return which samples some turn of the cameras explains; the others are wrong matches or lie beside an edge.
+def _find_inliers(left: FloatArray, design: FloatArray) -> BoolArray:
+    """Return which samples a rotation of the cameras explains; the others are wrong matches or next to an edge.
 
     Residuals are taken about a fit, not about zero: the samples that a turn moves most determine it best.
     """

@@ -1,4 +1,4 @@
-"""A few thousand pixels of every camera, matched along whole epipolar lines: enough to see whether geometry and phases fit together."""
+"""A few thousand pixels of every camera, matched along whole epipolar lines: enough to check phases against the geometry."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class Samples:
 
     @classmethod
     def of(cls, phase_map: PhaseMap) -> Samples:
-        """Take every so many-th pixel whose neighbours at `GRADIENT_PX` have a phase too."""
+        """Subsample the pixels whose neighbours at `GRADIENT_PX` also have a phase."""
         step = GRADIENT_PX
         valid = np.asarray(phase_map.valid)
         inner = np.zeros_like(valid)

@@ -24,11 +24,11 @@ def extract_contrast(phase_map: PhaseMap) -> PhaseMap:
     there = np.asarray(phase_map.valid).astype(np.float32)
     grey = np.where(phase_map.valid, np.log(np.maximum(phase_map.grey, 1.0)), 0.0).astype(np.float32)
     wide = max(MIN_BLUR_PX, phase_map.phase_rad.shape[1] * BLUR_SHARE)
-    near, far = (_blurred(grey, there, width) for width in (wide / 5, wide))
+    near, far = (_blur(grey, there, width) for width in (wide / 5, wide))
     return replace(phase_map, phase_rad=np.where(phase_map.valid, near - far, np.float32(0)))
 
 
-def _blurred(image: FloatArray, there: FloatArray, width_px: float) -> FloatArray:
+def _blur(image: FloatArray, there: FloatArray, width_px: float) -> FloatArray:
     blurred = cv2.GaussianBlur(image * there, (0, 0), width_px)
     return np.asarray(blurred / np.maximum(cv2.GaussianBlur(there, (0, 0), width_px), np.float32(1e-3)))
 
@@ -40,13 +40,13 @@ def correlate_contrast(
     there: CameraCalibration,
     contrasts: tuple[PhaseMap, PhaseMap],
 ) -> float | None:
-    """Return how far the fine contrast of matched pixels of both cameras is correlated; None where one of them shows none.
+    """Return the correlation of the fine contrast of matched pixels of both cameras; None where one of them has none.
 
     The same spot of a part has the same print, scratches and shade in both images; places that only share a column have not.
     """
     index, w = matches.index[matches.front], matches.inverse_depth[matches.front]
     rays = np.column_stack([matches.flat[matches.front], np.ones(len(w))])
-    spot, ahead = _normalised((there.reference_from_camera.inverse() @ here.reference_from_camera).apply(rays / w[:, None]))
+    spot, ahead = _normalise((there.reference_from_camera.inverse() @ here.reference_from_camera).apply(rays / w[:, None]))
     seen, there_is = FlatView.of(contrasts[1], there).at(spot[:, None])
     columns, rows = samples.pixel[index].astype(int).T
     usable = there_is[:, 0] & ahead
@@ -62,7 +62,7 @@ def correlate_contrast(
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Residuals:
-    """How far what a witness sees of matched points lies from their phase, in pixels, with the noise that phases alone explain."""
+    """Residuals of matched points observed by a witness, in pixels, with the noise that phases alone explain."""
 
     px: FloatArray  # (R,)
     sigma_px: FloatArray  # (R,)
@@ -72,7 +72,7 @@ class Residuals:
     def systematic_px(self) -> tuple[float, float]:
         """Return the root mean square of the medians over parts of the image, without their noise, and that noise.
 
-        Medians of hundreds see a camera that moved by less than the noise of one pixel, and do not depend on how well σ is predicted.
+        Medians of hundreds of residuals show a camera that moved by less than the noise of one pixel, and do not depend on the predicted σ.
         """
         low, high = self.pixel.min(axis=0), self.pixel.max(axis=0)
         cells = np.minimum((self.pixel - low) / np.maximum(high - low, 1.0) * CELLS, CELLS - 1).astype(int)
@@ -91,7 +91,7 @@ class Residuals:
 
     @property
     def noise_px(self) -> float:
-        """What phase noise explains."""
+        """Median standard deviation that phase noise explains."""
         return float(np.median(self.sigma_px))
 
     @property
@@ -113,8 +113,8 @@ def observe_with_camera(
     index, w = matches.index[matches.front], matches.inverse_depth[matches.front]
     rays = np.column_stack([matches.flat[matches.front], np.ones(len(w))])
     change = witness.reference_from_camera.inverse() @ here.reference_from_camera
-    spot, ahead = _normalised(change.apply(rays / w[:, None]))
-    way = _normalised(change.apply(rays / (w * (1 + STEP))[:, None]))[0] - spot
+    spot, ahead = _normalise(change.apply(rays / w[:, None]))
+    way = _normalise(change.apply(rays / (w * (1 + STEP))[:, None]))[0] - spot
     per_w = np.linalg.norm(way, axis=1) * view.focal_px / (STEP * w)
     way /= np.maximum(np.linalg.norm(way, axis=1, keepdims=True), 1e-30)
     half, aside = way * view.step / 2, np.column_stack([-way[:, 1], way[:, 0]]) * view.step / 2
@@ -129,7 +129,7 @@ def observe_with_camera(
     return Residuals(px[usable], sigma[usable], matches.depth_per_px[matches.front][usable], samples.pixel[index][usable])
 
 
-def _normalised(points: FloatArray) -> tuple[FloatArray, BoolArray]:
+def _normalise(points: FloatArray) -> tuple[FloatArray, BoolArray]:
     """Return normalised image coordinates (N, 2), and which points (N, 3) lie in front."""
     ahead = points[:, 2] > 0
     return points[:, :2] / np.where(ahead, points[:, 2], 1.0)[:, None], ahead

@@ -97,7 +97,7 @@ def test_a_wrong_shift_sign_is_an_error_with_a_calibrated_projector(rig: str) ->
     assert findings[0].kind == "wrong-sign"
     assert findings[0].severity == "error"
     assert "shift_sign" in findings[0].remedy
-    with pytest.raises(ReconstructError, match="runs against the direction"):
+    with pytest.raises(ReconstructError, match="increases against the columns"):
         raise findings[0].error()
 
 
@@ -126,7 +126,7 @@ def test_exchanged_images_of_three_cameras_are_named(
     maps = exchanged(head.phase_maps(surface, noise_seed=7), *pair)
     (finding,) = diagnose(maps, head.cameras if with_projector else head.without_projector())
     assert finding.kind == "swapped-cameras"
-    assert finding.message == f"The images of {pair[0]} and {pair[1]} look exchanged."
+    assert finding.message == f"The images of {pair[0]} and {pair[1]} appear to be exchanged."
 
 
 def test_a_cycle_of_three_cameras_is_named(head: ProjectorHead) -> None:
@@ -134,7 +134,7 @@ def test_a_cycle_of_three_cameras_is_named(head: ProjectorHead) -> None:
     order = {"left": "right", "right": "upper", "upper": "left"}
     wrong = {name: replace(maps[other], camera=name) for name, other in order.items()}
     (finding,) = diagnose(wrong, head.without_projector())
-    assert "left and right and upper look exchanged" in finding.message
+    assert "left and right and upper appear to be exchanged" in finding.message
     # The true images of left are those now called upper.
     assert "left ← upper" in finding.remedy
 

@@ -137,7 +137,7 @@ def test_the_rendered_pair_is_fine_its_wrong_sign_refused_and_its_exchange_named
     cameras = cameras_of(folder)
     assert diagnose(decoded(places, numbers, groups, 1), cameras) == ()
     (finding,) = diagnose(decoded({"left": folder / "R", "right": folder / "L"}, numbers, groups, 1), cameras)
-    assert finding.message == "The images of left and right look exchanged."
+    assert finding.message == "The images of left and right appear to be exchanged."
 
 
 def test_the_real_camera_and_projector_are_fine_and_the_wrong_sign_is_refused() -> None:
