@@ -18,15 +18,15 @@ def resource(path: str | Path) -> Path:
     InputError
         There is no such file.
     """
-    return _shipped(Path("resources") / path)
+    return _find_shipped(Path("resources") / path)
 
 
 def plugin_folder() -> Path:
     """Return the folder of the driver plugins shipped with the program; raises InputError when it is missing."""
-    return _shipped(Path("plugins"))
+    return _find_shipped(Path("plugins"))
 
 
-def _shipped(path: Path) -> Path:
+def _find_shipped(path: Path) -> Path:
     for root in ROOTS:
         if (root / path).exists():
             return root / path

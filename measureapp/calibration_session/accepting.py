@@ -170,10 +170,10 @@ def read_result(path: Path) -> Calibrated:
         if (path / PROJECT).is_file():
             path = path / "calibration"
         document = read_document(path / RIG)
-        return _made(path / RIG, lambda: rig_calibration_from(document, read_cameras(path / CAMERAS)))
+        return _build(path / RIG, lambda: rig_calibration_from(document, read_cameras(path / CAMERAS)))
     document = read_document(path)
     found = next((name for name in LINKS if name in document), None)
-    return read_cameras(path) if found is None else _made(path, lambda: LINKS[found][1](document[found]))
+    return read_cameras(path) if found is None else _build(path, lambda: LINKS[found][1](document[found]))
 
 
 def _place_of(result: Calibrated, target: Path) -> Path:
@@ -221,7 +221,7 @@ def read_document(path: Path) -> Any:
     return document
 
 
-def _made(path: Path, make: Callable[[], Calibrated]) -> Calibrated:
+def _build(path: Path, make: Callable[[], Calibrated]) -> Calibrated:
     try:
         return make()
     except (KeyError, TypeError, ValueError, AttributeError, FrameMismatch) as error:

@@ -78,14 +78,14 @@ def identify_parts(
     -------
     camera -> marks, or the reason why they are still ambiguous; empty where they cannot be identified
     """
-    cameras, told = context.cameras, dict[str, Sighting | CalibrationError]()
+    cameras, answers = context.cameras, dict[str, Sighting | CalibrationError]()
     if cameras is None or not unclear:
-        return told
+        return answers
     if known:
         return {camera: _try_find(partial(find_part_by_cameras, image, camera, known, cameras, board)) for camera, image in unclear.items()}
     turned, table_rad = _observations_from_here(context.observations, readback, cameras, board), readback.table_rad
     if table_rad is None or not turned:
-        return told
+        return answers
     return {
         camera: _try_find(partial(find_part_by_table, image, camera, turned, table_rad, cameras, board))
         for camera, image in unclear.items()
@@ -146,7 +146,7 @@ def detect_in_stored(other: CollectedObservation, setup: Setup, context: Detecti
     CalibrationError
         Nothing was kept of the fringes.
     """
-    images = {camera: image.verified() for camera, image in other.images.items()}
+    images = {camera: image.read_verified() for camera, image in other.images.items()}
     if not setup.kind.uses_fringes:
         return detect(images, other.readback, setup.board, context)
     if other.lit is None and PROJECTOR in other.seen:
@@ -159,7 +159,7 @@ def detect_in_stored(other: CollectedObservation, setup: Setup, context: Detecti
     refused = {camera: refusal(one) for camera, one in results.items() if isinstance(one, CalibrationError)}
     if other.lit is None:
         return Detection(images, seen, refused | {name: why for name, why in other.refused.items() if name == PROJECTOR})
-    camera, lit = other.lit.camera, other.lit.verified()
+    camera, lit = other.lit.camera, other.lit.read_verified()
     reading = projector_sighting(seen[camera].of(camera, other.id), lit) if camera in seen else None
     if isinstance(reading, Sighting):
         seen[PROJECTOR] = reading

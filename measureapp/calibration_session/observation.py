@@ -33,7 +33,7 @@ class StoredImage:
         """Return the image (H, W). Raises InputError where the file is damaged or gone."""
         return read_image(self.path)
 
-    def verified(self) -> ImageArray:
+    def read_verified(self) -> ImageArray:
         """Return the image (H, W). Raises InputError as `pixels`, StorageError where it is not the one that was kept."""
         found = self.pixels()
         _require_same(self.path, checksum(found), self.checksum)
@@ -48,7 +48,7 @@ class StoredPixels:
     checksum: str  # SHA-256 of its arrays
     camera: str
 
-    def verified(self) -> ProjectorPixels:
+    def read_verified(self) -> ProjectorPixels:
         """Return them. Raises StorageError where the file is damaged or gone, or not the one that was kept."""
         found = read_projector_pixels(self.path)
         _require_same(self.path, checksum_of(found), self.checksum)

@@ -246,14 +246,14 @@ def _observation_from(document: Mapping[str, Any], folder: Path) -> CollectedObs
             for camera, entry in document["images"].items()
         },
         readback=Readback(None if pose is None else transform_from(pose), readback["guide_mm"], readback["table_rad"]),
-        seen={camera: _found_from(entry) for camera, entry in document["seen"].items()},
+        seen={camera: _sighting_from(entry) for camera, entry in document["seen"].items()},
         refused={camera: Refusal(**entry) for camera, entry in document["refused"].items()},
         temperature_c=document.get("temperature_c"),
         lit=None if lit is None else StoredPixels(folder / "lit" / f"{lit['checksum']}.npz", str(lit["checksum"]), str(lit["camera"])),
     )
 
 
-def _found_from(entry: Mapping[str, Any]) -> Sighting:
+def _sighting_from(entry: Mapping[str, Any]) -> Sighting:
     corners = np.array(entry["corners_px"], float).reshape(-1, 2)
     if not np.all(np.isfinite(corners)):
         raise ValueError("marks that are not numbers")

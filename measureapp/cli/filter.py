@@ -55,7 +55,7 @@ def register(app: typer.Typer) -> None:
             raise InputError("No filter is given.", "Give at least one: --box, --plane, --radius-mm, --statistical, --islands-mm2.")
         plain = read_points(cloud)
         kept, removed = apply_filters(np.asarray(plain.points_mm), requested, TerminalProgress())
-        write_cloud(out, _chosen(plain, kept))
+        write_cloud(out, _select(plain, kept))
         document = {"points": len(kept), "before": len(plain), "removed": removed, "files": {"cloud": out}}
         lines = [f"{name}: {count} points removed" for name, count in removed.items()]
         reply(document, "\n".join([*lines, f"{len(kept)} of {len(plain)} points saved to {out}"]), as_json)
@@ -73,7 +73,7 @@ def _numbers(option: str, words: str, count: int) -> tuple[float, ...]:
     return numbers
 
 
-def _chosen(plain: PlainPoints, kept: Any) -> PointCloud | StitchedCloud:
+def _select(plain: PlainPoints, kept: Any) -> PointCloud | StitchedCloud:
     """Return the kept points with the columns of the file."""
     from measureapp.data.cloud import PointCloud, StitchedCloud
 

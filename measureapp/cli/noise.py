@@ -78,8 +78,11 @@ def register(app: typer.Typer) -> None:
 
 
 def _of_files(images: list[str], dark: list[str], saturation: int | None) -> dict[str, NoiseEstimate]:
-    darks = _assigned("--dark", dark)
-    return {camera: _estimate(camera, pattern, darks.get(camera), saturation) for camera, pattern in _assigned("--images", images).items()}
+    darks = _parse_assignments("--dark", dark)
+    return {
+        camera: _estimate(camera, pattern, darks.get(camera), saturation)
+        for camera, pattern in _parse_assignments("--images", images).items()
+    }
 
 
 def _of_fringes(manifest: Path) -> dict[str, NoiseEstimate]:
@@ -106,7 +109,7 @@ def _of_rig(rig: str, plan: Path | None) -> dict[str, NoiseEstimate]:
         connected.close()
 
 
-def _assigned(option: str, values: list[str]) -> dict[str, str]:
+def _parse_assignments(option: str, values: list[str]) -> dict[str, str]:
     """Parse CAMERA=PATTERN; raises InputError."""
     from measureapp.errors import InputError
 

@@ -79,7 +79,7 @@ def _lines(made: ProjectorResponse, reports: tuple[PitchReport, ...]) -> list[st
     lines = [f"{made.name}: " + (f"gamma {gamma:.2f}" if gamma is not None else "no curve (fewer than six steps)")]
     for report in reports:
         lines.append(f"{report.pitch_px:g} px {report.direction}, {report.steps} steps, {report.pixels} px: {_harmonics(report.waveform)}")
-        lines += [f"  {_kept(kept)}" for kept in report.kept]
+        lines += [f"  {_describe_kept_error(kept)}" for kept in report.kept]
     return lines
 
 
@@ -88,7 +88,7 @@ def _harmonics(waveform: Waveform) -> str:
     return words or "no significant harmonics"
 
 
-def _kept(kept: KeptError) -> str:
+def _describe_kept_error(kept: KeptError) -> str:
     corrected = "" if kept.with_rad is None else f", corrected {kept.with_rad:.4f}"
     measured = ""
     if kept.measured_without_rad is not None and kept.measured_with_rad is not None:

@@ -61,8 +61,8 @@ def register(app: typer.Typer) -> None:
             raise InputError("--pixel and --region exclude each other.", "Give one of them.")
         pictures = dict(_kind_and_file(value) for value in maps or [])
         wanted = _numbers("--pixel", pixel, 2), _numbers("--region", region, 4)
-        explained = _explained(source, view, cameras, (rule, per_frequency, noise, response, blooming_px))
-        document, lines = _answer(explained, _known(explained, camera), *wanted)
+        explained = _explain(source, view, cameras, (rule, per_frequency, noise, response, blooming_px))
+        document, lines = _answer(explained, _require_camera(explained, camera), *wanted)
         drawn = {kind: _draw(explained, camera, kind, file) for kind, file in pictures.items()}
         if drawn:
             document["maps"] = {kind: {"file": pictures[kind], "legend": legend} for kind, legend in drawn.items()}
@@ -101,7 +101,7 @@ def _numbers(option: str, value: str | None, count: int) -> tuple[int, ...] | No
     return numbers
 
 
-def _explained(source: Path, view: str | None, cameras: Path | None, decoding: Decoding) -> ExplainedView:
+def _explain(source: Path, view: str | None, cameras: Path | None, decoding: Decoding) -> ExplainedView:
     """Decode and reconstruct the requested images; raises InputError when the options do not identify them."""
     from measureapp.errors import InputError
     from measureapp.pipeline.why import explain_stack, explain_view
@@ -127,7 +127,7 @@ def _explained(source: Path, view: str | None, cameras: Path | None, decoding: D
     return explain_stack(stack, calibration, decode_settings(stack, *decoding), TerminalProgress())
 
 
-def _known(explained: ExplainedView, camera: str | None) -> str | None:
+def _require_camera(explained: ExplainedView, camera: str | None) -> str | None:
     """Return the camera; raises InputError when the view has no such camera."""
     from measureapp.errors import InputError
 

@@ -75,7 +75,7 @@ class ScanPlan(Model):
 
     @field_validator("patterns", mode="before")
     @classmethod
-    def _named(cls, value: object) -> object:
+    def _check_pattern_set(cls, value: object) -> object:
         if isinstance(value, str) and value not in PATTERN_SETS:
             raise ValueError(f"there is no pattern set {value!r}, only {', '.join(PATTERN_SETS)}")
         return PATTERN_SETS[value] if isinstance(value, str) else value

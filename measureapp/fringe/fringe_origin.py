@@ -57,7 +57,7 @@ def _chain_origin(model: DecodeModel, chain: HeterodynePlan, layout: ImageLayout
     unwrapping = model.unwrapping._replace(watched=len(chain.combinations) - 1)
     spread, enough = [], True
     for origin in ORIGINS:
-        maps = solve(_keeping_conflicts(model)._replace(origin=np.float32(origin), unwrapping=unwrapping), layout)
+        maps = solve(_keep_conflicts(model)._replace(origin=np.float32(origin), unwrapping=unwrapping), layout)
         residual = np.abs(maps.residual[USABLE[maps.state]].astype(np.float32))
         spread.append(float(residual.mean()) / RESIDUAL_SCALE if residual.size else 0.0)
         enough &= residual.size >= LEAST_SAMPLED
@@ -68,14 +68,14 @@ def _gray_origin(model: DecodeModel, layout: ImageLayout, solve: Solve) -> tuple
     """Return the origin at which the Gray code counts on, and whether enough periods end in the sample; raises DecodeError."""
     planes = layout.planes[:-1] if model.unwrapping.complementary else layout.planes
     plain = model.unwrapping._replace(complementary=False)
-    maps = solve(_keeping_conflicts(model)._replace(unwrapping=plain), layout._replace(planes=planes))
+    maps = solve(_keep_conflicts(model)._replace(unwrapping=plain), layout._replace(planes=planes))
     chunks = range(0, len(maps.state), CHUNK)
     phases, usable = ([every[begin : begin + CHUNK] for begin in chunks] for every in (maps.phase, USABLE[maps.state]))
     origin = _count_on_phase(phases, usable)
     return origin or 0.0, origin is not None
 
 
-def _keeping_conflicts(model: DecodeModel) -> DecodeModel:
+def _keep_conflicts(model: DecodeModel) -> DecodeModel:
     return model._replace(limits=model.limits._replace(keep_conflicts=True))
 
 
@@ -95,7 +95,8 @@ def _count_on_phase(phases: list[FloatArray], usable: list[BoolArray]) -> float 
         return None
     if float(np.sign(count_on[border]).mean()) * float(np.sign(step[smooth]).mean()) < -0.25:
         raise DecodeError(
-            "The phase decreases where the Gray code increases.", "Change the sign of `shift_sign`, or reverse the order of the shifted images."
+            "The phase decreases where the Gray code increases.",
+            "Change the sign of `shift_sign`, or reverse the order of the shifted images.",
         )
     return 0.0 if float(np.cos(2 * np.pi * before[border]).mean()) >= 0 else -0.5
 

@@ -90,7 +90,7 @@ def plan_heterodyne(patterns: PatternSet) -> HeterodynePlan:
     stations = _stations(frequencies)
     beats = stations @ frequencies
     if beats[0] > 1 + BEAT_TOLERANCE:
-        raise _undetermined(patterns, float(beats[0]))
+        raise _undetermined_error(patterns, float(beats[0]))
     goal = np.arange(len(frequencies)) == int(np.argmax(frequencies))
     chain = _guarded_chain(_decision_noise(stations, beats), beats, int(np.flatnonzero((stations == goal).all(axis=1))[0]))
     plan = HeterodynePlan(
@@ -169,7 +169,7 @@ def _quietest_chain(noise: FloatArray, beats: FloatArray, starts: BoolArray, goa
     return chain[::-1]
 
 
-def _undetermined(patterns: PatternSet, lowest: float) -> DecodeError:
+def _undetermined_error(patterns: PatternSet, lowest: float) -> DecodeError:
     pitches = ", ".join(f"{pitch:g}" for pitch in patterns.pitches_px)
     extent = extent_px(patterns)
     lines = "rows" if patterns.directions == ("horizontal",) else "columns"

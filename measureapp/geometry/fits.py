@@ -74,7 +74,7 @@ def fit(
     ----------
     .. [1] A. B. Forbes, Least-squares best-fit geometric elements, NPL report DITC 140/89, 1989.
     """
-    points, weight = _checked(shape, points_mm, weights)
+    points, weight = _check_points(shape, points_mm, weights)
     scaled = Scaled.of(points)
     begin = find_starts(shape, scaled.points) if start is None else [state_of(start, scaled)]
     keep = np.ones(len(points), np.bool_)
@@ -113,7 +113,7 @@ def point_sensitivities(feature: Feature, points_mm: FloatArray, weights: FloatA
     return np.asarray(_spread(feature.shape, model, state, scaled.scale_mm) @ follows)
 
 
-def _checked(shape: Shape, points_mm: FloatArray, weights: FloatArray | None) -> tuple[FloatArray, FloatArray]:
+def _check_points(shape: Shape, points_mm: FloatArray, weights: FloatArray | None) -> tuple[FloatArray, FloatArray]:
     if shape not in MODELS:
         raise FitError(f"A {shape} cannot be fitted.", "Use one of: " + ", ".join(MODELS) + ".")
     points = np.asarray(points_mm, np.float64)

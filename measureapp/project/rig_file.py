@@ -58,7 +58,7 @@ def read_rig(name_or_path: str | Path) -> RigDescription:
     """
     path = Path(name_or_path)
     if not path.suffix:
-        path = _named(path.name)
+        path = _find_rig(path.name)
     document = read_toml(path, "Name a rig description (TOML).")
     if document.get("driver") == RECORDED:
         document = {**ABSENT_AXES, **document}
@@ -74,7 +74,7 @@ def assume_axes(rig: RigDescription, moving: Iterable[str]) -> RigDescription:
     return rig.model_copy(update=assumed)
 
 
-def _named(name: str) -> Path:
+def _find_rig(name: str) -> Path:
     known = {path.stem: path for path in sorted(resource("rigs").glob("*.toml"))}
     if name not in known:
         raise InputError(f"There is no rig {name!r}.", f"Give a rig description (TOML), or one of: {', '.join(known)}.")

@@ -65,16 +65,16 @@ class BackgroundSolver(QObject):
         if self._waiting is not None:
             (snapshot, rig), self._waiting = self._waiting, None
             self._job = self._runner.run(
-                "Solving", lambda job: work.evaluate_snapshot(job, snapshot, rig), self._keep, on_stopped=self._stopped, quiet=True
+                "Solving", lambda job: work.evaluate_snapshot(job, snapshot, rig), self._keep, on_stopped=self._end_job, quiet=True
             )
 
     @Slot(object)
     def _keep(self, found: work.InterimResult) -> None:
         self.interim = None if self._discarding else found
-        self._stopped()
+        self._end_job()
 
     @Slot()
-    def _stopped(self) -> None:
+    def _end_job(self) -> None:
         self._job, self._discarding = None, False
         self._start()
         self.solved.emit()

@@ -28,7 +28,7 @@ def begin_with_rig(kind: Kind, start: Start, session: Session) -> tuple[Calibrat
         raise InputError("No rig is known yet.", "Wait until it is loaded, or use recorded images.")
     if rig.driver == VIRTUAL and project_on_disk(session) is None:
         rig = rig.at_resolution(start.resolution).model_copy(update={"driver_settings": {**rig.driver_settings, "seed": start.seed}})
-    made = _created(kind, start, tuple(camera.name for camera in rig.cameras), rig, session)
+    made = _create(kind, start, tuple(camera.name for camera in rig.cameras), rig, session)
     write_text(made.folder / work.RIG_FILE, rig.model_dump_json(indent=2))
     return made, rig
 
@@ -52,7 +52,7 @@ def _with_plain_images(kind: Kind, start: Start, folder: Path, session: Session)
 
     positions = find_recorded(folder)
     readbacks = readbacks_of(positions, _tables(start), kind.readback_in_rig)
-    made = _created(kind, start, cameras_of(positions), None, session)
+    made = _create(kind, start, cameras_of(positions), None, session)
     return made, [RecordedImages(position, readback) for position, readback in zip(positions, readbacks, strict=True)]
 
 
@@ -61,7 +61,7 @@ def _with_fringes(kind: Kind, start: Start, folder: Path, session: Session) -> t
     from measureapp.project.fringes.recorded_fringes import fringes_in
 
     recorded = fringes_in(folder)
-    made = _created(kind, start, recorded.cameras, None, session, recorded.projector_px)
+    made = _create(kind, start, recorded.cameras, None, session, recorded.projector_px)
     return made, [RecordedFringeView(recorded, number) for number in range(len(recorded.manifests))]
 
 
@@ -72,7 +72,7 @@ def _tables(start: Start) -> ReadbackFiles:
     return ReadbackFiles(*(start.tables.get(name) for name in ALL_AXES))
 
 
-def _created(
+def _create(
     kind: Kind,
     start: Start,
     names: tuple[str, ...],

@@ -103,7 +103,7 @@ class CalibratingController(QObject):
             "Evaluating the result",
             lambda job: results.conclude(job, snapshot, known, true),
             self._keep,
-            on_stopped=self._stopped,
+            on_stopped=self._end_job,
             on_failed=self._tell_failure,
             quiet=True,
         )
@@ -147,7 +147,7 @@ class CalibratingController(QObject):
             self._check.cancel()
 
     @Slot()
-    def _stopped(self) -> None:
+    def _end_job(self) -> None:
         self._job = None
         self.collecting.changed.emit()
 

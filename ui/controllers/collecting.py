@@ -116,11 +116,11 @@ class CollectingController(QObject):
     def resume(self, folder: Path) -> None:
         """Continue a stored session."""
         self._collecting.run(
-            "Opening the session", lambda job: work.open_session(job, folder), self._resumed, on_event=self._handle_event, quiet=True
+            "Opening the session", lambda job: work.open_session(job, folder), self._resume_stored, on_event=self._handle_event, quiet=True
         )
 
     @Slot(object)
-    def _resumed(self, found: tuple[CalibrationSession, RigDescription | None, dict[tuple[str, str], QImage]]) -> None:
+    def _resume_stored(self, found: tuple[CalibrationSession, RigDescription | None, dict[tuple[str, str], QImage]]) -> None:
         try:
             self._take_over(*found)
         except MeasureError as error:

@@ -90,10 +90,10 @@ class DocumentsController(QObject):
             if kind == "open"
             else (lambda job: export(kind, source, measurement, target, job))
         )
-        self._runner.run(f"Exporting {target.name}", work, self._exported)
+        self._runner.run(f"Exporting {target.name}", work, self._report_export)
 
     @Slot(object)
-    def _exported(self, target: Path) -> None:
+    def _report_export(self, target: Path) -> None:
         self._session.tell(f"{target.name} saved to {target.parent}.", "", "done")
 
 

@@ -64,7 +64,7 @@ class ProjectController(QObject):
         if folder is None:
             self._session.tell("No project is open.", "Open a project or run the demo first.", "warning")
             return
-        self._runner.run("Recomputing", self._work(folder), self._recomputed, on_event=self._events.apply)
+        self._runner.run("Recomputing", self._work(folder), self._show_recomputed, on_event=self._events.apply)
 
     def _work(self, folder: Path) -> Any:
         events = self._events
@@ -96,7 +96,7 @@ class ProjectController(QObject):
             session.tell(read.lost.message, read.lost.hint, "warning")
 
     @Slot(object)
-    def _recomputed(self, outcome: Outcome) -> None:
+    def _show_recomputed(self, outcome: Outcome) -> None:
         self._session.set_measurement(outcome.measurement, outcome.files, outcome.filters)
         self._session.tell("The project was recomputed from the stored images.", "", "done")
 

@@ -95,8 +95,8 @@ def cross_validate(job: Job, found: Result) -> Result:
         return replace(found, held_back=str(error))
     if held_back is None:
         return found
-    judged = verdict.evaluate(draft, held_back=held_back)
-    return replace(found, verdict=judged.sentence, sign=SIGNS[judged.level], held_back=held_back.verdict)
+    evaluation = verdict.evaluate(draft, held_back=held_back)
+    return replace(found, verdict=evaluation.sentence, sign=SIGNS[evaluation.level], held_back=held_back.verdict)
 
 
 def reasons_of(verdict: Verdict) -> tuple[str, ...]:

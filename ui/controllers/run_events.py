@@ -57,7 +57,7 @@ class RunEvents(QObject):
             case e.ViewpointStarted():
                 session.set_viewpoint(event.viewpoint_id, "moving")
             case e.ImageTaken():
-                self._capturing(event)
+                self._show_capture(event)
             case e.ViewpointRetaken():
                 session.set_viewpoint(event.viewpoint_id, "moving", event.reason)
                 session.tell(f"Viewpoint {event.viewpoint_id} is taken again: {event.reason}", "", "warning")
@@ -91,7 +91,7 @@ class RunEvents(QObject):
             case e.ValidityKnown():
                 self._report_validity(event)
 
-    def _capturing(self, event: ImageTaken) -> None:
+    def _show_capture(self, event: ImageTaken) -> None:
         known = self._session.viewpoints.get(event.viewpoint_id)
         if known is not None and known.status in {"waiting", "moving"}:
             self._session.set_viewpoint(event.viewpoint_id, "capturing")
@@ -106,7 +106,7 @@ class RunEvents(QObject):
         elif drift.status in ("watch", "drifted"):
             self._session.tell(drift.sentence, "", "error" if drift.status == "drifted" else "warning")
 
-    def _ended(self, event: RunEnded) -> None:
+    def _report_end(self, event: RunEnded) -> None:
         if event.reason == "failed":
             self._session.tell(event.message or "The scan failed.", "", "error")
         elif event.reason == "done":

@@ -38,11 +38,11 @@ def newest_session(folder: Path, kind: str) -> StoredSession | None:
 def newest_result() -> tuple[Path, str] | None:
     """Return the folder of the newest result accepted without a project, and when (ISO 8601)."""
     places = [path.parent for path in sessions_folder(None).glob(f"*/{RESULT}/{CAMERAS}")]
-    newest = max(places, key=_written, default=None)
-    return None if newest is None else (newest, datetime.fromtimestamp(_written(newest), UTC).isoformat())
+    newest = max(places, key=_write_time_s, default=None)
+    return None if newest is None else (newest, datetime.fromtimestamp(_write_time_s(newest), UTC).isoformat())
 
 
-def _written(place: Path) -> float:
+def _write_time_s(place: Path) -> float:
     return (place / CAMERAS).stat().st_mtime
 
 

@@ -52,11 +52,11 @@ def _reasons(calibration: RigCalibration, rig: RigDescription | None, validity: 
     """Warnings of the last scan, and expiry of the calibration."""
     from measureapp.calibrate.cameras.validity import shortfalls
 
-    told = () if validity is None else validity.all_warnings
+    stated = () if validity is None else validity.all_warnings
     moment = now or datetime.now(UTC)
     aged = (
         shortfalls(calibration.provenance, moment)
         if rig is None
         else shortfalls(calibration.provenance, moment, None, rig.calibration_rules)
     )
-    return tuple(dict.fromkeys((*told, *aged)))
+    return tuple(dict.fromkeys((*stated, *aged)))

@@ -117,9 +117,9 @@ class ReportPage(Page):
         self._pages.addStretch(1)
 
     def _say(self, words: str) -> None:
-        told = label(words, "soft")
-        told.setAlignment(Qt.AlignmentFlag.AlignCenter)
-        self._pages.addWidget(told)
+        message = label(words, "soft")
+        message.setAlignment(Qt.AlignmentFlag.AlignCenter)
+        self._pages.addWidget(message)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Fit the pages to the available width."""

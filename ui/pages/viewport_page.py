@@ -73,7 +73,7 @@ class ViewportPage(Page):
         if composer is not None:
             self.is_composing = True
             self.controllers.drawing.run(
-                "Drawing", lambda job: _prepared(composer, job), self._show_picture, on_stopped=self._stop_composing, quiet=True
+                "Drawing", lambda job: _prepare(composer, job), self._show_picture, on_stopped=self._stop_composing, quiet=True
             )
 
     @Slot(object)
@@ -114,7 +114,7 @@ class ViewportPage(Page):
             self.view.explain(self.session.graphics_problem)
 
 
-def _prepared(composer: Composer, job: Job) -> tuple[Picture, ShuffledCloud]:
+def _prepare(composer: Composer, job: Job) -> tuple[Picture, ShuffledCloud]:
     """Compose the picture and shuffle its points into drawing order; runs in the thread of a job."""
     picture = composer(job)
     return picture, shuffle(picture.clouds)

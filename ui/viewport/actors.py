@@ -56,7 +56,7 @@ def surface_actor(layer: SurfaceLayer) -> vtkActor:
     data.SetPolys(cells)
     if layer.colours is not None:
         data.GetPointData().SetScalars(numpy_to_vtk(np.ascontiguousarray(layer.colours, np.uint8), deep=True))
-    actor = _actor(_shaded(data, layer))
+    actor = _actor(_with_normals(data, layer))
     if layer.colours is not None:
         actor.GetShaderProperty().AddFragmentShaderReplacement("//VTK::Color::Impl", True, HATCHED, False)
     actor.GetProperty().SetColor(*(value / 255 for value in layer.colour))
@@ -66,7 +66,7 @@ def surface_actor(layer: SurfaceLayer) -> vtkActor:
     return actor
 
 
-def _shaded(data: vtkPolyData, layer: SurfaceLayer) -> vtkPolyData:
+def _with_normals(data: vtkPolyData, layer: SurfaceLayer) -> vtkPolyData:
     """Return the surface with its normals; missing ones are computed and split at edges."""
     if layer.normals is not None:
         data.GetPointData().SetNormals(numpy_to_vtk(np.ascontiguousarray(layer.normals, np.float32), deep=True))

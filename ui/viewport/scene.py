@@ -173,13 +173,13 @@ class Scene:
 
     def set_surface(self, layer: SurfaceLayer | None) -> None:
         """Replace the surface."""
-        self._extent["surface"] = np.empty((0, 3)) if layer is None else _thinned(layer.vertices_mm)
+        self._extent["surface"] = np.empty((0, 3)) if layer is None else _subsample(layer.vertices_mm)
         self._replace("surface", [] if layer is None or not len(layer.triangles) else [surface_actor(layer)])
 
     def set_lines(self, layers: Sequence[LineLayer]) -> None:
         """Replace the lines."""
         lines = [line for layer in layers for line in layer.lines]
-        self._extent["lines"] = np.concatenate([np.empty((0, 3)), *(_thinned(line) for line in lines)])
+        self._extent["lines"] = np.concatenate([np.empty((0, 3)), *(_subsample(line) for line in lines)])
         self._replace("lines", [line_actor(layer) for layer in layers if layer.lines])
 
     def set_labels(self, labels: Sequence[Label]) -> None:
@@ -239,8 +239,8 @@ class Scene:
         up = np.cross(right, forward)
         gap = np.concatenate(shown) - focus
         half = np.tan(np.radians(camera.GetViewAngle()) / 2.0) * FILLED_SHARE
-        x, x_distance = _between(gap @ right, gap @ forward, half * width / height)
-        y, y_distance = _between(gap @ up, gap @ forward, half)
+        x, x_distance = _fit_camera(gap @ right, gap @ forward, half * width / height)
+        y, y_distance = _fit_camera(gap @ up, gap @ forward, half)
         focus = focus + x * right + y * up
         camera.SetFocalPoint(*focus)
         camera.SetPosition(*(focus - max(x_distance, y_distance, 1e-3) * forward))
@@ -253,12 +253,12 @@ class Scene:
             self.renderer.AddViewProp(prop)
 
 
-def _thinned(points: np.ndarray) -> np.ndarray:
+def _subsample(points: np.ndarray) -> np.ndarray:
     """Subsample points of which only the extent matters."""
     return np.asarray(points[:: max(1, len(points) // FRAMING_POINTS)], float)
 
 
-def _between(across: np.ndarray, depth: np.ndarray, slope: float) -> tuple[float, float]:
+def _fit_camera(across: np.ndarray, depth: np.ndarray, slope: float) -> tuple[float, float]:
     """Return lateral position and distance of the camera at which all points are within a cone of this slope."""
     high, low = float(np.max(across - slope * depth)), float(np.min(across + slope * depth))
     return (high + low) / 2.0, (high - low) / (2.0 * slope)

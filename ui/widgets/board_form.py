@@ -60,10 +60,10 @@ class BoardForm(QWidget):
         self._bow = (0.0, 0.0, 0.0)
         self._legacy = False
         self.setValue(CheckerboardDescription(columns=14, rows=11, square_mm=15.0))
-        self.kind.valueChanged.connect(self._changed)
-        self.dictionary.currentIndexChanged.connect(self._changed)
+        self.kind.valueChanged.connect(self._show_kind)
+        self.dictionary.currentIndexChanged.connect(self._show_kind)
         for editor in (self.columns, self.rows, *self.lengths.values()):
-            editor.valueChanged.connect(self._changed)
+            editor.valueChanged.connect(self._show_kind)
 
     def value(self) -> BoardDescription:
         """Return the board. Raises ValueError when the sizes contradict each other; see `problem`."""
@@ -91,7 +91,7 @@ class BoardForm(QWidget):
         for editor in (self.columns, self.rows, self.dictionary, *self.lengths.values()):
             editor.blockSignals(False)
         self.kind.setValue(kind)
-        self._changed()
+        self._show_kind()
 
     def problem(self) -> str:
         """Return the problem of the settings; empty if they are valid."""
@@ -101,7 +101,7 @@ class BoardForm(QWidget):
             return str(error.errors()[0]["msg"]).removeprefix("Value error, ") if hasattr(error, "errors") else str(error)
         return ""
 
-    def _changed(self) -> None:
+    def _show_kind(self) -> None:
         kind = self.kind.value()
         across, down = CIRCLES if kind == "circles" else CORNERS
         self._columns_word.setText(across)

@@ -46,7 +46,7 @@ class FilterForm(QWidget):
             side.setFixedWidth(SIDE_WIDTH)
         self.side, self.offset = QComboBox(), _length(0.0, -LIMIT_MM, LIMIT_MM, " mm")
         self.side.addItems(list(SIDES))
-        for field, words in self._named():
+        for field, words in self._described_editors():
             field.setAccessibleName(words)
             field.setToolTip(words)
         self.fields = QStackedWidget()
@@ -63,7 +63,7 @@ class FilterForm(QWidget):
             field.valueChanged.connect(self._change)
         self.side.currentIndexChanged.connect(self._change)
 
-    def _named(self) -> list[tuple[QWidget, str]]:
+    def _described_editors(self) -> list[tuple[QWidget, str]]:
         """Return the editors with their descriptions."""
         ends = [(f"{end} limit of the box along {axis}, in mm") for axis in "xyz" for end in ("Lower", "Upper")]
         return [

@@ -2,13 +2,44 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QFrame, QWidget
+from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QWidget
 
 from ui.look.look import Look
 from ui.widgets.basic import Button, ElidedLabel, column, row
-from ui.widgets.chip import Chip
 from ui.widgets.segments import Segments
+
+
+class Chip(QFrame):
+    """Shows one state by text and icon colour."""
+
+    def __init__(self, look: Look, icon: str, text: str = "") -> None:
+        super().__init__()
+        self.setObjectName("chip")
+        self.setFixedHeight(32)
+        self._look, self._icon_name, self._colour = look, icon, "soft"
+        self._icon, self._text = QLabel(), QLabel(text)
+        layout = QHBoxLayout(self)
+        layout.setContentsMargins(12, 0, 12, 0)
+        layout.setSpacing(8)
+        layout.addWidget(self._icon)
+        layout.addWidget(self._text)
+        look.changed.connect(self._redraw)
+        self._redraw()
+
+    def text(self) -> str:
+        """Return the text."""
+        return self._text.text()
+
+    def show_state(self, text: str, colour: str = "soft", tip: str = "") -> None:
+        """Set text, icon colour and tooltip."""
+        self._text.setText(text)
+        self._colour = colour
+        self.setToolTip(tip)
+        self._redraw()
+
+    def _redraw(self) -> None:
+        self._icon.setPixmap(self._look.icon(self._icon_name, self._colour).pixmap(QSize(18, 18)))
 
 
 class HeaderBar(QFrame):

@@ -126,7 +126,7 @@ def _whole(
     brighter = levels > ((dark + white) / 2)[:, None, None]
     within, around = shares <= max(1 - NEAR, INNERMOST), shares >= min(1 + NEAR, reach)
     there = np.isfinite(levels).all(axis=(1, 2)) & ~brighter[..., within].any(axis=(1, 2)) & brighter[..., around].all(axis=(1, 2))
-    outline = shares[0] + (shares[1] - shares[0]) * _crossing(levels, brighter, (dark + white) / 2)
+    outline = shares[0] + (shares[1] - shares[0]) * _find_crossings(levels, brighter, (dark + white) / 2)
     left = np.abs(outline - outline @ SMOOTH) * np.linalg.norm(spokes, axis=2)
     rough = left.max(axis=1)
     contrast = white - dark
@@ -136,7 +136,7 @@ def _whole(
     return np.asarray(there & (rough < limit) & (contrast > LEAST_CONTRAST * np.median(contrast[there]))), (dark, white)
 
 
-def _crossing(levels: FloatArray, brighter: BoolArray, middle: FloatArray) -> FloatArray:
+def _find_crossings(levels: FloatArray, brighter: BoolArray, middle: FloatArray) -> FloatArray:
     """Where along each line (N, directions) the level first passes ``middle`` (N,), in samples; anything where it does not."""
     after = np.clip(np.argmax(brighter, axis=2), 1, levels.shape[2] - 1)[..., None]
     high, low = np.take_along_axis(levels, after, 2)[..., 0], np.take_along_axis(levels, after - 1, 2)[..., 0]

@@ -10,15 +10,15 @@ from measureapp.calibrate.boards.charuco import find_charuco, has_markers
 from measureapp.calibrate.boards.circles import find_circles
 from measureapp.calibrate.boards.part import find_part
 from measureapp.calibrate.boards.quality import (
-    TELLING_SHARE,
+    LEAST_SHARE,
     are_squares,
+    is_blurred,
     missing,
-    nothing_sharp,
     partly_hidden,
     poor_image,
-    printed_squares,
     require_plain,
     require_usable,
+    unexpected_markers,
 )
 from measureapp.calibrate.boards.refine import mark_sigmas, off_the_grid
 from measureapp.calibrate.boards.squares import detect_squares, find_squares
@@ -50,7 +50,7 @@ def find_board(image: ImageArray, board: BoardDescription, expected_px: FloatArr
     try:
         found = _marks(grey, board, expected_px)
     except CalibrationError:
-        if nothing_sharp(grey):
+        if is_blurred(grey):
             raise missing(grey, board) from None
         raise
     if found is None:
@@ -83,10 +83,10 @@ def _squares(grey: ImageArray, board: CheckerboardDescription, expected_px: Floa
     if whole is not None:
         return np.arange(board.count), *whole
     squares = detect_squares(grey)
-    if squares is None or squares.count < TELLING_SHARE * board.count:
+    if squares is None or squares.count < LEAST_SHARE * board.count:
         raise missing(grey, board)
     if not are_squares(grey, squares.corners_px):
-        raise poor_image(grey, board) or (printed_squares() if has_markers(grey) else partly_hidden(board, squares.count))
+        raise poor_image(grey, board) or (unexpected_markers() if has_markers(grey) else partly_hidden(board, squares.count))
     require_plain(grey, squares.corners_px)
     try:
         part = find_part(grey, board, squares, expected_px)

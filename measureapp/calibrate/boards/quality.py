@@ -30,7 +30,7 @@ MOST_OFF_PX = 1.0  # by which an edge may lie off its place to be laid onto the 
 KERNEL_PX = 4  # to either side, of what profiles are read with
 GAUSSIAN_RISE = 2.563  # from 10 to 90 % of an edge, over the standard deviation of its blur
 STRIPS, STRIP_SHARE = 12, 4
-TELLING_SHARE = 0.15  # of a board's marks: fewer in a grid may be anything
+LEAST_SHARE = 0.15  # of a board's marks: fewer in a grid may be anything
 SIDE_SHARE = 0.4  # of a side from the middle of a square: between the marker of a ChArUco board and the edge
 PRINTED_SQUARE = 0.35  # of the contrast: what the middles of white squares may differ by
 BLURRED = "Focus the camera, and keep board and camera still while the image is taken."
@@ -85,7 +85,7 @@ def edge_widths(grey: ImageArray, board: BoardDescription, corners_px: FloatArra
     corners_px : (N, 2)
     axes : (N, 2 axes, 2), 1 mm along x and y of the board in the image
     """
-    return tuple(_profile_width(_aligned(_profiles(grey, *places))) for places in _edges(board, corners_px, axes))
+    return tuple(_profile_width(_align(_profiles(grey, *places))) for places in _edges(board, corners_px, axes))
 
 
 def missing(grey: ImageArray, board: BoardDescription, squares: DetectedSquares | None = None) -> BoardDetectionError:
@@ -114,7 +114,7 @@ def poor_image(grey: ImageArray, board: BoardDescription) -> BoardDetectionError
         return BoardDetectionError(
             f"The {board.label} was not found: the image is over-exposed ({clipped:.0%} clipped).", EXPOSED_LESS, "over-exposed"
         )
-    if nothing_sharp(grey):
+    if is_blurred(grey):
         return BoardDetectionError(f"The {board.label} was not found: nothing in the image is sharp, it is blurred.", BLURRED, "blurred")
     return None
 
@@ -160,7 +160,7 @@ def are_squares(grey: ImageArray, grid: FloatArray) -> bool:
     return bool(np.median(np.ptp(levels, axis=0)) <= PRINTED_SQUARE * contrast)
 
 
-def printed_squares() -> BoardDetectionError:
+def unexpected_markers() -> BoardDetectionError:
     """Return the error for a board with markers in its squares, described as one without."""
     return BoardDetectionError(
         "The squares of the board are not plain: markers are printed in them.",
@@ -179,7 +179,7 @@ def require_plain(grey: ImageArray, grid: FloatArray) -> None:
     level = np.median(levels, axis=0)
     contrast = np.percentile(levels, 95) - np.percentile(levels, 5)
     if np.median(np.ptp(levels, axis=0)[level >= np.median(level)]) > PRINTED_SQUARE * contrast:
-        raise printed_squares()
+        raise unexpected_markers()
 
 
 def _edges(board: BoardDescription, corners_px: FloatArray, axes: FloatArray) -> list[tuple[FloatArray, FloatArray, float]]:
@@ -211,7 +211,7 @@ def _profiles(grey: ImageArray, places: FloatArray, normals: FloatArray, reach_p
     return np.where((seen[:, -1] > seen[:, 0])[:, None], seen, seen[:, ::-1])
 
 
-def _aligned(profiles: FloatArray) -> FloatArray:
+def _align(profiles: FloatArray) -> FloatArray:
     """Shift profiles by whole steps so that all rise in the middle: marks and edges lie a little off their places."""
     if not len(profiles):
         return profiles
@@ -245,7 +245,7 @@ def blur_px(edges_px: Sequence[float]) -> float:
     return float(np.median(known)) / GAUSSIAN_RISE if known else 0.0
 
 
-def nothing_sharp(grey: ImageArray) -> bool:
+def is_blurred(grey: ImageArray) -> bool:
     """Whether the steepest edges of the image, taken as blurred by a Gaussian, are too wide; a quarter of its rows is examined."""
     rows = max(len(grey) // (STRIPS * STRIP_SHARE), 8)
     strips = [blur(grey[at : at + rows]) for at in np.linspace(0, max(len(grey) - rows, 0), STRIPS).astype(int)]
@@ -263,7 +263,7 @@ def _describe_grid(grey: ImageArray, board: BoardDescription, squares: DetectedS
         return suggest_charuco(grey, board)
     if isinstance(board, CirclesDescription):
         circles = detect_circles(grey)
-        if circles is None or circles.count < TELLING_SHARE * board.count:
+        if circles is None or circles.count < LEAST_SHARE * board.count:
             return None
         columns, rows = circles.size
         spans, own = sorted((2 * columns, rows)), sorted((2 * board.columns, board.rows))

@@ -124,7 +124,7 @@ def _precision(grey: ImageArray, corner: FloatArray, reach_px: float) -> float:
 
 def off_the_grid(board: BoardDescription, ids: IntArray, corners_px: FloatArray) -> BoolArray:
     """Return which marks (N,) are outliers of a smooth grid: refined onto something else, such as a marker's corner."""
-    rest, _ = _left_over(board, ids, corners_px)
+    rest, _ = _residuals_of_smooth_grid(board, ids, corners_px)
     away = np.linalg.norm(rest, axis=1)
     return np.asarray(away > max(FAR_FACTOR * MEDIAN_TO_SIGMA * float(np.median(np.abs(rest))), FAR_PX))
 
@@ -136,7 +136,7 @@ def cut_off(board: BoardDescription, ids: IntArray, corners_px: FloatArray) -> B
     """
     off = np.zeros(len(ids), bool)
     while np.count_nonzero(off) < MOST_CUT * len(ids):
-        rest, _ = _left_over(board, ids[~off], corners_px[~off])
+        rest, _ = _residuals_of_smooth_grid(board, ids[~off], corners_px[~off])
         away = np.linalg.norm(rest, axis=1)
         if away.max() <= max(CUT_FACTOR * MEDIAN_TO_SIGMA * float(np.median(np.abs(rest))), CUT_PX):
             break
@@ -145,12 +145,12 @@ def cut_off(board: BoardDescription, ids: IntArray, corners_px: FloatArray) -> B
 
 
 def _level(board: BoardDescription, ids: IntArray, corners_px: FloatArray) -> float:
-    rest, terms = _left_over(board, ids, corners_px)
+    rest, terms = _residuals_of_smooth_grid(board, ids, corners_px)
     freedom = max(len(ids) - max(terms, 4), 1)
     return MEDIAN_TO_SIGMA * float(np.median(np.abs(rest))) * float(np.sqrt(len(ids) / freedom))
 
 
-def _left_over(board: BoardDescription, ids: IntArray, corners_px: FloatArray) -> tuple[FloatArray, int]:
+def _residuals_of_smooth_grid(board: BoardDescription, ids: IntArray, corners_px: FloatArray) -> tuple[FloatArray, int]:
     """Residuals of the marks (N, 2) after a homography and a distortion that is cubic in the image; number of the latter's terms."""
     grid = smooth_grid(board, ids, corners_px)
     return corners_px - grid.image_of(board.flat_corners_mm[ids, :2]), len(grid.bend)

@@ -95,7 +95,7 @@ def detect_squares(grey: ImageArray) -> DetectedSquares | None:
     contrast = float(np.median(np.abs(_contrasts(small, grid))))
     there = np.ones(grid.shape[:2], bool)
     for _ in range(4):  # each side in turn is the last row
-        grid, there = _grown(small, np.rot90(grid), np.rot90(there), contrast)
+        grid, there = _add_rows(small, np.rot90(grid), np.rot90(there), contrast)
     levels = levels_at(blur(small), _cells(grid))
     even = np.indices(levels.shape).sum(axis=0) % 2 == 0
     sides = tuple(_ends_in_white(small, np.rot90(grid, quarter), np.rot90(there, quarter)) for quarter in range(4))
@@ -168,7 +168,7 @@ def _contrasts(picture: ImageArray, grid: FloatArray) -> FloatArray:
     return np.asarray(sign * np.where(even > odd, np.maximum(even, 0), -np.maximum(odd, 0)))
 
 
-def _grown(picture: ImageArray, grid: FloatArray, there: BoolArray, contrast: float) -> tuple[FloatArray, BoolArray]:
+def _add_rows(picture: ImageArray, grid: FloatArray, there: BoolArray, contrast: float) -> tuple[FloatArray, BoolArray]:
     """Add rows behind the last one as long as most of their corners are in the image."""
     while True:
         guess = 2.5 * grid[-1] - 2 * grid[-2] + 0.5 * grid[-3]  # the quadratic through the last three, half trusted

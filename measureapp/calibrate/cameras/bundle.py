@@ -123,7 +123,7 @@ class Bundle:
         """Return the robust sum of squares."""
         total = 0.0
         for sight in self.sights:
-            length = self._whitened(state, sight)
+            length = self._whitened_lengths(state, sight)
             total += float(np.sum(np.where(length <= self.huber, length**2, self.huber * (2 * length - self.huber))))
         return total
 
@@ -137,7 +137,7 @@ class Bundle:
         size = self.layout.board_at(len(state.reference_from_board))
         hessian, gradient = np.zeros((size, size)), np.zeros(size)
         for sight in self.sights:
-            residual, jacobian, index = self.linearised(state, sight)
+            residual, jacobian, index = self.linearise_sighting(state, sight)
             sigma = self.sigmas_of(sight)
             weight = self._weight(np.linalg.norm(residual, axis=1) / sigma) * sight.used / sigma**2
             weighted = (jacobian * weight[:, None, None]).reshape(-1, len(index))
@@ -149,11 +149,11 @@ class Bundle:
     def _weight(self, length: FloatArray) -> FloatArray:
         return np.where(length <= self.huber, 1.0, self.huber / np.maximum(length, TINY))
 
-    def _whitened(self, state: BundleState, sight: IndexedSighting) -> FloatArray:
+    def _whitened_lengths(self, state: BundleState, sight: IndexedSighting) -> FloatArray:
         """The lengths of the residuals that count, in standard deviations."""
         return np.asarray(np.linalg.norm(self.residuals(state, sight)[sight.used], axis=1) / self.sigmas_of(sight)[sight.used])
 
-    def linearised(self, state: BundleState, sight: IndexedSighting) -> tuple[FloatArray, FloatArray, IntArray]:
+    def linearise_sighting(self, state: BundleState, sight: IndexedSighting) -> tuple[FloatArray, FloatArray, IntArray]:
         """Return residuals (N, 2), their derivatives (N, 2, K) and which parameters these are (K,): lens, board pose and the others."""
         board = state.reference_from_board[sight.view]
         place = state.reference_from_camera[sight.camera]
@@ -175,7 +175,7 @@ class Bundle:
             index.append(np.arange(layout.pose_at(sight.camera), layout.pose_at(sight.camera) + POSE))
         return pixels - sight.corners_px, np.concatenate(blocks, axis=2), np.concatenate(index)
 
-    def moved(self, state: BundleState, step: FloatArray) -> BundleState:
+    def apply_step(self, state: BundleState, step: FloatArray) -> BundleState:
         """Return the state after a step of all parameters."""
         layout = self.layout
         lenses, places = [], [state.reference_from_camera[0]]
@@ -191,7 +191,7 @@ class Bundle:
 
     def variance(self, state: BundleState) -> float:
         """Return the variance of a residual in units of the one assumed by `sigmas_px`; 1 where that was right."""
-        length = np.concatenate([self._whitened(state, sight) for sight in self.sights])
+        length = np.concatenate([self._whitened_lengths(state, sight) for sight in self.sights])
         freedom = 2 * len(length) - self.layout.board_at(len(state.reference_from_board))
         return float(np.sum(self._weight(length) * length**2)) / max(freedom, 1)
 
@@ -219,14 +219,14 @@ def adjust(
     for _ in range(NOISE_ROUNDS):
         bundle = robust_bundle(board, sights, state, free_bow=free_bow)
         held = bundle.layout.lens_at(known_cameras) if known_cameras else 0
-        minimum = minimise(state, partial(_linearised_beyond, bundle, held), bundle.cost, bundle.moved, progress=progress)
+        minimum = minimise(state, partial(_linearise_beyond, bundle, held), bundle.cost, bundle.apply_step, progress=progress)
         state = minimum.state
         if np.allclose(robust_sigmas(bundle, state), bundle.sigmas_px, rtol=SAME_NOISE):
             break
     return minimum, bundle
 
 
-def _linearised_beyond(bundle: Bundle, held: int, state: BundleState) -> NormalEquations:
+def _linearise_beyond(bundle: Bundle, held: int, state: BundleState) -> NormalEquations:
     """Return the normal equations with the first ``held`` parameters fixed."""
     normal = bundle.linearise(state)
     if not held:

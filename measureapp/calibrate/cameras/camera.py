@@ -89,7 +89,7 @@ def _zhang(
     flags = FIXED_COEFFICIENTS[distortion_count]
     camera = sightings[0].camera
     try:
-        with _summing_in_one_order():
+        with _single_threaded():
             _, matrix, distortion, turns, shifts = cv2.calibrateCamera(corners, pixels, size_px, None, None, flags=flags)
     except cv2.error as error:
         raise CalibrationError(
@@ -109,7 +109,7 @@ def _zhang(
 
 
 @contextmanager
-def _summing_in_one_order() -> Iterator[None]:
+def _single_threaded() -> Iterator[None]:
     """Keep OpenCV to one thread: several add the views up in the order in which they finish, and the last digits change from run to run."""
     with _ALONE:
         threads = cv2.getNumThreads()

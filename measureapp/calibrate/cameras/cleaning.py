@@ -64,16 +64,18 @@ class _Alone:
 def reject_corners(bundle: Bundle, state: BundleState, names: Names) -> Cleaned:
     """Reject far corners, sightings whose corners fit no board pose, and those of a board that moved.
 
-    Every sighting is judged with the board where it alone wants it, so that a board that moved between the images of two
-    cameras is told apart from corners found in a wrong place. Of the sightings of one view at most one is left out as moved:
+    Every sighting is evaluated with the board pose fitted to it alone, so that a board that moved between the images of two
+    cameras is distinguished from corners found in a wrong place. Of the sightings of one view at most one is left out as moved:
     with three cameras the one that the two others contradict. The statistic is Hotelling's T² of the difference of two
     estimates of the pose, compared with its median over the views, so that a lens model that does not fit perfectly raises no alarm.
     """
-    judged = [_fit_alone(bundle, state, sight) for sight in bundle.sights]
-    medians = [float(np.median([one.rms_px for one in judged if one.sight.camera == camera] or [0.0])) for camera in range(len(names[0]))]
+    evaluated = [_fit_alone(bundle, state, sight) for sight in bundle.sights]
+    medians = [
+        float(np.median([one.rms_px for one in evaluated if one.sight.camera == camera] or [0.0])) for camera in range(len(names[0]))
+    ]
     found = Cleaned([], [], [])
-    fitting = [one for one in judged if not _misfits(one, medians[one.sight.camera], names, found)]
-    moved = _moved_boards(fitting)
+    fitting = [one for one in evaluated if not _misfits(one, medians[one.sight.camera], names, found)]
+    moved = _find_moved_boards(fitting)
     for one in fitting:
         camera, view = names[0][one.sight.camera], names[1][one.sight.view]
         if id(one.sight) in moved:
@@ -89,7 +91,7 @@ def reject_corners(bundle: Bundle, state: BundleState, names: Names) -> Cleaned:
 
 
 def _fit_alone(bundle: Bundle, state: BundleState, sight: IndexedSighting) -> _Alone:
-    residual, jacobian, _ = bundle.linearised(state, sight)
+    residual, jacobian, _ = bundle.linearise_sighting(state, sight)
     by_board = jacobian[:, :, bundle.layout.lens : bundle.layout.lens + POSE]
     sigma, spread = bundle.sigmas_of(sight), spread_of(sight)
     left, far, limits_px = residual, np.zeros(len(residual), bool), BAD_VIEW_FLOOR_PX * spread
@@ -120,10 +122,10 @@ def _misfits(one: _Alone, median_px: float, names: Names, found: Cleaned) -> boo
     return True
 
 
-def _moved_boards(judged: Sequence[_Alone]) -> dict[int, str]:
+def _find_moved_boards(evaluated: Sequence[_Alone]) -> dict[int, str]:
     """Sightings (by id) whose board pose contradicts the other cameras' images of the same view, with the reason."""
     views: dict[int, list[_Alone]] = {}
-    for one in judged:
+    for one in evaluated:
         views.setdefault(one.sight.view, []).append(one)
     tests = {view: [_against_others(one, own) for one in own] for view, own in views.items() if len(own) > 1}
     values = [value for own in tests.values() for value, _ in own]

@@ -17,7 +17,7 @@ from measureapp.data.validity import Drift, DriftStatus
 WATCH_FACTOR, DRIFTED_FACTOR = 1.0, 3.0  # of the residual that the calibration left
 LEAST_EXPECTED_PX = 0.02  # what defocus and response of the projector do to phases differs a little from camera to camera
 UNKNOWN_PX = 0.1  # where the calibration states no residual
-TELLING = 0.05  # of the variance of the noise, per residual: the errors of a good calibration explain less,
+SIGNIFICANT = 0.05  # of the variance of the noise, per residual: the errors of a good calibration explain less,
 APART = 0.02  # and speak by less for one camera against another
 MOTIONS = ("pitch", "yaw", "roll")  # about x, y, z of the camera: the image goes up or down, sideways, or turns
 WEAKEST_RAD = float(np.deg2rad(1.0))  # prior of a turn; only bounds what the images do not determine
@@ -52,29 +52,29 @@ def camera_drift(evidence: Sequence[ShiftEvidence], cameras: CameraArrayCalibrat
     if not evidence:
         return Drift("unknown", "The images of this scan cannot show whether the cameras moved; check them with a few views of the board.")
     whole = sum_evidence(evidence)
-    turns = [_turned_alone(whole, number) for number in range(len(whole.cameras))]
+    turns = [_fit_rotation_of_one(whole, number) for number in range(len(whole.cameras))]
     ranked = sorted(turns, key=lambda turn: turn.misfit)
     best = ranked[0]
     expected = _expected_px(cameras, best.camera)
-    standing = _standing(best, expected, whole)
+    status = _classify(best, expected, whole)
     noise = max(1.0, best.misfit / max(whole.freedom, 1))
     likely = tuple(turn.camera for turn in ranked if turn.misfit - best.misfit <= APART * noise * whole.freedom)
-    named = () if standing == "good" else likely
-    unseen = unseen_turns(whole, cameras)
+    named = () if status == "good" else likely
+    unseen = undetected_rotations(whole, cameras)
     return Drift(
-        standing,
-        _sentence(standing, named, best, expected),
+        status,
+        _sentence(status, named, best, expected),
         named,
         best.shift_px,
         expected,
         best.error_mm,
         best.turn_deg,
         {camera: {name: float(np.rad2deg(turn)) for name, turn in turns.items()} for camera, turns in unseen.items()},
-        _unseen_sentence(unseen, both_directions=whole.freedom > (len(whole.cameras) - 2) * whole.samples),
+        _describe_undetected(unseen, both_directions=whole.freedom > (len(whole.cameras) - 2) * whole.samples),
     )
 
 
-def unseen_turns(whole: ShiftEvidence, cameras: CameraArrayCalibration) -> dict[str, dict[str, float]]:
+def undetected_rotations(whole: ShiftEvidence, cameras: CameraArrayCalibration) -> dict[str, dict[str, float]]:
     """Return camera -> motion -> rotation (rad) at which `camera_drift` raises an alarm.
 
     An alarm needs a shift across the fringes that is larger than what the calibration left, and contradictions that the turn explains; a turn
@@ -87,7 +87,7 @@ def unseen_turns(whole: ShiftEvidence, cameras: CameraArrayCalibration) -> dict[
         expected = _expected_px(cameras, name) * WATCH_FACTOR
         information = np.maximum(np.diag(whole.information)[own], 1 / WEAKEST_RAD**2)
         by_image = expected / np.sqrt(np.maximum(np.diag(whole.image_px2[number]), 1e-12))
-        by_contradiction = np.sqrt(TELLING * max(whole.freedom, 1) / information)
+        by_contradiction = np.sqrt(SIGNIFICANT * max(whole.freedom, 1) / information)
         least = np.minimum(np.maximum(by_image, by_contradiction) + 2 / np.sqrt(information), np.pi)
         found[name] = dict(zip(MOTIONS, least.tolist(), strict=True))
     return found
@@ -97,15 +97,15 @@ def _expected_px(cameras: CameraArrayCalibration, name: str) -> float:
     return max(cameras.cameras[name].rms_px or UNKNOWN_PX, LEAST_EXPECTED_PX)
 
 
-def _unseen_sentence(unseen: dict[str, dict[str, float]], *, both_directions: bool) -> str:
+def _describe_undetected(unseen: dict[str, dict[str, float]], *, both_directions: bool) -> str:
     worst = {camera: max(turns, key=lambda motion: turns[motion]) for camera, turns in unseen.items()}
-    told = [f"a {motion} of {camera} below {np.rad2deg(unseen[camera][motion]):.2g}°" for camera, motion in worst.items()]
-    listed = ", ".join(told[:-1]) + " or " + told[-1]
+    limits = [f"a {motion} of {camera} below {np.rad2deg(unseen[camera][motion]):.2g}°" for camera, motion in worst.items()]
+    listed = ", ".join(limits[:-1]) + " or " + limits[-1]
     remedy = "a few views of the board" if both_directions else "fringes of both directions, or a few views of the board,"
     return f"This scan would not show {listed}; {remedy} would."
 
 
-def _turned_alone(whole: ShiftEvidence, number: int) -> _Turn:
+def _fit_rotation_of_one(whole: ShiftEvidence, number: int) -> _Turn:
     own = slice(3 * number, 3 * number + 3)
     information = whole.information[own, own] + np.eye(3) / WEAKEST_RAD**2
     turn = np.linalg.solve(information, whole.gradient[own])
@@ -122,22 +122,22 @@ def _size(turn: FloatArray, square: FloatArray) -> float:
     return float(np.sqrt(max(float(turn @ square @ turn), 0.0)))
 
 
-def _standing(best: _Turn, expected_px: float, whole: ShiftEvidence) -> DriftStatus:
+def _classify(best: _Turn, expected_px: float, whole: ShiftEvidence) -> DriftStatus:
     explained = (whole.misfit - best.misfit) / max(whole.freedom, 1)
-    if best.shift_px <= WATCH_FACTOR * expected_px or explained <= TELLING:
+    if best.shift_px <= WATCH_FACTOR * expected_px or explained <= SIGNIFICANT:
         return "good"
     return "drifted" if best.shift_px > DRIFTED_FACTOR * expected_px else "watch"
 
 
-def _sentence(standing: DriftStatus, named: Sequence[str], best: _Turn, expected_px: float) -> str:
+def _sentence(status: DriftStatus, named: Sequence[str], best: _Turn, expected_px: float) -> str:
     size = f"{best.shift_px:.3f} px"
-    if standing == "good":
+    if status == "good":
         return f"Camera drift check: passed; none is off by more than {size}, and the calibration left {expected_px:.3f} px."
     who = f"Camera {named[0]} has" if len(named) == 1 else f"One of the cameras {' and '.join(named)} has"
     advice = {
         "watch": "check the calibration with a few views of the board before the next measurement that matters.",
         "drifted": "it was knocked or refocused, or its mounting gave way: calibrate the cameras again.",
-    }[standing]
+    }[status]
     return (
         f"{who} turned by {best.turn_deg:.3f}° since the calibration: its image is off by {size} (the calibration left {expected_px:.3f} px), "
         f"which moves measured points by {best.error_mm:.3f} mm; {advice}"

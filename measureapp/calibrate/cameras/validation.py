@@ -89,7 +89,7 @@ class CrossValidation:
         held = f"views held back fit with {self.observed_px:.3f} px rms where {self.predicted_px:.3f} px was predicted"
         worst = max(self.halves, key=lambda half: half.difference_px / half.predicted_px, default=None)
         apart = (
-            f"; two halves of the views give {_called(worst.camera)} {worst.difference_px:.3f} px apart where {worst.predicted_px:.3f} px was predicted"
+            f"; two halves of the views give {_name_device(worst.camera)} {worst.difference_px:.3f} px apart where {worst.predicted_px:.3f} px was predicted"
             if worst
             else "; there are too few views to compare two halves"
         )
@@ -126,14 +126,14 @@ def cross_validate(
         part = PartOf(progress, fold / (folds + 2), (fold + 1) / (folds + 2), f"without part {fold + 1}: ")
         out = set(views[fold::folds])
         trained = solve(_only(kept, [view for view in views if view not in out]), part, solution)
-        held += [_held_back(view, kept, trained, solution) for view in views if view in out]
+        held += [_check_held_back(view, kept, trained, solution) for view in views if view in out]
     halves: tuple[HalvesCheck, ...] = ()
     if len(views) >= LEAST_VIEWS_FOR_HALVES:
         parts = (_only(kept, views[::2]), _only(kept, views[1::2]))
         first = solve(parts[0], PartOf(progress, folds / (folds + 2), (folds + 1) / (folds + 2), "first half: "), solution)
         second = solve(parts[1], PartOf(progress, (folds + 1) / (folds + 2), 1.0, "second half: "), solution)
         given = () if problem.known is None else problem.known.names
-        covered = {name: _covered(name, problem.sizes_px[name], parts) for name in solution.calibration.cameras if name not in given}
+        covered = {name: _common_pixels(name, problem.sizes_px[name], parts) for name in solution.calibration.cameras if name not in given}
         apart = _covariance_of_difference(first, second, given)
         halves = tuple(
             _halves(name, first, second, apart, pixels, _range_mm(solution, name))
@@ -164,7 +164,7 @@ def _only(problem: CameraArrayProblem, views: list[str]) -> CameraArrayProblem:
     return replace(problem, sightings=tuple(one for one in problem.sightings if one.view in chosen))
 
 
-def _held_back(view: str, problem: CameraArrayProblem, trained: CameraArraySolution, whole: CameraArraySolution) -> HeldBackView:
+def _check_held_back(view: str, problem: CameraArrayProblem, trained: CameraArraySolution, whole: CameraArraySolution) -> HeldBackView:
     names = list(trained.calibration.cameras)
     sights = tuple(
         IndexedSighting(names.index(one.camera), 0, one.corners_px, np.ones(len(one.corners_px), bool), one.ids, spread)
@@ -177,7 +177,7 @@ def _held_back(view: str, problem: CameraArrayProblem, trained: CameraArraySolut
     residuals, by_board, by_rest = _linearise(bundle, state)
     for _ in range(POSE_STEPS):
         step = -np.linalg.lstsq(by_board / sigmas[:, None], residuals / sigmas, rcond=None)[0]
-        state = bundle.moved(state, np.concatenate([np.zeros(bundle.layout.boards_at), step]))
+        state = bundle.apply_step(state, np.concatenate([np.zeros(bundle.layout.boards_at), step]))
         residuals, by_board, by_rest = _linearise(bundle, state)
     count = len(residuals) / 2
     return HeldBackView(view, float(np.sqrt(residuals @ residuals / count)), _predict_rms(by_board, by_rest, sigmas, trained.covariance))
@@ -201,7 +201,7 @@ def _linearise(bundle: Bundle, state: BundleState) -> tuple[FloatArray, FloatArr
     """Residuals (M,) of one view and their derivatives by the board's pose (M, 6) and by all that views share (M, P)."""
     rows = []
     for sight in bundle.sights:
-        residual, jacobian, index = bundle.linearised(state, sight)
+        residual, jacobian, index = bundle.linearise_sighting(state, sight)
         full = np.zeros((2 * len(residual), bundle.layout.boards_at + POSE))
         full[:, index] = jacobian.reshape(len(full), -1)
         rows.append((residual.ravel(), full))
@@ -248,11 +248,11 @@ def _halves(
     return HalvesCheck(name, float(np.sqrt(np.mean(np.sum(difference**2, axis=1)))), float(np.sqrt(np.mean(spread))))
 
 
-def _called(name: str) -> str:
+def _name_device(name: str) -> str:
     return f"the {name}" if name == PROJECTOR else f"camera {name}"
 
 
-def _covered(name: str, size_px: tuple[int, int], halves: tuple[CameraArrayProblem, CameraArrayProblem]) -> FloatArray:
+def _common_pixels(name: str, size_px: tuple[int, int], halves: tuple[CameraArrayProblem, CameraArrayProblem]) -> FloatArray:
     """Pixels (N, 2) of a grid over the part of the image in which both halves of the views have corners.
 
     Outside of it a lens is extrapolated, and what its polynomial does there is decided by other than the noise of the corners.

@@ -32,7 +32,7 @@ def check_fits(
     CalibrationError
         A camera is missing in the calibration, has another serial number, image size, focus or aperture. All differences are named.
     """
-    wrong = [*_differences(calibration, serials, sizes_px), *_refocused(calibration, lenses or {})]
+    wrong = [*_differences(calibration, serials, sizes_px), *_find_changed_lenses(calibration, lenses or {})]
     if wrong:
         raise CalibrationError(
             "The calibration does not belong to these cameras: " + "; ".join(wrong) + ".",
@@ -58,7 +58,7 @@ def _differences(calibration: CameraArrayCalibration, serials: Mapping[str, str]
     return wrong
 
 
-def _refocused(calibration: CameraArrayCalibration, lenses: Mapping[str, LensSetting]) -> list[str]:
+def _find_changed_lenses(calibration: CameraArrayCalibration, lenses: Mapping[str, LensSetting]) -> list[str]:
     wrong = []
     for name, lens in lenses.items():
         if name in calibration.cameras:
@@ -83,13 +83,13 @@ def shortfalls(
     now : when the images were taken that it serves, with time zone
     temperature_c : as it was then, where it is measured
     rules : of the rig; a calibration that was given a shorter life itself keeps it
-    standoff_mm : from the head to the part; with it the effect of a temperature is told in mm
+    standoff_mm : from the head to the part; with it the effect of a temperature is stated in mm
     """
     return (*_too_old(provenance, now, rules), *_too_warm(provenance, temperature_c, rules, standoff_mm))
 
 
 def _too_old(provenance: Provenance, now: datetime, rules: CalibrationRules) -> list[str]:
-    created = _created(provenance)
+    created = _creation_time(provenance)
     lives = [days for days in (provenance.valid_days, rules.valid_days) if days is not None]
     if created is None:
         unknown = f"The date of the calibration, {provenance.created!r}, cannot be read, so that it counts as expired."
@@ -121,7 +121,7 @@ def _too_warm(provenance: Provenance, temperature_c: float | None, rules: Calibr
     ]
 
 
-def _created(provenance: Provenance) -> datetime | None:
+def _creation_time(provenance: Provenance) -> datetime | None:
     try:
         created = datetime.fromisoformat(provenance.created)
     except ValueError:

@@ -48,7 +48,7 @@ def advise_lenses(draft: Draft, notes: Notes, *, fixed_board: bool = False) -> N
     for one in views:
         if (change := one.next_distance()) is not None:
             notes.wish(f"{'Take poses' if fixed else 'Hold the board'} {change}", one.camera)
-    _shared(cameras, draft.counted, notes)
+    _note_shared_views(cameras, draft.counted, notes)
     missing = max((ADVISED_VIEWS - one.count for one in views), default=ADVISED_VIEWS)
     if not few and missing > 0:
         what = "one more view with" if missing == 1 else f"{missing} more views, each with"
@@ -87,14 +87,14 @@ def ghost_for_lenses(draft: Draft) -> Ghost | None:
         region, way = one.empty_region(ADVISED_COVERAGE) or "in the middle", one.least_tilt() if one.count else None
         axis, sign, _ = TILTS.get(way or "", (0, 0.0, ""))
         normal = (sign, 0.0) if axis == 0 else (0.0, sign)
-        distance = float(np.median(one.distances_mm)) if one.count else _filling_mm(one.pinhole, board.flat_corners_mm[:, 0].max())
+        distance = float(np.median(one.distances_mm)) if one.count else _filling_distance_mm(one.pinhole, board.flat_corners_mm[:, 0].max())
         outline = outline_px(one.pinhole, board_before(one.pinhole, board, CENTRES[region], normal, distance), board)
         if outline is not None:
             return Ghost({one.camera: outline})
     return None
 
 
-def _filling_mm(pinhole: PinholeCamera, width_mm: float) -> float:
+def _filling_distance_mm(pinhole: PinholeCamera, width_mm: float) -> float:
     return float(pinhole.matrix[0, 0]) * width_mm / (FILLED * pinhole.width_px)
 
 
@@ -118,7 +118,7 @@ def _gauges(one: LensViews) -> list[Gauge]:
     ]
 
 
-def _shared(cameras: Sequence[str], observations: Sequence[Observation], notes: Notes) -> None:
+def _note_shared_views(cameras: Sequence[str], observations: Sequence[Observation], notes: Notes) -> None:
     for other in cameras[1:]:
         count = sum(cameras[0] in one.seen and other in one.seen for one in observations)
         notes.gauges.append(Gauge(f"Views shared by {cameras[0]} and {other}", count, SHARED_TARGET, ""))

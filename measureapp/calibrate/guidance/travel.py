@@ -135,7 +135,7 @@ def _more(count: int, positions: Sequence[float], travel: Travel, notes: Notes) 
     beyond = high if goal > high else low
     if low <= goal <= high:  # the gap is named by itself
         beyond = high if abs(high) <= abs(low) else low
-    notes.wish(f"{travel.further}: {_number(count)} more {_positions(count)} beyond {_signed(beyond)}{travel.unit}")
+    notes.wish(f"{travel.further}: {_number(count)} more {_positions(count)} beyond {_format_signed(beyond)}{travel.unit}")
 
 
 def _gap(positions: Sequence[float], unit: str, notes: Notes) -> None:
@@ -146,7 +146,7 @@ def _gap(positions: Sequence[float], unit: str, notes: Notes) -> None:
         )
 
 
-def _signed(value: float) -> str:
+def _format_signed(value: float) -> str:
     """A whole number with a minus sign instead of a hyphen."""
     return f"{value:.0f}".replace("-", "−")
 

@@ -127,7 +127,7 @@ def compare_cameras(previous: CameraArrayCalibration, draft: Draft, solution: Ca
     changes = tuple(changes_between(camera_estimates(previous), camera_estimates(new)))
     volume = volume_of(solution, setup.standoff_mm)
     both = float(np.hypot(1.0, sigma_ratio(previous, new)))
-    normalised = _normalised(previous, solution) / both
+    normalised = _normalised_change(previous, solution) / both
     if len(new.cameras) == 1:
         lens = new.cameras[new.reference].pinhole
         moved = sideways_difference_mm(lens, previous.cameras[new.reference].pinhole, volume.standoff_mm)
@@ -149,7 +149,7 @@ def cross_validate_cameras(draft: Draft, solved: Solved, progress: Progress | No
     return cross_validate(camera_problem(entered), solved.camera_solution, progress=progress)
 
 
-def _normalised(previous: CameraArrayCalibration, solution: CameraArraySolution) -> float:
+def _normalised_change(previous: CameraArrayCalibration, solution: CameraArraySolution) -> float:
     """Return the rms difference of all values by the new calibration's covariance: the root of Mahalanobis' distance over their number."""
     changes: dict[str, float] = {}
     for name, camera in solution.calibration.cameras.items():

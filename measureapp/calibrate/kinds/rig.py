@@ -110,7 +110,7 @@ class Rig(Kind):
 
     @override
     def effect(self, draft: Draft, solved: Solved) -> Effect:
-        chosen = sample_readbacks(_used(draft, solved))
+        chosen = sample_readbacks(_used_readbacks(draft, solved))
         if len(chosen) < 2:
             raise CalibrationError("The observations of the solution are no longer there.", "Solve again.")
         typical, worst = (COVERAGE_FACTOR * sigma for sigma in view_consistency_sigma_mm(solved.solution, chosen))
@@ -131,7 +131,7 @@ class Rig(Kind):
             *changes_between(guide_estimates(previous.guide), guide_estimates(new.guide)),
             *axis_changes(previous.axis, new.axis),
         ]
-        used, points = sample_readbacks(_used(draft, solved)), part_points_mm(solution)
+        used, points = sample_readbacks(_used_readbacks(draft, solved)), part_points_mm(solution)
         there = np.concatenate([points for _ in used])
         seen = [new.part_from_camera(readback).inverse().apply(points) for readback in used]
         before = np.concatenate([previous.part_from_camera(readback).apply(part) for readback, part in zip(used, seen, strict=True)])
@@ -207,10 +207,10 @@ def _with_rig(draft: Draft, cameras: Solved, rig: RigSolution) -> Solved:
 
 
 def _predict_boards(rig: RigSolution) -> dict[str, RigidTransform]:
-    return name_poses([residual.name for residual in rig.residuals], rig.chain.predicted(rig.state))
+    return name_poses([residual.name for residual in rig.residuals], rig.chain.predict(rig.state))
 
 
-def _used(draft: Draft, solved: Solved) -> list[AxisReadback]:
+def _used_readbacks(draft: Draft, solved: Solved) -> list[AxisReadback]:
     used = {one.id: one for one in draft.observations if one.id in solved.used}
     return [used[name].axes for name in solved.used if name in used]
 

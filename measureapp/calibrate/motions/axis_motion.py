@@ -82,7 +82,7 @@ def fit_axis_to_poses(start: Turning, poses: FloatArray, roots: FloatArray, free
 
     angles = len(poses) - 1 if free_angles else 0
     steps = np.array([ANGLE_STEP] * 2 + [LENGTH_STEP] * 2 + [ANGLE_STEP] * 3 + [LENGTH_STEP] * 3 + [ANGLE_STEP] * angles)
-    minimum = minimise_residuals(start, residuals, _moved, steps)
+    minimum = minimise_residuals(start, residuals, _apply_step, steps)
     return minimum, 6 * len(poses) - len(steps)
 
 
@@ -99,7 +99,7 @@ def fit_axis_to_corners(start: Turning, corners_mm: FloatArray, free_angles: boo
 
     angles = len(corners_mm) - 1 if free_angles else 0
     steps = np.array([ANGLE_STEP] * 2 + [LENGTH_STEP] * 2 + [ANGLE_STEP] * angles)
-    minimum = minimise_residuals(start, residuals, _moved_without_board, steps)
+    minimum = minimise_residuals(start, residuals, _apply_motion_step, steps)
     return minimum, 3 * corners_mm.shape[1] * (len(corners_mm) - 1) - len(steps)
 
 
@@ -111,12 +111,12 @@ def perpendicular_basis(direction: FloatArray) -> FloatArray:
     return np.array([first, np.cross(direction, first)])
 
 
-def _moved(turning: Turning, step: FloatArray) -> Turning:
-    axis = _moved_without_board(turning, np.concatenate([step[:AXIS_PARAMETERS], step[AXIS_PARAMETERS + 6 :]]))
+def _apply_step(turning: Turning, step: FloatArray) -> Turning:
+    axis = _apply_motion_step(turning, np.concatenate([step[:AXIS_PARAMETERS], step[AXIS_PARAMETERS + 6 :]]))
     return replace(axis, board=apply_changes(turning.board, step[AXIS_PARAMETERS : AXIS_PARAMETERS + 6]))
 
 
-def _moved_without_board(turning: Turning, step: FloatArray) -> Turning:
+def _apply_motion_step(turning: Turning, step: FloatArray) -> Turning:
     basis = perpendicular_basis(turning.direction)
     direction = turning.direction + step[:2] @ basis
     angles = turning.angles_rad

@@ -69,15 +69,15 @@ class Chain:
         """How many different table angles there are, or 0 where their errors are not estimated."""
         return int(self.table_group.max()) + 1 if self.free.axis else 0
 
-    def predicted(self, state: ChainState) -> FloatArray:
+    def predict(self, state: ChainState) -> FloatArray:
         """Predict camera_from_board (N, 4, 4) by the chain."""
         shift = np.tile(np.eye(4), (len(self.guide_mm), 1, 1))
         shift[:, :3, 3] = self.guide_mm[:, None] * (state.guide_direction * state.guide_scale)
         errors = apply_changes(np.tile(np.eye(4), (len(state.robot_changes), 1, 1)), state.robot_changes)[self.robot_group]
         guide_from_camera = shift @ self.base_from_flange @ errors @ state.flange_from_camera
-        return np.asarray(invert_poses(guide_from_camera) @ self._turned(state) @ state.guide_from_board)
+        return np.asarray(invert_poses(guide_from_camera) @ self._table_rotations(state) @ state.guide_from_board)
 
-    def _turned(self, state: ChainState) -> FloatArray:
+    def _table_rotations(self, state: ChainState) -> FloatArray:
         angles = self._angles(state)
         turned = np.tile(np.eye(4), (len(angles), 1, 1))
         turned[:, :3, :3] = Rotation.from_rotvec(angles[:, None] * state.axis_direction).as_matrix()
@@ -104,12 +104,12 @@ class Chain:
 
     def residuals(self, state: ChainState) -> FloatArray:
         """Return the whitened residuals of the poses (6 N) and the table errors (K)."""
-        away = change_between(self.camera_from_board, self.predicted(state))
+        away = change_between(self.camera_from_board, self.predict(state))
         if self.cameras_freed and self.camera_jacobian is not None:
             away = away - self.camera_jacobian @ state.camera_changes
         return np.concatenate([(self.roots @ away[..., None]).ravel(), state.table_changes / self.noise.table_rad])
 
-    def moved(self, state: ChainState, step: FloatArray) -> ChainState:
+    def apply_step(self, state: ChainState, step: FloatArray) -> ChainState:
         """Return the state after a step in the order of `labels`, then robot, table and camera errors."""
         taken = iter(np.split(step, np.cumsum(self._lengths())[:-1]))
         changed = state
@@ -139,7 +139,7 @@ class Chain:
         """Minimise the sum of squares of residuals and of axis errors weighted by their priors, from ``start``."""
         priors = self._priors()
         return minimise(
-            start, lambda state: self._normal(state, priors), lambda state: self._cost(state, priors), self.moved, progress=progress
+            start, lambda state: self._normal(state, priors), lambda state: self._cost(state, priors), self.apply_step, progress=progress
         )
 
     def curvature(self, state: ChainState) -> Minimum[ChainState]:

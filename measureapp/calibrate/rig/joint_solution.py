@@ -101,7 +101,7 @@ def solution_of(
     if camera_prior is not None and chain.cameras_freed:
         cameras = perturb_cameras(cameras, camera_prior.parameters, state.camera_changes)
     deviations = dict(zip(chain.labels, np.sqrt(np.diag(covariance)).tolist(), strict=True))
-    change = change_between(chain.camera_from_board, chain.predicted(state))
+    change = change_between(chain.camera_from_board, chain.predict(state))
     distances, angles = np.linalg.norm(change[:, 3:], axis=1), np.linalg.norm(change[:, :3], axis=1)
     return RigSolution(
         calibration=RigCalibration(

@@ -61,7 +61,7 @@ class Limit:
     asked: float
     sigma: float
     axes_allow: float | None = None  # with perfect images and cameras; None where no axis takes part, or its part is in no figure
-    given_cameras: float | None = None  # with exactly known cameras, where it makes a difference that is told
+    given_cameras: float | None = None  # with exactly known cameras, where it makes a difference that is stated
 
     @property
     def beyond(self) -> float:

@@ -233,7 +233,7 @@ def _derivatives(rig: RigUncertainty, readback: AxisReadback) -> tuple[FloatArra
     at = _view_pose(state, flange, readback, np.zeros(OWN))
 
     def change(step: float, shifted: FloatArray, own: FloatArray) -> FloatArray:
-        there, back = (_view_pose(chain.moved(state, sign * shifted), flange, readback, sign * own) for sign in (1.0, -1.0))
+        there, back = (_view_pose(chain.apply_step(state, sign * shifted), flange, readback, sign * own) for sign in (1.0, -1.0))
         return (change_between(at[None], there[None]) - change_between(at[None], back[None]))[0] / (2 * step)
 
     steps = [*POSE_STEPS] if chain.free.hand_eye else []

@@ -49,7 +49,7 @@ def register(group: typer.Typer) -> None:
         wanted, progress = asked.values(("shape",)), TerminalProgress()
         inputs = source.inputs(PartOf(progress, 0.0, 0.6))
         solved = solve(inputs.problem, PartOf(progress, 0.6, 0.7))
-        solution = _dated(solved, source.serials(tuple(inputs.problem.sizes_px)), temperature_c, valid_days)
+        solution = _with_date(solved, source.serials(tuple(inputs.problem.sizes_px)), temperature_c, valid_days)
         quality = quality_of(inputs.problem, solution, standoff_mm, PartOf(progress, 0.7, 1.0))
         written: dict[str, Path] = {}
         if uncertainty_map is not None:
@@ -62,12 +62,12 @@ def register(group: typer.Typer) -> None:
             written["cameras"] = out
         limits = camera_limits(quality.uncertainty, wanted)
         document = cameras_answer(solution, inputs.images) | quality_answer(quality) | limits_answer(limits) | {"files": written}
-        lines = [*_lines(solution, document), *quality_lines(quality), *limit_lines(limits), *_written(written)]
+        lines = [*_lines(solution, document), *quality_lines(quality), *limit_lines(limits), *_saved_lines(written)]
         reply(document, "\n".join(lines), as_json)
         asked.exit_unless_met(limits)
 
 
-def _written(files: Mapping[str, Path]) -> list[str]:
+def _saved_lines(files: Mapping[str, Path]) -> list[str]:
     return [f"Saved to {path}" for path in files.values()]
 
 
@@ -80,7 +80,7 @@ def _with_inputs(calibration: CameraArrayCalibration, made: MadeFrom) -> CameraA
     )
 
 
-def _dated(
+def _with_date(
     solution: CameraArraySolution, serials: Mapping[str, str], temperature_c: float | None, valid_days: float | None
 ) -> CameraArraySolution:
     """Return the solution with today's date and the cameras' serial numbers."""

@@ -68,15 +68,15 @@ def register(group: typer.Typer) -> None:
             surplus = [*files.given(), *(["--images"] if source.images else []), *(["--cameras"] if source.cameras else [])]
             if surplus:
                 raise InputError(f"{surplus[0]} does not go with --project.", "Check the rig of a project, or give all files.")
-            document = check_answer(_checked_on_rig(project, rig, limit_mm)) | {"images_rejected": []}
+            document = check_answer(_check_on_rig(project, rig, limit_mm)) | {"images_rejected": []}
         else:
-            document = _checked_files(files, source, limit_mm)
+            document = _check_files(files, source, limit_mm)
         answer.give(ctx, document, _lines(document))
         if not document["good"]:
             raise typer.Exit(OUT_OF_TOLERANCE)
 
 
-def _checked_on_rig(folder: Path, rig: str | None, limit_mm: float) -> QuickCheck:
+def _check_on_rig(folder: Path, rig: str | None, limit_mm: float) -> QuickCheck:
     from measureapp.devices.connect import connect_rig
     from measureapp.pipeline.board_check import check_with_board
     from measureapp.project.folder import ProjectFolder
@@ -90,7 +90,7 @@ def _checked_on_rig(folder: Path, rig: str | None, limit_mm: float) -> QuickChec
         connected.close()
 
 
-def _checked_files(files: RigFiles, source: BoardSource, limit_mm: float) -> dict[str, Any]:
+def _check_files(files: RigFiles, source: BoardSource, limit_mm: float) -> dict[str, Any]:
     from measureapp.calibrate.rig.quick_check import quick_check
 
     calibration, tables = files.needed()

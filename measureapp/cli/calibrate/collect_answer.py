@@ -146,8 +146,8 @@ def _comparison(comparison: Comparison) -> dict[str, Any]:
 def _observation_line(one: Mapping[str, Any]) -> str:
     px = ", ".join(f"{camera} {value:.3f} px" for camera, value in one["residuals_px"].items())
     mm = "" if one["residual_mm"] is None else f"{one['residual_mm']:.4f} mm"
-    told = "  ".join(part for part in (mm, px, one["reason"]) if part)
-    return f"  {MARKS[one['standing']]} {one['id']}  {one['standing']:<9} {told}".rstrip()
+    details = "  ".join(part for part in (mm, px, one["reason"]) if part)
+    return f"  {MARKS[one['standing']]} {one['id']}  {one['standing']:<9} {details}".rstrip()
 
 
 def _estimate_line(one: Mapping[str, Any]) -> str:

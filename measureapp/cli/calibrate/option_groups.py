@@ -25,7 +25,7 @@ def with_groups(command: Callable[..., None]) -> Callable[..., None]:
 
     @functools.wraps(command)
     def wrapped(**given: Any) -> None:
-        command(**given | {name: _taken(group, given) for name, group in groups.items()})
+        command(**given | {name: _take(group, given) for name, group in groups.items()})
 
     wrapped.__annotations__ = {parameter.name: parameter.annotation for parameter in parameters} | {"return": None}
     wrapped.__signature__ = inspect.Signature(parameters)  # type: ignore[attr-defined]
@@ -48,12 +48,12 @@ def _option(field: Field[Any], annotation: Any) -> inspect.Parameter:
     return inspect.Parameter(field.name, inspect.Parameter.KEYWORD_ONLY, default=default, annotation=annotation)
 
 
-def _taken(group: Any, given: dict[str, Any]) -> Any:
+def _take(group: Any, given: dict[str, Any]) -> Any:
     """Return the group of its options, which are removed from ``given``."""
     hints = get_type_hints(group, include_extras=True)
     return group(
         **{
-            field.name: _taken(hints[field.name], given) if is_dataclass(hints[field.name]) else given.pop(field.name)
+            field.name: _take(hints[field.name], given) if is_dataclass(hints[field.name]) else given.pop(field.name)
             for field in fields(group)
         }
     )

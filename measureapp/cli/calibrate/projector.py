@@ -68,11 +68,11 @@ def register(group: typer.Typer) -> None:
         quality = validation_of(head.problem, head.solution, PartOf(progress, 0.8, 1.0))
         calibration = head.calibration
         if out is not None:
-            write_cameras(out, _dated(calibration, made_from(ctx, out)))
+            write_cameras(out, _with_date(calibration, made_from(ctx, out)))
         limits = projector_limits(head, wanted)
         document = projector_answer(head, manifests) | quality_answer(quality) | limits_answer(limits)
         document["files"] = {} if out is None else {"cameras": out}
-        reply(document, "\n".join([*_lines(document), *quality_lines(quality), *limit_lines(limits), *_written(document)]), as_json)
+        reply(document, "\n".join([*_lines(document), *quality_lines(quality), *limit_lines(limits), *_saved_lines(document)]), as_json)
         asked.exit_unless_met(limits)
 
 
@@ -90,7 +90,7 @@ def _size(text: str) -> tuple[int, int]:
     return int(match[1]), int(match[2])
 
 
-def _dated(calibration: CameraArrayCalibration, made: MadeFrom) -> CameraArrayCalibration:
+def _with_date(calibration: CameraArrayCalibration, made: MadeFrom) -> CameraArrayCalibration:
     """Return the calibration with the projector's date and provenance; also that of the cameras where they were calibrated with it."""
     from dataclasses import replace
 
@@ -173,5 +173,5 @@ def _lines(document: dict[str, Any]) -> list[str]:
     return lines + [f"  rejected: {one['manifest']} ({one['camera']}): {one['reason']}" for one in document["rejected"]]
 
 
-def _written(document: dict[str, Any]) -> list[str]:
+def _saved_lines(document: dict[str, Any]) -> list[str]:
     return [f"Saved to {path}" for path in document["files"].values()]

@@ -49,7 +49,7 @@ def check_steps(images: ImageArray, saturation: float, name: Name, spread_elsewh
     values = _lit_values(images, saturation)
     if values is None:
         return
-    leading = _leading(values)
+    leading = _count_brightest(values)
     products = _products(values)
     if leading == len(images):
         _check_repeated(products, name)
@@ -62,7 +62,7 @@ def check_steps(images: ImageArray, saturation: float, name: Name, spread_elsewh
 def phase_is_spread(images: ImageArray, saturation: float) -> bool:
     """Whether every image of a group is the brightest of its group somewhere, as it is when the phase takes all values."""
     values = _lit_values(images, saturation)
-    return values is not None and _leading(values) == len(values)
+    return values is not None and _count_brightest(values) == len(values)
 
 
 def _lit_values(images: ImageArray, saturation: float) -> FloatArray | None:
@@ -74,7 +74,7 @@ def _lit_values(images: ImageArray, saturation: float) -> FloatArray | None:
     return images[:, lit[:: max(1, len(lit) // MOST_PIXELS)]].astype(np.float32)
 
 
-def _leading(values: FloatArray) -> int:
+def _count_brightest(values: FloatArray) -> int:
     """Return how many images are the brightest somewhere; equally bright ones lead together, so that a repeated one does as well."""
     share = (values >= values.max(axis=0)).mean(axis=1)
     return int((share > 0.25 / len(values)).sum())
@@ -155,7 +155,7 @@ def check_between_groups(one: ImageArray, other: ImageArray, saturation: float, 
     if values is None:
         return
     first, second = values[: len(one)], values[len(one) :]
-    if _leading(first) < len(one) or _leading(second) < len(other) - 1:
+    if _count_brightest(first) < len(one) or _count_brightest(second) < len(other) - 1:
         return
     products = _products(values)
     own = np.diag(products)

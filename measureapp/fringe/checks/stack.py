@@ -112,7 +112,7 @@ def _check_copies(sample: _Sample) -> None:
         lit = np.flatnonzero(_lit(images, sample))
         if len(lit) < LEAST_PIXELS:
             continue
-        varies = _varying(images[:, lit], sample)
+        varies = _must_differ(images[:, lit], sample)
         for image, pixels in enumerate(images):
             if not varies[image]:
                 continue
@@ -124,7 +124,7 @@ def _check_copies(sample: _Sample) -> None:
                 )
 
 
-def _varying(images: ImageArray, sample: _Sample) -> list[bool]:
+def _must_differ(images: ImageArray, sample: _Sample) -> list[bool]:
     """Whether each image must differ from all others: a Gray plane may be all black or white on the part, and so may two."""
     bright = (images > images.max(axis=0) / 2.0 + images.min(axis=0) / 2.0).mean(axis=1)
     ranges = images.max(axis=1).astype(float) - images.min(axis=1)
@@ -155,7 +155,7 @@ def _check_sequence(sample: _Sample, exposure: int) -> None:
     groups = list(_groups(sample, exposure))
     steps = [one for one in groups if isinstance(one.group, PhaseShiftGroup)]
     for one in steps:
-        sequence_checks.check_steps(one.images, saturation, one.name, _spread_elsewhere(one, steps, saturation))
+        sequence_checks.check_steps(one.images, saturation, one.name, _covers_phase_elsewhere(one, steps, saturation))
     for one, other in combinations(steps, 2):
         if one.group.count == other.group.count:
             sequence_checks.check_between_groups(one.images, other.images, saturation, one.name, other.name)
@@ -176,7 +176,7 @@ def _namer(sample: _Sample, exposure: int, start: int) -> Callable[[int], str]:
     return lambda image: sample.place(exposure, start + image)
 
 
-def _spread_elsewhere(own: _GroupImages, steps: list[_GroupImages], saturation: float) -> bool:
+def _covers_phase_elsewhere(own: _GroupImages, steps: list[_GroupImages], saturation: float) -> bool:
     """Whether another group of the same direction, no finer than this one, shows that the phase takes all values."""
     pitch = _pitch_px(own)
     return any(

@@ -108,7 +108,7 @@ def propose_bracket(
     for count in range(1, limits.most + 1):
         grown = [(*chosen, exposure) for exposure in grid if exposure not in chosen]
         known = [tuple(bracket) for bracket in others.values() if len(bracket) == count and _obeys(bracket, limits)]
-        start = scene.best_of([*grown, *_even(grid, count), *known])
+        start = scene.best_of([*grown, *_evenly_spaced(grid, count), *known])
         if start is None:
             break
         chosen = scene.improve(start, grid)
@@ -129,7 +129,7 @@ def propose_bracket(
     )
 
 
-def _even(grid: Sequence[int], count: int) -> list[tuple[int, ...]]:
+def _evenly_spaced(grid: Sequence[int], count: int) -> list[tuple[int, ...]]:
     """Return the brackets of ``count`` evenly spaced places of the grid."""
     return [tuple(grid[first::stride][:count]) for stride in EVEN_STRIDES for first in range(len(grid) - stride * (count - 1))]
 

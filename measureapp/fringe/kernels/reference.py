@@ -241,7 +241,7 @@ def vote(places: IntArray, maps: PixelMaps, limits: VoteLimits, start: int, stop
     offsets = np.arange(-limits.radius, limits.radius + 1)
     change = np.full((len(own), len(offsets) ** 2), np.nan)  # of order, to that of each pixel of the window; NaN: none there
     for number, (down, right) in enumerate(np.array(np.meshgrid(offsets, offsets)).reshape(2, -1).T):
-        other, is_there = _shifted(own, int(down), int(right), maps.phase.shape)
+        other, is_there = _shift(own, int(down), int(right), maps.phase.shape)
         is_there &= np.isin(state[other], WITH_PHASE) & (other != own)
         change[is_there, number] = np.floor((phase[other] - phase[own])[is_there] / np.float32(2 * np.pi) + np.float32(0.5))
     others, same = np.count_nonzero(~np.isnan(change), axis=1), np.count_nonzero(change == 0, axis=1)
@@ -255,7 +255,7 @@ def vote(places: IntArray, maps: PixelMaps, limits: VoteLimits, start: int, stop
     verdicts[start:stop] = np.where(np.isin(state[own], WITH_PHASE), verdict, UNCHANGED)
 
 
-def _shifted(places: IntArray, down: int, right: int, shape: tuple[int, ...]) -> tuple[IntArray, BoolArray]:
+def _shift(places: IntArray, down: int, right: int, shape: tuple[int, ...]) -> tuple[IntArray, BoolArray]:
     """Return the flat indices of other pixels, and whether they are inside the image; outside of it the index is that of the pixel itself."""
     y, x = places // shape[1] + down, places % shape[1] + right
     is_inside = (y >= 0) & (y < shape[0]) & (x >= 0) & (x < shape[1])
@@ -280,5 +280,5 @@ def find_edges(places: IntArray, maps: PixelMaps, step: float, start: int, stop:
     phase, is_valid, own = maps.phase.reshape(-1), maps.state.reshape(-1) == PixelState.VALID, places[start:stop]
     edge[start:stop] = False
     for down, right in ((0, -1), (0, 1), (-1, 0), (1, 0)):
-        other, _ = _shifted(own, down, right, maps.phase.shape)
+        other, _ = _shift(own, down, right, maps.phase.shape)
         edge[start:stop] |= is_valid[own] & is_valid[other] & (np.abs(phase[other] - phase[own]) > step)

@@ -51,13 +51,13 @@ def _shapes(board: BoardDescription) -> list[str]:
         radius = board.diameter_mm / 2
         return [f'<circle cx="{x:g}" cy="{y:g}" r="{radius:g}" shape-rendering="auto"/>' for x, y, _ in board.flat_corners_mm]
     if isinstance(board, CharucoDescription):
-        return _marked(board)
+        return _draw_markers(board)
     assert isinstance(board, CheckerboardDescription)
     squares = np.argwhere(np.indices((board.rows + 1, board.columns + 1)).sum(axis=0) % 2 == 0)
     return [_square((column - 1) * board.square_mm, (row - 1) * board.square_mm, board.square_mm) for row, column in squares]
 
 
-def _marked(board: CharucoDescription) -> list[str]:
+def _draw_markers(board: CharucoDescription) -> list[str]:
     cells = marker_cells(board.columns, board.rows, board.dictionary, board.legacy_pattern)
     side = board.marker_mm / cells.shape[2]
     edge = (board.square_mm - board.marker_mm) / 2

@@ -115,11 +115,11 @@ def _camera_document(camera: CameraCalibration) -> dict[str, Any]:
 
 def cameras_from(document: Any, source: str = "cameras.json") -> CameraArrayCalibration:
     """Return the calibration of a JSON document; raises InputError naming ``source`` and the field."""
-    _known(document, FILE_FIELDS | FILE_FIELDS_SINCE_2, source, "the file")
+    _check_fields(document, FILE_FIELDS | FILE_FIELDS_SINCE_2, source, "the file")
     version = document.get("schema_version")
     if version not in READABLE_VERSIONS or isinstance(version, bool):
         raise InputError(f"{source}: schema_version is {version!r}, not 1 or {SCHEMA_VERSION}.", "Write the file again with this version.")
-    _known(document, FILE_FIELDS | (FILE_FIELDS_SINCE_2 if version >= 2 else set()), source, "a file of schema_version 1")
+    _check_fields(document, FILE_FIELDS | (FILE_FIELDS_SINCE_2 if version >= 2 else set()), source, "a file of schema_version 1")
     cameras = _field(document, "cameras", source)
     if not isinstance(cameras, Mapping) or not cameras:
         raise InputError(f"{source}: cameras names no camera.", 'Give {"left": {…}, …}.')
@@ -141,7 +141,7 @@ def cameras_from(document: Any, source: str = "cameras.json") -> CameraArrayCali
 def _covariance(
     entry: Any, cameras: Mapping[str, CameraCalibration], projector: ProjectorCalibration | None, source: str
 ) -> LabelledCovariance:
-    _known(entry, COVARIANCE_FIELDS, source, "covariance")
+    _check_fields(entry, COVARIANCE_FIELDS, source, "covariance")
     labels = _field(entry, "parameters", source, "covariance.")
     owners = {*cameras, *(() if projector is None else (projector.name,))}
     if not isinstance(labels, list) or not all(isinstance(label, str) and label.rpartition(".")[0] in owners for label in labels):
@@ -166,7 +166,7 @@ def _covariance(
 
 def _camera(name: str, entry: Any, reference: str, source: str) -> CameraCalibration:
     place = f"cameras.{name}"
-    _known(entry, CAMERA_FIELDS, source, place)
+    _check_fields(entry, CAMERA_FIELDS, source, place)
     pinhole = _pinhole(entry, source, place)
     pose = _array(_field(entry, "reference_from_camera", source, f"{place}."), (4, 4), source, f"{place}.reference_from_camera")
     if name == reference and not np.allclose(pose, np.eye(4), atol=1e-9):
@@ -188,7 +188,7 @@ def _camera(name: str, entry: Any, reference: str, source: str) -> CameraCalibra
 
 
 def _projector(entry: Any, source: str) -> ProjectorCalibration:
-    _known(entry, PROJECTOR_FIELDS, source, "projector")
+    _check_fields(entry, PROJECTOR_FIELDS, source, "projector")
     pinhole = _pinhole(entry, source, "projector")
     place = "projector.reference_from_projector"
     pose = _array(_field(entry, "reference_from_projector", source, "projector."), (4, 4), source, place)
@@ -205,7 +205,7 @@ def _projector(entry: Any, source: str) -> ProjectorCalibration:
 
 
 def _provenance(entry: Any, source: str, place: str) -> Provenance:
-    _known(entry, PROVENANCE_FIELDS, source, place)
+    _check_fields(entry, PROVENANCE_FIELDS, source, place)
     optional = {name: entry[name] for name in ("temperature_c", "valid_days") if entry.get(name) is not None}
     arguments = entry.get("arguments", [])
     if not isinstance(arguments, list) or not all(isinstance(one, str) for one in arguments):
@@ -239,7 +239,7 @@ def _transform(pose: FloatArray, name: str, source: str, place: str) -> RigidTra
         raise InputError(f"{source}: {place} is not a rigid transform.", "Its 3×3 part must be a rotation; lengths in mm.") from error
 
 
-def _known(entry: Any, fields: set[str], source: str, place: str) -> None:
+def _check_fields(entry: Any, fields: set[str], source: str, place: str) -> None:
     if not isinstance(entry, Mapping):
         raise InputError(f"{source}: {place} is not a JSON object.", "See the format of cameras.json in the help.")
     foreign = sorted(set(entry) - fields)

@@ -72,7 +72,7 @@ def read_camera_inputs(path: Path) -> CameraInputs:
             board=board,
             reference=str(document["reference"]),
             sizes_px={str(name): (int(width), int(height)) for name, (width, height) in document["sizes_px"].items()},
-            sightings=tuple(_sighting(entry, board) for entry in document["sightings"]),
+            sightings=tuple(_sighting_from(entry, board) for entry in document["sightings"]),
             rejected=tuple(Rejection(str(one["camera"]), str(one["view"]), str(one["reason"])) for one in document["rejected"]),
             distortion_count=int(document["distortion_count"]),
             free_bow=bool(document["free_bow"]),
@@ -105,7 +105,7 @@ def _not_of(camera: str, view: str, board: BoardDescription) -> str:
     return f"corners of {camera} in view {view} are not those of the {board.label}"
 
 
-def _sighting(entry: dict[str, Any], board: BoardDescription) -> Sighting:
+def _sighting_from(entry: dict[str, Any], board: BoardDescription) -> Sighting:
     corners = np.array(entry["corners_px"], float)
     if not np.all(np.isfinite(corners)):
         raise ValueError(f"corners of {entry['camera']} in view {entry['view']} are not numbers")

@@ -48,7 +48,7 @@ def fringes_in(folder: Path) -> RecordedFringes:
     found = [*folder.glob(MANIFEST), *folder.glob(f"*/{MANIFEST}")]
     if not found:
         raise InputError(f"There is no {MANIFEST} in {folder} or its subfolders.", HOW_TO_LAY)
-    return _recorded(found)
+    return _read_recorded(found)
 
 
 def fringes_named(patterns: Sequence[str]) -> RecordedFringes:
@@ -59,10 +59,10 @@ def fringes_named(patterns: Sequence[str]) -> RecordedFringes:
         if not matching:
             raise InputError(f"No manifest matches {pattern!r}.", "Check the folder and quote the pattern.")
         found += [path for path in matching if path not in found]
-    return _recorded(found)
+    return _read_recorded(found)
 
 
-def _recorded(found: Sequence[Path]) -> RecordedFringes:
+def _read_recorded(found: Sequence[Path]) -> RecordedFringes:
     manifests = tuple(sorted(found, key=lambda path: natural_order(str(path))))
     patterns, cameras = read_layout(manifests[0])
     if len(patterns.directions) < 2 or patterns.projector_rows is None:

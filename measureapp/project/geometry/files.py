@@ -65,7 +65,7 @@ def read_points(path: Path, unit: LengthUnit = LengthUnit.MM) -> PlainPoints:
     InputError
         The file is missing, empty, damaged, of an unknown kind or without points.
     """
-    path, kind = _checked(path)
+    path, kind = _check_file(path)
     if kind == ".ply":
         points = _ply_points(path, read_ply(path))
     elif kind == ".stl":
@@ -89,7 +89,7 @@ def read_mesh(path: Path, frame: str = "nominal", unit: LengthUnit = LengthUnit.
     InputError
         As `read_points`; also a file without triangles, or with corners that do not exist.
     """
-    path, kind = _checked(path, (*KINDS, *STEP_KINDS))
+    path, kind = _check_file(path, (*KINDS, *STEP_KINDS))
     if kind in STEP_KINDS:
         if unit is not LengthUnit.MM:
             raise InputError(f"{path} is a STEP file, which states its unit itself.", "Leave the unit of the nominal out.")
@@ -104,7 +104,7 @@ def read_mesh(path: Path, frame: str = "nominal", unit: LengthUnit = LengthUnit.
 
 def read_cloud_or_mesh(path: Path, frame: str = "part", unit: LengthUnit = LengthUnit.MM) -> PlainPoints | Mesh:
     """Read a mesh if the file has triangles, otherwise its points; raises InputError as `read_points`."""
-    checked, kind = _checked(path)
+    checked, kind = _check_file(path)
     mesh = _read_mesh(checked, kind, frame) if kind in (".ply", ".stl", ".obj") else None
     return read_points(checked, unit) if mesh is None else _mesh_in_mm(mesh, unit)
 
@@ -192,7 +192,7 @@ def write_mesh(path: Path, mesh: Mesh) -> None:
             raise InputError(f"{path}: a mesh cannot be written as {kind or 'a file without ending'}.", "Use .ply or .stl.")
 
 
-def _checked(path: Path, kinds: tuple[str, ...] = KINDS) -> tuple[Path, str]:
+def _check_file(path: Path, kinds: tuple[str, ...] = KINDS) -> tuple[Path, str]:
     """Return the path and its lower-case ending after the checks that every reader needs."""
     path = Path(path)
     if not path.is_file():
@@ -238,10 +238,10 @@ def _ply_points(path: Path, ply: Ply) -> PlainPoints:
     points = _ply_xyz(path, ply)
     grey = ply.column("vertex", "grey")
     columns = {
-        "normals": _stacked(ply, ("nx", "ny", "nz"), np.float32),
+        "normals": _stack_columns(ply, ("nx", "ny", "nz"), np.float32),
         "sigma_mm": _single(ply, "sigma", np.float32),
         "grey": np.clip(np.nan_to_num(grey), 0, 1).astype(np.float32) if grey is not None else None,
-        "pixel": _stacked(ply, ("row", "col"), np.int32),
+        "pixel": _stack_columns(ply, ("row", "col"), np.int32),
         "cameras": _single(ply, "cameras", np.uint8),
         "view": _single(ply, "view", np.int16),
         "sampled_view": _single(ply, "drawn_view", np.int16),
@@ -262,13 +262,13 @@ def _check_views(path: Path, plain: PlainPoints) -> None:
 
 
 def _ply_xyz(path: Path, ply: Ply) -> FloatArray:
-    points = _stacked(ply, ("x", "y", "z"), np.float64)
+    points = _stack_columns(ply, ("x", "y", "z"), np.float64)
     if points is None:
         raise InputError(f"{path} has no vertices with x, y and z.", EXPORT_AGAIN)
     return points
 
 
-def _stacked(ply: Ply, names: tuple[str, ...], dtype: Any) -> Any:
+def _stack_columns(ply: Ply, names: tuple[str, ...], dtype: Any) -> Any:
     columns = [_single(ply, name, dtype) for name in names]
     return None if any(column is None for column in columns) else np.column_stack(columns)
 

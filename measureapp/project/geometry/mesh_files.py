@@ -20,11 +20,11 @@ def read_stl(path: Path) -> tuple[FloatArray, IntArray]:
     count = int.from_bytes(data[80:84], "little") if len(data) >= STL_HEADER_BYTES else -1
     wanted = STL_HEADER_BYTES + count * STL_RECORD.itemsize
     if count >= 0 and len(data) == wanted:
-        return joined(np.frombuffer(data, STL_RECORD, count, STL_HEADER_BYTES)["corners"].reshape(-1, 3))
+        return join_corners(np.frombuffer(data, STL_RECORD, count, STL_HEADER_BYTES)["corners"].reshape(-1, 3))
     if data.lstrip()[:5].lower() == b"solid" and b"facet" in data[:4096]:
-        return joined(_ascii_corners(path, data))
+        return join_corners(_ascii_corners(path, data))
     if count >= 0 and len(data) > wanted and count > 0:  # some programs append their own data
-        return joined(np.frombuffer(data, STL_RECORD, count, STL_HEADER_BYTES)["corners"].reshape(-1, 3))
+        return join_corners(np.frombuffer(data, STL_RECORD, count, STL_HEADER_BYTES)["corners"].reshape(-1, 3))
     if count > 0:
         held = (len(data) - STL_HEADER_BYTES) // STL_RECORD.itemsize
         raise InputError(f"{path} is cut short: it declares {count} triangles and holds {held}.", DAMAGED)
@@ -44,7 +44,7 @@ def _ascii_corners(path: Path, data: bytes) -> FloatArray:
     return corners
 
 
-def joined(corners_mm: FloatArray) -> tuple[FloatArray, IntArray]:
+def join_corners(corners_mm: FloatArray) -> tuple[FloatArray, IntArray]:
     """Join equal corners (3T, 3) to vertices; triangles that collapse to a line by it are left out."""
     order = np.lexsort(corners_mm.T[::-1])  # as np.unique of rows would, in a tenth of its time
     rows = corners_mm[order]

@@ -46,7 +46,7 @@ def camera_shift(phase_maps: Mapping[str, PhaseMap], cameras: CameraArrayCalibra
     both = len(orthogonal) == len(names)
     if names[0] != cameras.reference or (len(names) - 1) * (1 + both) < 2:
         return None
-    samples = Samples.of(phase_maps[names[0]]).thinned(SAMPLES)
+    samples = Samples.of(phase_maps[names[0]]).subsample(SAMPLES)
     if len(samples) < LEAST_SAMPLES:
         return None
     points, pixels = _match_points(samples, names[:2], phase_maps[names[1]], cameras)

@@ -55,7 +55,7 @@ class Samples:
     def __len__(self) -> int:
         return len(self.phase)
 
-    def thinned(self, count: int) -> Samples:
+    def subsample(self, count: int) -> Samples:
         """Return about ``count`` of the samples, evenly chosen."""
         every = slice(None, None, max(1, len(self) // count))
         return Samples(self.pixel[every], self.phase[every], self.sigma[every], self.gradient[every])

@@ -77,12 +77,12 @@ def pair_tables(
         shape = (rectifier.pair(name, other).rows // LINES_PER_CELL + 3, bins + 2)
         tables = [memory.empty(shape, np.int32) for _ in sides]
         pairs[other] = PairTables(tables[0], tables[1], -RANGE_MARGIN_RAD, bins / range_rad)
-        jobs += [_filling(side, pairs[other], table, memory.empty(shape, np.uint8)) for side, table in zip(sides, tables, strict=True)]
+        jobs += [_table_filler(side, pairs[other], table, memory.empty(shape, np.uint8)) for side, table in zip(sides, tables, strict=True)]
     in_bands(lambda start, stop: [job() for job in jobs[start:stop]], len(jobs), len(jobs))
     return {other: _fill_gaps(tables, memory) for other, tables in pairs.items()}
 
 
-def _filling(side: Side, tables: PairTables, table: IntArray, repeated: IntArray) -> Callable[[], None]:
+def _table_filler(side: Side, tables: PairTables, table: IntArray, repeated: IntArray) -> Callable[[], None]:
     direction = tuple(np.float32(value) for value in side.lines.direction)
     bins, every = (np.float32(tables.lowest_rad), np.float32(tables.per_rad)), table_step(side.view.phase.shape)
     flat = (repeated.reshape(-1), table.reshape(-1))

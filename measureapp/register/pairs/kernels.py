@@ -53,7 +53,7 @@ def _gap(x: float, cell: int, edge: float) -> float:
 
 
 @numba.njit(cache=True, nogil=True)
-def _squared(x: float, y: float, z: float) -> float:
+def _squared_length(x: float, y: float, z: float) -> float:
     return x * x + y * y + z * z
 
 
@@ -75,7 +75,7 @@ def find_nearest(x: float, y: float, z: float, target: SortedPoints, search: flo
             for b in range(j - shell, j + shell + 1):
                 inside = abs(a - i) < shell and abs(b - j) < shell
                 for c in range(k - shell, k + shell + 1, 2 * shell if inside else 1):
-                    gap = _squared(_gap(x, a, edge), _gap(y, b, edge), _gap(z, c, edge))
+                    gap = _squared_length(_gap(x, a, edge), _gap(y, b, edge), _gap(z, c, edge))
                     if gap >= best:
                         continue
                     cell = _cell(a, b, c, target.keys, target.table)

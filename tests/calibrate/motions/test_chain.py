@@ -54,7 +54,7 @@ def chain(generator, state):
         camera_jacobian=generator.normal(size=(SIGHTINGS, 6, CAMERAS)),
         camera_covariance=np.eye(CAMERAS),
     )
-    observed = apply_changes(ideal.predicted(state), generator.normal(scale=0.1, size=(SIGHTINGS, 6)))
+    observed = apply_changes(ideal.predict(state), generator.normal(scale=0.1, size=(SIGHTINGS, 6)))
     return replace(ideal, camera_from_board=observed)
 
 
@@ -64,7 +64,7 @@ def test_the_derivatives_of_the_chain_are_those_of_differences(chain, state, fre
     if not free.axis:
         state = replace(state, table_changes=np.zeros(0))
     columns = [
-        (chain.residuals(chain.moved(state, shift)) - chain.residuals(chain.moved(state, -shift))) / (2 * STEP)
+        (chain.residuals(chain.apply_step(state, shift)) - chain.residuals(chain.apply_step(state, -shift))) / (2 * STEP)
         for shift in STEP * np.eye(chain.size)
     ]
     by_differences = np.array(columns).T

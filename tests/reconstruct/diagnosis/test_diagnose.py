@@ -243,7 +243,7 @@ def test_columns_beyond_the_calibrated_projector_are_named(head: ProjectorHead) 
     smaller = replace(head.projector, pinhole=projector_lens(512, 384))
     findings = diagnose(head.phase_maps(BALL, noise_seed=7), replace(head.cameras, projector=smaller))
     assert kinds(findings) == {"wrong-pitch"}
-    assert "calibrated with 512" in findings[0].message
+    assert "calibrated projector has 512 columns" in findings[0].message
 
 
 def test_rows_taken_for_columns_are_named(head: ProjectorHead) -> None:

@@ -245,5 +245,5 @@ def _number(one: Number) -> str:
 
 def _legend_cells(words: str, colour: tuple[int, int, int] | None, share: float | None) -> list[Cell]:
     sign = "eye" if colour is None else QColor(*colour).name()
-    told = "" if share is None else "< 0.1\u00a0%" if 0 < share < 0.0005 else percent(share)
-    return [Cell(REASON_WORDS.get(words) or sentence_case(words), sign=sign), number(told)]
+    percentage = "" if share is None else "< 0.1\u00a0%" if 0 < share < 0.0005 else percent(share)
+    return [Cell(REASON_WORDS.get(words) or sentence_case(words), sign=sign), number(percentage)]

@@ -22,14 +22,14 @@ class Residuals:
 
     def of(self, cloud: PointCloud, stitched: StitchedCloud) -> np.ndarray:
         """Return the signed distances (N,) in mm of a placed cloud's points; NaN without a merged point nearby."""
-        return self._found(cloud, stitched)[0]
+        return self._residuals_of(cloud, stitched)[0]
 
     def merged(self, clouds: Sequence[PointCloud], stitched: StitchedCloud, check: Callable[[], None]) -> np.ndarray:
         """Return the rms residual (M,) in mm of the registered clouds at each merged point."""
         found = []
         for cloud in clouds:
             check()
-            found.append(self._found(cloud, stitched))
+            found.append(self._residuals_of(cloud, stitched))
         surface = self._of(stitched)
         if not found:
             return np.full(len(stitched), np.nan)
@@ -42,7 +42,7 @@ class Residuals:
             self._surface, self._kept = MergedSurface(stitched), {}
         return self._surface
 
-    def _found(self, cloud: PointCloud, stitched: StitchedCloud) -> tuple[np.ndarray, np.ndarray]:
+    def _residuals_of(self, cloud: PointCloud, stitched: StitchedCloud) -> tuple[np.ndarray, np.ndarray]:
         surface, kept = self._of(stitched), self._kept.get(id(cloud))
         if kept is None or kept[0] is not cloud:
             kept = self._kept[id(cloud)] = (cloud, *surface.residuals(cloud.points_mm))

@@ -3,26 +3,53 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject
-from PySide6.QtWidgets import QWidget
+from PySide6.QtCore import QObject, Slot
+from PySide6.QtWidgets import QFileDialog, QWidget
 
-from ui.controllers.programming import ProgrammingController
+from measureapp.data.length_unit import LengthUnit
+from ui.controllers.programming import NominalQuestion, ProgrammingController
 from ui.look.look import Look
 from ui.look.wording import sentence_case
 from ui.pages.inspection.dimension_bar import DimensionBar
-from ui.pages.inspection.nominal_button import NominalButton
 from ui.pages.inspection.program_dialog import ProgramDialog
 from ui.session import Session
 from ui.widgets.basic import Button
+from ui.widgets.unit_dialog import UnitDialog
 
 if TYPE_CHECKING:
     from measureapp.data.dimension import Dimension
     from measureapp.data.measurement import Inspection
     from ui.controllers.growing import GrownFeature
 
-TIP = "Edit the inspection program as text: alignment, features, dimensions"
+NOMINAL_FILES = "Nominals (*.stl *.ply *.obj *.step *.stp)"
+NOMINAL_TIP = "Choose the nominal of the part: a mesh or a STEP file"
+PROGRAM_TIP = "Edit the inspection program as text: alignment, features, dimensions"
+
+
+class NominalButton(Button):
+    """Asks for a file, and for its unit if it is doubtful."""
+
+    def __init__(self, look: Look, programming: ProgrammingController) -> None:
+        super().__init__("Nominal…", look, "open", "quiet", NOMINAL_TIP)
+        self._look, self._programming, self.dialog = look, programming, None
+        self.clicked.connect(self._choose)
+        programming.unitAsked.connect(self._ask)
+
+    def _choose(self) -> None:
+        chosen, _ = QFileDialog.getOpenFileName(self, "Choose the nominal", str(Path.home()), NOMINAL_FILES)
+        if chosen:
+            self._programming.set_nominal(Path(chosen))
+
+    @Slot(object)
+    def _ask(self, asked: NominalQuestion) -> None:
+        question = asked.question
+        dialog = self.dialog = UnitDialog(self._look, question.what, question.finding, LengthUnit(question.unit), parent=self)
+        dialog.chosen.connect(lambda unit: self._programming.set_nominal(asked.path, unit))
+        dialog.finished.connect(dialog.deleteLater)
+        dialog.open()
 
 
 class ProgramTools(QObject):
@@ -32,7 +59,7 @@ class ProgramTools(QObject):
         super().__init__(page)
         self._session, self.programming = session, programming
         self.bar, self.nominal, self.dialog = DimensionBar(look), NominalButton(look, programming), ProgramDialog(look, programming, page)
-        self.text = Button("Program…", look, "report", "quiet", TIP)
+        self.text = Button("Program…", look, "report", "quiet", PROGRAM_TIP)
         self.text.clicked.connect(self.dialog.show_program)
         self.bar.asked.connect(self._add_dimension)
         self._added = ""  # the last added dimension, until it is measured

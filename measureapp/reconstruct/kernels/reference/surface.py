@@ -106,7 +106,7 @@ def refit_normals(surface: Surface, removed: IntArray, row_start: int, row_stop:
     normals[:, y, x] = _fit_planes(surface, y, x)[:3]
 
 
-def _linked(surface: Surface, axis: int) -> BoolArray:
+def _are_linked(surface: Surface, axis: int) -> BoolArray:
     """Whether no depth discontinuity separates pixels from their left (axis 1) or upper (axis 0) neighbours."""
     inverse = _unpadded(surface)
     before, own = (inverse[:-1], inverse[1:]) if axis == 0 else (inverse[:, :-1], inverse[:, 1:])
@@ -128,7 +128,7 @@ def find_runs(
     """Remove rejected points from the inverse depths, and find the runs of points of every row without a depth discontinuity."""
     inverse = _unpadded(surface)
     inverse[row_start:row_stop][state[row_start:row_stop] != 0] = 0
-    linked = _linked(surface, 1)
+    linked = _are_linked(surface, 1)
     for y in range(row_start, row_stop):
         points = inverse[y] > 0
         begins = np.flatnonzero(points & ~np.concatenate([[False], linked[y]]))
@@ -144,7 +144,7 @@ def remove_small_components(
     """Remove the connected components of less than ``min_pixels`` pixels; neighbours without a depth discontinuity are connected."""
     inverse = _unpadded(surface)
     index = np.arange(inverse.size).reshape(inverse.shape)
-    across, down = _linked(surface, 1), _linked(surface, 0)
+    across, down = _are_linked(surface, 1), _are_linked(surface, 0)
     first = np.concatenate([index[:, 1:][across], index[1:][down]])
     second = np.concatenate([index[:, :-1][across], index[:-1][down]])
     graph = coo_array((np.ones(len(first), np.bool_), (first, second)), (inverse.size, inverse.size))
