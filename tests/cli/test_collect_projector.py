@@ -49,7 +49,7 @@ def test_fringes_are_collected_coached_solved_compared_and_accepted(capsys, trut
     assert all(0 < one["residuals_px"]["projector"] < 0.3 for one in answer["observations"])
     assert "measured by camera" in answer["verdict"]["sentence"]
     assert any("cameras themselves" in reason for reason in answer["verdict"]["but"])  # these state no covariance
-    assert not any("something besides noise" in reason for reason in answer["verdict"]["but"])  # views held back fit as predicted
+    assert not any("errors other than noise" in reason for reason in answer["verdict"]["but"])  # views held back fit as predicted
     assert (code == 1) == (answer["verdict"]["level"] == "bad")
     result = tmp_path / "head.json"
     code, answer = run(capsys, *session, "--accept", result, "--good-mm", "100")

@@ -99,7 +99,7 @@ def test_the_recorded_real_set_decodes_from_its_manifest(tmp_path: Path, capsys:
     assert main(["decode", str(manifest), "--out", str(tmp_path / "out"), "--json"]) == 0
     assert json.loads(capsys.readouterr().out)["cameras"]["one"]["decoded_px"] == pytest.approx(214_654, rel=0.001)
     manifest.write_text(manifest.read_text().replace("shift_sign = 1", "shift_sign = -1"))
-    assert "against the Gray code" in refused_with(capsys, "decode", manifest, "--out", tmp_path / "other")
+    assert "decreases where the Gray code increases" in refused_with(capsys, "decode", manifest, "--out", tmp_path / "other")
 
 
 def test_the_guard_against_blooming_is_chosen_from_the_images_or_refused_in_words(

@@ -371,7 +371,7 @@ def test_decoded_shares_and_losses_are_told_where_they_are_stored(filled, applic
     groups = {group.heading: dict(group.rows) for group in view_properties(view, None).groups}
     assert plain(groups["Pixels decoded"]["Camera left"]) == "15.2 %"
     assert groups["Pixels decoded"]["Order conflicts"] == "6"
-    assert list(groups["Rejected points"]) == ["Contradicted", "Island"]
+    assert list(groups["Rejected points"]) == ["Contradicted", "Isolated patch"]
     application.session.add_view(view)
     tiles = {tile.name: plain(tile.figure) for tile in filled.pages["scan"].tiles.tiles}
     assert tiles[view.viewpoint_id] == "13–15 % decoded"

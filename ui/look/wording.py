@@ -9,6 +9,17 @@ from pathlib import PurePath
 NOTHING = "–"
 THIN = "\u2009"
 MINUS = "\u2212"
+POINT_REASONS = {  # why a pixel has no point, by the names that documents use
+    "point": "Measured",
+    "seen by another": "Measured by another camera",
+    "flying": "Flying point",
+    "grazing": "Grazing incidence",
+    "partner grazing": "Oblique to another camera",
+    "grazing for a partner": "Oblique to another camera",
+    "island": "Isolated patch",
+    "rim": "Depth discontinuity",
+    "at a rim": "Depth discontinuity",
+}
 
 
 def _number(value: float, digits: int, signed: bool) -> str:
@@ -103,3 +114,8 @@ def sentence_case(text: str) -> str:
     """Return a label with a capital first letter, underscores as spaces."""
     text = text.replace("_", " ").strip()
     return text[:1].upper() + text[1:]
+
+
+def point_reason(name: str) -> str:
+    """Format the reason why a pixel has no point."""
+    return POINT_REASONS.get(name) or sentence_case(name)

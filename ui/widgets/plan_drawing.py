@@ -45,7 +45,7 @@ class PlanDrawing(QWidget):
         self._table_mm = 0.0
         self._chosen = -1
         self._places: list[tuple[float, float]] = []
-        self.setMinimumSize(400, 320)
+        self.setMinimumSize(360, 320)
         look.changed.connect(self.update)
 
     def show_stations(self, stations: Sequence[Station], table_mm: float) -> None:

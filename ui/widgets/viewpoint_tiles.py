@@ -29,7 +29,7 @@ COLOURS = {
     "failed": "verdict_fail",
 }
 SIGNS = {"stored": "disk", "processed": "pass", "failed": "fail", "moving": "again", "capturing": "scan"}
-TILE_WIDTH, TILE_HEIGHT, GAP = 136, 56, 8
+TILE_WIDTH, TILE_HEIGHT, GAP = 152, 56, 8  # wide enough for "34–37 % decoded"
 
 
 @dataclass(frozen=True)

@@ -12,12 +12,12 @@ from ui.widgets.basic import Button, card, clear, column, label, row
 from ui.widgets.data_table import Cell, DataTable, number
 from ui.widgets.segments import Segments
 
-HEADERS = ["Value", "Estimate", "Standard deviation", "True value", "Error", "Change"]
+HEADERS = ["Value", "Estimate", "Std. dev.", "True value", "Error", "Change"]  # six columns in the smallest window
 TRUE, ERROR, CHANGE = 3, 4, 5
 FAR = 3.0  # standard deviations
 TRUTH_NOTE = "True values are known because the rig is simulated. The measurement never reads them."
 CHECK_TIP = "Stop this check; the result does not change and can be accepted now"
-SIDE, MARGIN, SCROLL_BAR = 344, 20, 14
+SIDE, MARGIN, SCROLL_BAR = 312, 20, 14
 
 
 class ResultPage(QWidget):

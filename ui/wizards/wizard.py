@@ -25,7 +25,7 @@ if TYPE_CHECKING:
     from measureapp.calibrate.draft.draft import Kind
 
 SETUP, COLLECT, RESULT = range(3)
-SMALLEST, USUAL = (1320, 660), (1340, 740)
+SMALLEST, USUAL = (1264, 660), (1340, 740)  # the smallest fits a screen of 1280 × 720
 MORE = 5  # views at a time, beyond those planned
 HELP_PAGE = "calibration_wizards"
 ANYWAY, KEEP_OLD, NOT_NOW = "Accept anyway", "Keep the previous one", "Not now"

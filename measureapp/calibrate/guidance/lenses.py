@@ -113,7 +113,7 @@ def _gauges(one: LensViews) -> list[Gauge]:
     return [
         Gauge("Views", one.count, ADVISED_VIEWS, "", camera),
         Gauge("Coverage of the image", 100 * one.coverage, 100 * ADVISED_COVERAGE, "%", camera),
-        Gauge("Tilt, all four ways", tilt, TILT_TARGET_DEG, "°", camera),
+        Gauge("Tilt, all directions", tilt, TILT_TARGET_DEG, "°", camera),
         Gauge("Spread of distances", 100 * one.distance_span, 100 * SPAN_TARGET, "%", camera),
     ]
 

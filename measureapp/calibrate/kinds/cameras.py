@@ -43,7 +43,7 @@ class Cameras(Kind):
         step="Show the board",
         hints=GOOD_VIEWS,
     )
-    limits = Limits(0.02, 0.05, "of 0.05 mm that a measurement may be uncertain by, 0.02 mm is hardly noticeable and 0.05 mm uses it up")
+    limits = Limits(0.02, 0.05, "of a measurement uncertainty of 0.05 mm, 0.02 mm is hardly noticeable and 0.05 mm is all of it")
     needs = ""
     file = "cameras.json"
 

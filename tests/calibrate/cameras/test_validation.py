@@ -39,7 +39,7 @@ def test_a_lens_that_does_not_follow_the_model_is_noticed():
     poor = replace(problem, distortion_count=4)
     validation = cross_validate(poor, solve(poor))
     assert not validation.healthy
-    assert "something besides noise is at work" in validation.verdict
+    assert "there are errors other than noise" in validation.verdict
 
 
 def test_a_bent_board_taken_as_flat_is_noticed():

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QDialog, QHeaderView, QProgressBar, QWidget
 
 from ui.controllers.holes import DrawnImage, Explanation, HolesController
 from ui.look.look import Look
-from ui.look.wording import counted, exposure, percent, quantity, sentence_case
+from ui.look.wording import counted, exposure, percent, point_reason, quantity, sentence_case
 from ui.widgets.basic import Button, card, column, label, row
 from ui.widgets.data_table import Cell, DataTable, number
 from ui.widgets.pixel_picture import PixelPicture, coloured_image
@@ -27,7 +27,7 @@ HEADINGS = {
     "snr": "Modulation over noise",
 }
 STAGES = {"point": "Measured", "decode": "Lost in decoding", "match": "Lost in matching", "clean": "Removed by cleaning"}
-REASON_WORDS = {"point": "Measured", "seen by another": "Measured by another camera"}
+NO_LOSS = ("point", "seen by another")
 DIGITS = {"grey level": 0, "phase noise": 4, "projector column": 2, "point σ": 3, "cameras": 0}
 ASK = "Click a pixel in the picture, or a reason in the list, for an explanation."
 WAITING = "The view is recomputed from its stored images."
@@ -204,7 +204,8 @@ class HolesDialog(QDialog):
         answer = self._explanation.view.pixel(self.cameras.value(), line, across)
         self.picture.choose((line, across))
         reason = answer.found.reason
-        stage = REASON_WORDS.get(reason) or f"{STAGES[answer.found.stage]}: {reason}"
+        words = point_reason(reason)
+        stage = words if reason in NO_LOSS else f"{STAGES[answer.found.stage]}: {words.lower()}"
         sentence = "" if reason == "point" else answer.found.sentence
         self._tell(f"Row {line}, column {across}", stage, sentence, figures(answer))
 
@@ -246,4 +247,4 @@ def _number(one: Number) -> str:
 def _legend_cells(words: str, colour: tuple[int, int, int] | None, share: float | None) -> list[Cell]:
     sign = "eye" if colour is None else QColor(*colour).name()
     percentage = "" if share is None else "< 0.1\u00a0%" if 0 < share < 0.0005 else percent(share)
-    return [Cell(REASON_WORDS.get(words) or sentence_case(words), sign=sign), number(percentage)]
+    return [Cell(point_reason(words), sign=sign), number(percentage)]

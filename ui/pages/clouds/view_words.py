@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from ui.look.wording import counted, millimetres, percent, quantity, sentence
+from ui.look.wording import counted, millimetres, percent, point_reason, quantity, sentence
 from ui.widgets.properties_panel import Group, Properties
 
 if TYPE_CHECKING:
@@ -87,8 +87,8 @@ def view_properties(view: ViewResult, placement: ViewPlacement | None) -> Proper
             )
     if view.decode:
         groups.append(decoding_group(view))
-    left_out = sorted(((count, name) for name, count in view.rejected.items() if count), reverse=True)
-    if left_out:
-        groups.append(Group("Rejected points", tuple((sentence(name).rstrip("."), counted(count)) for count, name in left_out)))
+    rejected = sorted(((count, name) for name, count in view.rejected.items() if count), reverse=True)
+    if rejected:
+        groups.append(Group("Rejected points", tuple((point_reason(name), counted(count)) for count, name in rejected)))
     verdict, _, why = view_verdict(view, placement)
     return Properties(view.viewpoint_id, tuple(groups), "" if verdict == "pass" else why)
