@@ -67,7 +67,7 @@ class RunEvents(QObject):
                 session.set_viewpoint(event.viewpoint_id, "failed", event.reason)
                 session.tell(f"Viewpoint {event.viewpoint_id} failed: {event.reason}", "The scan continues with the next one.", "warning")
             case e.RunEnded():
-                self._ended(event)
+                self._report_end(event)
 
     def _apply_processing(self, event: ProcessingEvent) -> None:
         from measureapp.pipeline import events as e
