@@ -26,6 +26,11 @@ def plugin_folder() -> Path:
     return _find_shipped(Path("plugins"))
 
 
+def user_plugin_folder() -> Path:
+    """Return the folder in which this user's own plugins are searched; it need not exist."""
+    return Path.home() / "MeasureApp" / "plugins"
+
+
 def _find_shipped(path: Path) -> Path:
     for root in ROOTS:
         if (root / path).exists():

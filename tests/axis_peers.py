@@ -15,7 +15,8 @@ from measureapp.peers.modbus_axis import Drive, SimpleMemory, ToyoMemory
 from measureapp.peers.modbus_device import Framing, ModbusDevice, on_serial, on_tcp
 from measureapp.project.rig_file import read_rig
 
-FAST = {"poll_s": 0.002, "settled_s": 0.02}
+FAST = {"poll_s": 0.002, "settled_s": 0.02, "absolute_encoder": True}
+PATIENT_S = 1.0  # on a busy computer a reply may take long
 NAMES: dict[PluginKind, str] = {"linear-guide": "guide", "rotary-table": "table"}
 
 
@@ -41,12 +42,14 @@ def connect(kind: PluginKind, settings: dict[str, object], links: dict[str, dict
 
 
 @contextmanager
-def toyo_guide(speed_mm: float = 2000.0, framing: Framing = "ascii", **settings: object) -> Iterator[Connected]:
+def toyo_guide(
+    speed_mm: float = 2000.0, framing: Framing = "ascii", reply_timeout_s: float = 0.15, **settings: object
+) -> Iterator[Connected]:
     """A guide on a TOYO controller, over a pair of pseudo-terminals; 100 pulses per mm."""
     drive = Drive(speed=100 * speed_mm, acceleration=2000 * speed_mm)
     peer = ModbusDevice(ToyoMemory(drive))
     with on_serial(peer, framing) as port:
-        link = {"port": port, "framing": framing}
+        link = {"port": port, "framing": framing, "reply_timeout_s": reply_timeout_s}
         chosen = {"drive": "toyo_xc100", "link": "bus", "speed": speed_mm, "acceleration": 20 * speed_mm, **FAST, **settings}
         guide, shared = connect("linear-guide", chosen, {"bus": link})
         yield Connected(guide, peer, drive)

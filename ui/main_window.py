@@ -219,7 +219,7 @@ class MainWindow(QMainWindow):
         self.header.stop.setVisible(can_move)
         self._escape.setEnabled(can_move)
         unready = [device.name for device in cell.devices if not device.status.ready]
-        problems = [driver for driver in self.session.drivers if driver.problem]
+        problems = [driver for driver in self.session.drivers if driver.problem and driver.allowed]
         if rig is None:
             self.header.devices.show_state("No rig", "verdict_not_proven")
         elif cell.stopped:

@@ -75,6 +75,7 @@ class DriverRow:
     kind: str
     version: str = ""
     problem: str = ""
+    allowed: bool = True  # False: a driver from outside that nobody has allowed yet
 
 
 @dataclass(frozen=True)
@@ -115,6 +116,7 @@ class Session(QObject):
         self.graphics: GraphicsState = "preparing"
         self.graphics_problem = ""
         self.rig: RigDescription | None = None
+        self.rig_file: Path | None = None  # of the user; None: it comes with the program or from a project
         self.cell = CellState()
         self.connection: Rig | None = None  # of the Rig page
         self.moving = False  # a job runs that may move axes
@@ -164,10 +166,15 @@ class Session(QObject):
         self.planChanged.emit()
         self._emit_results_changed()
 
-    def set_rig(self, rig: RigDescription | None, drivers: tuple[DriverRow, ...] | None = None) -> None:
-        """Set the rig and its drivers."""
-        self.rig = rig
+    def set_rig(self, rig: RigDescription | None, drivers: tuple[DriverRow, ...] | None = None, file: Path | None = None) -> None:
+        """Set the rig, the user's file that describes it, and the drivers."""
+        self.rig, self.rig_file = rig, file
         self.drivers = self.drivers if drivers is None else drivers
+        self.rigChanged.emit()
+
+    def set_drivers(self, drivers: tuple[DriverRow, ...]) -> None:
+        """Set the list of drivers."""
+        self.drivers = drivers
         self.rigChanged.emit()
 
     def set_cell(self, cell: CellState) -> None:

@@ -7,7 +7,7 @@ import time
 from collections.abc import Callable
 from typing import Generic, TypeVar
 
-from measureapp.errors import DeviceLost
+from measureapp.errors import DeviceLost, MeasureError
 from measureapp.progress import Cancelled
 
 T = TypeVar("T")
@@ -48,7 +48,8 @@ def call_device(what: str, function: Callable[[], T], within_s: float, check: Ca
     Raises
     ------
     DeviceLost
-        The call did not return; its thread is left behind.
+        The call did not return, and its thread is left behind; or the driver raised what is no error of this program: what the device does
+        now is unknown.
     Cancelled
         From ``check``; the device was stopped.
     """
@@ -64,6 +65,11 @@ def call_device(what: str, function: Callable[[], T], within_s: float, check: Ca
         on_cancel()
         outcome.done.wait(LEAVE_S)
         raise
+    if isinstance(outcome.error, Exception) and not isinstance(outcome.error, MeasureError | Cancelled):
+        raise DeviceLost(
+            f"{what} failed: {type(outcome.error).__name__}: {outcome.error}.",
+            "Check its power and cable, and connect the rig again; if it happens again, report it to the author of the driver.",
+        ) from outcome.error
     if outcome.error is not None:
         raise outcome.error
     return outcome.value  # type: ignore[return-value]

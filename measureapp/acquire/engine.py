@@ -92,6 +92,7 @@ class Engine:
         try:
             with session:
                 work(session)
+                ended = RunEnded("done", session.link_warnings())
         except (Cancelled, KeyboardInterrupt):
             ended = RunEnded("cancelled", f"Stopped: {self._rig.latch.reason or 'cancelled by the user.'} What was stored is kept.")
             raise

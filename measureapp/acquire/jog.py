@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from math import radians
 from typing import Literal
 
@@ -17,6 +18,7 @@ from measureapp.devices.projector import PLAIN_LIGHT
 from measureapp.devices.rig import Rig
 from measureapp.errors import LimitError
 from measureapp.geometry.transform import RigidTransform
+from measureapp.planning.keep_out import check_step
 from measureapp.progress import Progress
 
 Axis = Literal["x", "y", "z", "rx", "ry", "rz", "guide", "table"]
@@ -35,6 +37,8 @@ def jog(rig: Rig, axis: Axis, step: float, progress: Progress) -> AxisReadback:
     ------
     LimitError
         The step is larger than one by hand may be, or its goal lies outside the limits; nothing moved.
+    PlanError
+        The head would enter a keep-out box; nothing moved.
     DeviceError, Cancelled
         As `RigSession`; everything was stopped.
     """
@@ -44,12 +48,14 @@ def jog(rig: Rig, axis: Axis, step: float, progress: Progress) -> AxisReadback:
         raise LimitError(f"A step of {step:g}{unit} by hand is too large.", f"Choose at most {largest:g}{unit}.")
     with RigSession(rig, progress) as session:
         here = session.readback()
+        goal = _goal(here, axis, step)
+        check_step(here, goal, rig.description)
         if axis == "guide":
-            session.move_guide(here.guide_mm + step)
+            session.move_guide(goal.guide_mm)
         elif axis == "table":
-            session.move_table(here.table_rad + radians(step))
+            session.move_table(goal.table_rad)
         else:
-            session.move_robot(_stepped(here.base_from_flange, axis, step))
+            session.move_robot(goal.base_from_flange)
         return session.readback()
 
 
@@ -77,6 +83,14 @@ def show_live(
             for shot in session.shots((PLAIN_LIGHT,), (exposure_us,)):
                 for name, frame in shot.frames.items():
                     on_event(ImageTaken(LIVE, name, exposure_us, read_only(frame.pixels)))
+
+
+def _goal(here: AxisReadback, axis: Axis, step: float) -> AxisReadback:
+    if axis == "guide":
+        return replace(here, guide_mm=here.guide_mm + step)
+    if axis == "table":
+        return replace(here, table_rad=here.table_rad + radians(step))
+    return replace(here, base_from_flange=_stepped(here.base_from_flange, axis, step))
 
 
 def _stepped(pose: RigidTransform, axis: Axis, step: float) -> RigidTransform:

@@ -67,9 +67,15 @@ class RigSession:
             if error is not None:
                 self.stop_report = abort(self.rig, _reason_of(error), latch=_doubts_the_rig(error))
             else:
-                self.rig.projector.show(DARK, timeout_s=READ_TIMEOUT_S)
+                self._darken()
         finally:
             self.rig.in_use.release()
+
+    def _darken(self) -> None:
+        try:
+            self.call("The projector", lambda: self.rig.projector.show(DARK, timeout_s=READ_TIMEOUT_S), READ_TIMEOUT_S)
+        except DeviceError as error:  # all that was wanted is done
+            self.stop_report = f"The light could not be switched off: {error}"
 
     def abort(self, reason: str) -> None:
         """Stop every device now, from any thread, and latch the stop."""
@@ -95,7 +101,7 @@ class RigSession:
         self.move_guide(viewpoint.guide_mm)
         self.move_robot(viewpoint.flange.transform())
         if rules.settle_s:
-            self._call("The rig", lambda: self._settled.wait(rules.settle_s), rules.settle_s)
+            self.call("The rig", lambda: self._settled.wait(rules.settle_s), rules.settle_s)
         readback = self.readback()
         confirm_reached(viewpoint, readback, rules)
         return readback
@@ -119,11 +125,11 @@ class RigSession:
 
     def _move(self, what: str, move: Callable[[float], None]) -> None:
         limit_s = self.rig.description.motion.move_timeout_s
-        self._call(what, lambda: move(limit_s), limit_s)
+        self.call(what, lambda: move(limit_s), limit_s)
 
     def readback(self) -> AxisReadback:
         """Read every axis back."""
-        return self._call("A controller", self.rig.readback, READ_TIMEOUT_S)
+        return self.call("A controller", self.rig.readback, READ_TIMEOUT_S)
 
     def confirm_still(self, viewpoint_id: str, before: AxisReadback) -> None:
         """Raise MotionError when an axis has moved since ``before``."""
@@ -133,7 +139,7 @@ class RigSession:
 
     def load(self, images: ImageArray) -> None:
         """Load the projector's images, (patterns, height, width) uint8."""
-        self._call("The projector", lambda: self.rig.projector.load(images), LOAD_TIMEOUT_S)
+        self.call("The projector", lambda: self.rig.projector.load(images), LOAD_TIMEOUT_S)
 
     def shots(self, patterns: Sequence[int], exposures_us: Sequence[int], cameras: Collection[str] | None = None) -> Iterator[Shot]:
         """Take the patterns at every exposure, with all cameras or those named; a pattern that was taken again comes last.
@@ -148,10 +154,10 @@ class RigSession:
         used = {name: camera for name, camera in self.rig.cameras.items() if cameras is None or name in cameras}
         head = self._head(min(patterns), used)
         within_s = STEPS_OF_A_SHOT * max(frame_timeout_s(camera, max(exposures_us)) for camera in used.values())
-        self._call("A camera", lambda: head.prepare(patterns, exposures_us), READ_TIMEOUT_S * len(exposures_us))
+        self.call("A camera", lambda: head.prepare(patterns, exposures_us), READ_TIMEOUT_S * len(exposures_us))
         waiting = head.acquire()
         try:
-            while (shot := self._call("The measuring head", lambda: next(waiting, None), within_s)) is not None:
+            while (shot := self.call("The measuring head", lambda: next(waiting, None), within_s)) is not None:
                 yield shot
         finally:
             with suppress(ValueError):  # a call that was given up still runs it, and ends it itself
@@ -177,13 +183,23 @@ class RigSession:
         """Read the present time, temperature, serial numbers and lens settings."""
         return read_conditions(self.rig)
 
+    def link_warnings(self) -> str:
+        """Return which cameras had many packets sent again since they were connected; empty if none, or where a camera does not tell."""
+        found = []
+        for name, camera in self.rig.cameras.items():
+            with suppress(DeviceError):  # the images are complete: nothing that a counter could change
+                warning = self.call("A camera", camera.statistics, READ_TIMEOUT_S).warning
+                found += [f"Camera {name}: {warning}."] if warning else []
+        return " ".join(found)
+
     def check(self) -> None:
         """Raise Cancelled when the user has cancelled, or the rig was stopped."""
         self._progress.check()
         if self.rig.latch.reason:
             raise Cancelled
 
-    def _call(self, what: str, function: Callable[[], T], within_s: float) -> T:
+    def call(self, what: str, function: Callable[[], T], within_s: float) -> T:
+        """Make a call of a driver that may last ``within_s``; raises what it raises, DeviceLost, or Cancelled after stopping everything."""
         self.check()
         return call_device(what, function, within_s, self.check, lambda: self.abort(BY_USER))
 

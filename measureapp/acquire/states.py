@@ -46,5 +46,3 @@ def _read(name: str, device: Device) -> DeviceStatus:
         return call_device(f"The {name}", device.status, STATUS_WITHIN_S, lambda: None, lambda: None)
     except MeasureError as error:
         return DeviceStatus(False, error.message, error.hint)
-    except Exception as error:  # foreign code may raise anything
-        return DeviceStatus(False, f"{type(error).__name__}: {error}.", "Report this error to the author of the driver.")

@@ -16,10 +16,8 @@ def register(app: typer.Typer) -> None:
 
     @app.command()
     def plugins(
-        folder: Annotated[Path | None, typer.Option(help="Folder of the plugins; default: those shipped with the program.")] = None,
-        allow: Annotated[
-            str | None, typer.Option("--allow", metavar="ID", help="Allow this plugin of --folder to be loaded, as it is now.")
-        ] = None,
+        folder: Annotated[Path | None, typer.Option(help="Folder of the plugins; default: the program's and ~/MeasureApp/plugins.")] = None,
+        allow: Annotated[str | None, typer.Option("--allow", metavar="ID", help="Allow this plugin to be loaded, as it is now.")] = None,
         as_json: JsonOption = False,
     ) -> None:
         """List the device drivers, with the reason for any that failed to load.
@@ -36,11 +34,13 @@ def register(app: typer.Typer) -> None:
             reply(*_allowed(folder, allow), as_json)
             return
 
-        def line(row: PluginRow) -> str:
-            start = f"{row.id:<20} {row.version or '–':<9} {', '.join(row.kinds) or '–':<13} "
-            return start + (f"NOT LOADED: {row.problem} {row.hint}" if row.problem else row.name)
-
         rows = examine(folder)
+        width = max((len(row.id) for row in rows), default=0)
+
+        def line(row: PluginRow) -> str:
+            words = f"NOT LOADED: {row.problem} {row.hint}" if row.problem else f"{row.name} ({', '.join(row.kinds)})"
+            return f"{row.id:<{width}}  {row.version or '–':<7} {words}"
+
         document = {"plugins": [asdict(row) | {"loaded": not row.problem} for row in rows]}
         reply(document, "\n".join(line(row) for row in rows) or "There is no driver plugin.", as_json)
 
@@ -50,9 +50,13 @@ def _allowed(folder: Path | None, plugin_id: str) -> tuple[dict[str, str], str]:
     from measureapp.devices.plugin_loader import discover
     from measureapp.devices.plugin_permission import allow
     from measureapp.errors import InputError
+    from measureapp.resources import user_plugin_folder
 
-    found = next((row for row in discover(folder) if row.id == plugin_id), None)
-    if folder is None or found is None:
-        raise InputError(f"There is no plugin {plugin_id} in {folder or 'the folder'}.", "Name its --folder and its id.")
+    rows = [row for row in discover(folder) if row.id == plugin_id]
+    if not rows:
+        raise InputError(f"There is no plugin {plugin_id} in {folder or user_plugin_folder()}.", "Name its --folder and its id.")
+    found = next((row for row in rows if not row.allowed), rows[-1])
+    if found.problem and found.allowed:
+        raise InputError(f"{found.folder} cannot be allowed: {found.problem}", found.hint)
     digest = allow(found.folder)
     return {"allowed": plugin_id, "sha256": digest}, f"{plugin_id} in {found.folder} may be loaded as it is now (SHA-256 {digest[:16]}…)."

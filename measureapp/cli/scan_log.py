@@ -39,3 +39,5 @@ class ScanLog:
             say(f"{event.viewpoint_id}: {event.reason}")
         elif isinstance(event, RunEnded):
             self.ended = event
+            if event.reason == "done" and event.message:
+                say(event.message)

@@ -12,6 +12,7 @@ from measureapp.devices.status import DeviceStatus
 Trigger = Literal["software", "hardware"]
 Shutter = Literal["global", "rolling", "global-reset"]
 """How the rows of a sensor are exposed: all at once, one after the other, or from a common start to staggered ends."""
+MUCH_RESENT = 0.001  # share of packets sent again from which the link deserves attention
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -40,8 +41,14 @@ class StreamStatistics:
 
     @property
     def resend_share(self) -> float | None:
-        """Resent packets relative to all; above 0.001 the link deserves attention."""
+        """Resent packets relative to all."""
         return self.resent_packets / self.packets if self.packets and self.resent_packets is not None else None
+
+    @property
+    def warning(self) -> str:
+        """What a person should know about the link, as the end of a sentence; empty while few packets are sent again."""
+        share = self.resend_share or 0.0
+        return f"{share:.2%} of the packets were sent again: check cable, switch and packet delay" if share > MUCH_RESENT else ""
 
 
 class Camera(Protocol):

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +16,7 @@ from measureapp.devices.plugin_loader import PluginKind, load_driver
 from measureapp.devices.recorded_rig import require_devices
 from measureapp.devices.request import DeviceRequest
 from measureapp.devices.rig import Rig
+from measureapp.devices.rig_lock import hold_rig
 from measureapp.errors import DeviceError, InputError, MeasureError
 
 KINDS: Mapping[str, PluginKind] = {"projector": "projector", "robot": "robot", "guide": "linear-guide", "table": "rotary-table"}
@@ -25,7 +27,7 @@ def connect_rig(description: RigDescription, plugins: Path | None = None, given:
 
     Parameters
     ----------
-    plugins : folder of the plugins; None: those shipped with the program
+    plugins : folder of the plugins; None: those shipped with the program and those of this user
     given : links that exist already, by name
 
     Raises
@@ -34,14 +36,35 @@ def connect_rig(description: RigDescription, plugins: Path | None = None, given:
         A plugin cannot be loaded, or drives another kind of device.
     DeviceError
         Devices do not answer, or a driver raised an unexpected exception; names all of them at once. Those connected are closed again.
+        Or another program has connected one of the devices, see `rig_lock`; nothing was sent to any of them then.
     InputError
         A setting of a driver is invalid.
     """
     require_devices(description)
-    links = Links(description.links, given)
+    let_go = hold_rig(description)
+    try:
+        rig = _connect_all(description, Links(description.links, given), plugins)
+    except BaseException:
+        let_go()
+        raise
+    return replace(rig, release=_in_turn(rig.release, let_go))
+
+
+def _in_turn(first: Callable[[], None], last: Callable[[], None]) -> Callable[[], None]:
+    def both() -> None:
+        try:
+            first()
+        finally:
+            last()
+
+    return both
+
+
+def _connect_all(description: RigDescription, links: Links, plugins: Path | None) -> Rig:
     if description.driver:
         request = ("rig", description.driver, description.driver_settings)
-        return _connect("rig", *request, description, links, plugins)
+        whole: Rig = _connect("rig", *request, description, links, plugins)
+        return whole
     connected: dict[str, Any] = {}
     problems: list[MeasureError] = []
     for name, choice in description.devices.items():

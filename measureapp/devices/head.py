@@ -10,7 +10,7 @@ from typing import Protocol
 from measureapp.devices.camera import Camera, Frame, Trigger
 from measureapp.devices.frame_checks import find_difference
 from measureapp.devices.head_timing import check_timing, frame_timeout_s, period_us
-from measureapp.devices.projector import Projector, TriggeringProjector
+from measureapp.devices.projector import DARK, Projector, TriggeringProjector
 from measureapp.errors import DeviceError, FrameError, SequenceError
 
 RETAKES = 3  # of one pattern whose image a camera delivers damaged
@@ -144,6 +144,8 @@ class SoftwareHead(_Sequence):
     def acquire(self) -> Generator[Shot]:
         """As `Head.acquire`."""
         waiting = deque((exposure_us, pattern) for exposure_us in self._exposures_us for pattern in self._patterns)
+        if min(self._patterns) >= 0:  # a projector late by one image gives itself away by a dark one, instead of turning every sequence
+            self._projector.show(DARK, timeout_s=SHOW_TIMEOUT_S)
         self._arm(len(waiting) * (1 + RETAKES), "software")
         try:
             yield from self._take_all(waiting)

@@ -6,7 +6,7 @@ import importlib
 import importlib.util
 import sys
 import tomllib
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from importlib.machinery import ModuleSpec
 from pathlib import Path
@@ -19,7 +19,7 @@ from measureapp.data.model import Model, first_problem
 from measureapp.devices.plugin_permission import is_allowed
 from measureapp.devices.request import DeviceRequest
 from measureapp.errors import PluginError
-from measureapp.resources import plugin_folder
+from measureapp.resources import plugin_folder, user_plugin_folder
 
 MANIFEST = "plugin.toml"
 PRIVATE_PACKAGE = "_measureapp_plugins"
@@ -32,6 +32,9 @@ class DriverEntry(Model):
 
     entry: str = Field(pattern=MEMBER, description="module:function, called with a DeviceRequest; returns the device")
     settings: str = Field(pattern=MEMBER, description="module:class, the pydantic model of the driver's settings")
+    link: str | None = Field(
+        default=None, pattern=MEMBER, description="module:class, the model of the table [links.NAME] that the setting `link` names"
+    )
 
 
 class PluginManifest(Model):
@@ -44,6 +47,7 @@ class PluginManifest(Model):
     drives: dict[PluginKind, DriverEntry] = Field(min_length=1)
 
 
+UNALLOWED = "It does not come with the program and was not allowed as it is now."
 ALLOW = "If you trust it, run: measureapp plugins --folder {0.folder.parent} --allow {0.id}"
 
 
@@ -58,6 +62,7 @@ class PluginRow:
     folder: Path
     problem: str = ""
     hint: str = ""
+    allowed: bool = True  # False: sound as far as its manifest goes, but nobody has allowed its code
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -68,32 +73,53 @@ class LoadedDriver:
     module: ModuleType  # of the entry function
     entry: Callable[[DeviceRequest], Any]
     settings: type[Model]
+    link: type[Model] | None = None  # model of the table [links.NAME] that it opens
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class PluginOffer:
+    """A plugin with its loaded drivers, by kind of device; there are none if its row has a problem."""
+
+    row: PluginRow
+    drivers: Mapping[PluginKind, LoadedDriver]
 
 
 def discover(folder: Path | None = None) -> tuple[PluginRow, ...]:
-    """List the plugins below ``folder`` (default: those shipped with the program), sorted by folder; imports nothing.
+    """List the plugins below ``folder``, sorted by folder; imports nothing.
 
-    One that does not come with the program and was not allowed as it is now has this as its problem.
+    Without a folder these are the plugins shipped with the program, then those of this user. One that does not come with the program
+    and was not allowed as it is now has this as its problem; so has the later one of two with the same id.
     """
     rows: list[PluginRow] = []
-    for path in sorted((folder or plugin_folder()).glob(f"*/{MANIFEST}")):
-        row = _row(path)
-        if not row.problem and not is_allowed(row.folder):
-            row = replace(row, problem="It does not come with the program and was not allowed as it is now.", hint=ALLOW.format(row))
-        twin = next((other for other in rows if other.id == row.id), None)
-        if twin is not None:
-            row = replace(row, problem=f"Plugin {twin.folder.name} has the same id {row.id}.", hint="Change one of the two ids.")
-        rows.append(row)
+    for place in (folder,) if folder is not None else (plugin_folder(), user_plugin_folder()):
+        for path in sorted(place.glob(f"*/{MANIFEST}")):
+            row = _row(path)
+            if not row.problem and not is_allowed(row.folder):
+                row = replace(row, problem=UNALLOWED, hint=ALLOW.format(row), allowed=False)
+            twin = next((other for other in rows if other.id == row.id), None)
+            rows.append(row if twin is None else _refused_as_twin(row, twin))
     return tuple(rows)
+
+
+def _refused_as_twin(row: PluginRow, twin: PluginRow) -> PluginRow:
+    where = twin.folder.name if twin.folder.parent == row.folder.parent else f"{twin.folder.name}, which comes with the program,"
+    return replace(
+        row, problem=f"Plugin {where} has the same id {row.id}.", hint=f"Change the id in {row.folder / MANIFEST}.", allowed=True
+    )
 
 
 def examine(folder: Path | None = None) -> tuple[PluginRow, ...]:
     """List the plugins and try to load each one; the row of a plugin that fails states the reason."""
-    return tuple(_examine_row(row) for row in discover(folder))
+    return tuple(offer.row for offer in load_all(folder))
+
+
+def load_all(folder: Path | None = None) -> tuple[PluginOffer, ...]:
+    """Load every plugin that `discover` lists; the row of one that fails states the reason."""
+    return tuple(_offer(row) for row in discover(folder))
 
 
 def load_driver(folder: Path | None, plugin_id: str, kind: PluginKind) -> LoadedDriver:
-    """Load the driver of plugin ``plugin_id`` below ``folder`` (None: those shipped with the program) for one kind of device.
+    """Load the driver of plugin ``plugin_id`` below ``folder`` (None: as `discover` searches) for one kind of device.
 
     Raises
     ------
@@ -127,16 +153,14 @@ def _row(path: Path) -> PluginRow:
     return PluginRow(manifest.id, manifest.name, manifest.version, tuple(manifest.drives), path.parent)
 
 
-def _examine_row(row: PluginRow) -> PluginRow:
+def _offer(row: PluginRow) -> PluginOffer:
     if row.problem:
-        return row
+        return PluginOffer(row, {})
     try:
         manifest = _read(row.folder / MANIFEST)
-        for kind in manifest.drives:
-            _load(manifest, kind, row.folder)
+        return PluginOffer(row, {kind: _load(manifest, kind, row.folder) for kind in manifest.drives})
     except PluginError as error:
-        return replace(row, problem=error.message, hint=error.hint)
-    return row
+        return PluginOffer(replace(row, problem=error.message, hint=error.hint), {})
 
 
 def _read(path: Path) -> PluginManifest:
@@ -153,12 +177,16 @@ def _read(path: Path) -> PluginManifest:
 def _load(manifest: PluginManifest, kind: PluginKind, folder: Path) -> LoadedDriver:
     described = manifest.drives[kind]
     module, entry = _import_member(manifest.id, described.entry, "function", folder)
-    _, settings = _import_member(manifest.id, described.settings, "class", folder)
-    if not (isinstance(settings, type) and issubclass(settings, Model)):
-        raise PluginError(
-            f"Plugin {manifest.id}: {described.settings} is not a model of settings.", "Derive it from measureapp.data.model.Model."
-        )
-    return LoadedDriver(manifest, module, entry, settings)
+    settings = _import_model(manifest.id, described.settings, folder)
+    link = None if described.link is None else _import_model(manifest.id, described.link, folder)
+    return LoadedDriver(manifest, module, entry, settings, link)
+
+
+def _import_model(plugin_id: str, member: str, folder: Path) -> type[Model]:
+    _, found = _import_member(plugin_id, member, "class", folder)
+    if not (isinstance(found, type) and issubclass(found, Model)):
+        raise PluginError(f"Plugin {plugin_id}: {member} is not a model of settings.", "Derive it from measureapp.data.model.Model.")
+    return found
 
 
 def _import_member(plugin_id: str, member: str, what: Literal["function", "class"], folder: Path) -> tuple[ModuleType, Any]:

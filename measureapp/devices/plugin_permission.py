@@ -32,15 +32,21 @@ def is_allowed(folder: Path) -> bool:
     return folder.resolve().parent == plugin_folder().resolve() or _read().get(str(folder.resolve())) == fingerprint(folder)
 
 
-def allow(folder: Path) -> str:
+def allow(folder: Path, seen: str | None = None) -> str:
     """Allow the plugin in ``folder`` as it is now, and return its fingerprint; any later change withdraws the permission.
+
+    Parameters
+    ----------
+    seen : fingerprint that a person agreed to; None: that of now
 
     Raises
     ------
     PluginError
-        The permissions cannot be stored.
+        The plugin has changed since it was ``seen``, or the permissions cannot be stored.
     """
     found = fingerprint(folder)
+    if seen not in (None, found):
+        raise PluginError(f"The files in {folder} have changed since you were asked.", "Inspect them, then allow the driver again.")
     path = permission_file()
     try:
         path.parent.mkdir(parents=True, exist_ok=True)

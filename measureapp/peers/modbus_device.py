@@ -7,11 +7,12 @@ import select
 import socket
 import struct
 import threading
-import tty
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from typing import Literal, Protocol
+
+from measureapp.peers.pseudo_terminal import serial_line
 
 Kind = Literal["coil", "discrete", "holding", "input"]
 Framing = Literal["rtu", "ascii"]
@@ -51,6 +52,7 @@ class LineFaults:
     sliced: bool = False  # answers arrive byte by byte
     garbage: bytes = b""  # sent in place of answers
     longer: int = 0  # bytes appended to answers
+    broken: bool = False  # one bit of every answer is flipped
 
 
 class ModbusDevice:
@@ -150,6 +152,8 @@ class ModbusDevice:
         if faults.shifted:
             reply, self._before = self._before or reply, reply
         reply = faults.garbage or reply + bytes(faults.longer)
+        if faults.broken:
+            reply = reply[:4] + bytes([reply[4] ^ 1]) + reply[5:]
         if faults.late_s:
             if faults.late_once:
                 self.faults = replace(faults, late_s=0.0, late_once=False)
@@ -170,18 +174,14 @@ class ModbusDevice:
 @contextmanager
 def on_serial(device: ModbusDevice, framing: Framing) -> Iterator[str]:
     """Serve on a pair of pseudo-terminals; yields the port for the client."""
-    handle, other = os.openpty()
-    tty.setraw(handle)
-    tty.setraw(other)
-    thread = threading.Thread(target=device.serve_serial, args=(handle, framing), name="Modbus device, serial")
-    thread.start()
-    try:
-        yield os.ttyname(other)
-    finally:
-        device.end()
-        thread.join()
-        os.close(other)
-        os.close(handle)
+    with serial_line() as (handle, port):
+        thread = threading.Thread(target=device.serve_serial, args=(handle, framing), name="Modbus device, serial")
+        thread.start()
+        try:
+            yield port
+        finally:
+            device.end()
+            thread.join()
 
 
 @contextmanager

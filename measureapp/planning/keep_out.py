@@ -8,9 +8,11 @@ from itertools import pairwise
 import numpy as np
 
 from measureapp.arrays import FloatArray
+from measureapp.data.fringe import AxisReadback
 from measureapp.data.plan import Viewpoint
 from measureapp.data.rig import KeepOutBox, RigDescription
 from measureapp.errors import PlanError
+from measureapp.geometry.transform import RigidTransform
 
 STEP_MM = 10.0  # between the places checked on a way
 
@@ -30,7 +32,7 @@ def check_keep_out(viewpoints: Iterable[Viewpoint], rig: RigDescription) -> None
     if not boxes:
         return
     plan = tuple(viewpoints)
-    places = [_head_points_mm(viewpoint, rig) for viewpoint in plan]
+    places = [_head_points_mm(viewpoint.flange.transform(), viewpoint.guide_mm, rig) for viewpoint in plan]
     problems = [f"{viewpoint.id} in {box.name}" for viewpoint, points in zip(plan, places, strict=True) for box in _entered(points, boxes)]
     for (start, end), (first, last) in zip(pairwise(plan), pairwise(places), strict=True):
         entered = {box.name for points in _between(first, last) for box in _entered(points, boxes)}
@@ -40,13 +42,28 @@ def check_keep_out(viewpoints: Iterable[Viewpoint], rig: RigDescription) -> None
         raise PlanError(f"The measuring head would enter keep-out boxes: {shown}.", "Change these viewpoints; nothing was moved.")
 
 
-def _head_points_mm(viewpoint: Viewpoint, rig: RigDescription) -> FloatArray:
+def check_step(start: AxisReadback, goal: AxisReadback, rig: RigDescription) -> None:
+    """Refuse a straight step by which the head enters a keep-out box; out of a box that it is in already, it may move.
+
+    Raises
+    ------
+    PlanError
+        Naming the box.
+    """
+    first, last = (_head_points_mm(place.base_from_flange, place.guide_mm, rig) for place in (start, goal))
+    inside = {box.name for box in _entered(first, rig.motion.keep_out)}
+    for points in (*_between(first, last), last):
+        for box in _entered(points, rig.motion.keep_out):
+            if box.name not in inside:
+                raise PlanError(f"The measuring head would enter the keep-out box {box.name}.", "Move another way; nothing was moved.")
+
+
+def _head_points_mm(base_from_flange: RigidTransform, guide_mm: float, rig: RigDescription) -> FloatArray:
     """Return flange, cameras and projector in the guide frame, (N, 3)."""
-    base_from_flange = viewpoint.flange.transform()
     base_from_head = base_from_flange @ rig.flange_from_head.transform("flange", "head")
     mounted = [camera.head_from_camera.position_mm for camera in rig.cameras] + [rig.projector.head_from_projector.position_mm]
     points = np.vstack([base_from_flange.translation_mm, base_from_head.apply(np.array(mounted, float))])
-    return points + np.array([0.0, viewpoint.guide_mm, 0.0])
+    return points + np.array([0.0, guide_mm, 0.0])
 
 
 def _between(first: FloatArray, last: FloatArray) -> Iterator[FloatArray]:

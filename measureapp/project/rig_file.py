@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
+import tomli_w
 from pydantic import ValidationError
 
-from measureapp.data.model import first_problem
+from measureapp.data.model import first_problem, toml_values
 from measureapp.data.rig import RECORDED, RigDescription
 from measureapp.errors import InputError
+from measureapp.project.atomic import write_text
 from measureapp.project.text_document import read_toml
 from measureapp.resources import resource
 
@@ -37,6 +40,8 @@ ABSENT_AXES: dict[str, Any] = {
     "flange_from_head": AT_ORIGIN,
 }
 """Axes that a recorded rig may lack: at rest, and without any error of their own."""
+TOML_TEXT = re.compile(r'"""(?:\\.|[^\\])*?"""|\'\'\'.*?\'\'\'|"(?:\\.|[^"\\\n])*"|\'[^\'\n]*\'', re.DOTALL)
+"""The four kinds of texts in TOML, in which # begins no comment."""
 UNKNOWN = "unknown"
 TYPICAL_AXES: dict[str, dict[str, Any]] = {
     "robot": {"model": UNKNOWN, "repeatability_mm": 0.02, "absolute_accuracy_mm": 0.3, "absolute_accuracy_deg": 0.02},
@@ -72,6 +77,34 @@ def assume_axes(rig: RigDescription, moving: Iterable[str]) -> RigDescription:
     """Return a recorded rig with typical errors of the axes in ``moving`` ("robot", "guide", "table") that are not described."""
     assumed = {name: getattr(rig, name).model_copy(update=TYPICAL_AXES[name]) for name in moving if getattr(rig, name).model == ABSENT}
     return rig.model_copy(update=assumed)
+
+
+def write_rig(path: Path, description: RigDescription) -> None:
+    """Write a rig description as TOML, without what has its default value; comments of an earlier file are lost.
+
+    Raises
+    ------
+    StorageError
+        It cannot be written; an earlier file stays as it was.
+    """
+    write_text(path, tomli_w.dumps({"schema_version": description.schema_version, **toml_values(description)}))
+
+
+def has_comments(path: Path) -> bool:
+    """Return whether a TOML file has comments, which writing it anew would delete; a file that is not there has none.
+
+    Raises
+    ------
+    InputError
+        The file is there and cannot be read.
+    """
+    try:
+        text = path.read_text(encoding="utf-8")
+    except FileNotFoundError:
+        return False
+    except (OSError, UnicodeDecodeError) as error:
+        raise InputError(f"{path} cannot be read: {error}.", "Choose another file.") from error
+    return "#" in TOML_TEXT.sub("", text)
 
 
 def _find_rig(name: str) -> Path:

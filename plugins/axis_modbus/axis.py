@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
-import threading
 import time
+from collections.abc import Callable
+from contextlib import suppress
 
-from measureapp.errors import DeviceError, DeviceLost, DeviceTimeout, MotionError
+from measureapp.devices.attempt import Attempt, Stops
+from measureapp.devices.settling import ELSEWHERE_S, Settling, allowed_s
+from measureapp.errors import DeviceError, DeviceLost, DeviceTimeout, LimitError, MeasureError, MotionError
 from measureapp.progress import Cancelled
 
-from .drive_map import DriveMap
-from .line import ModbusLine, Target
+from .drive_map import DriveMap, Step
+from .line import ModbusLine, Target, Urgency
 from .settings import AxisSettings
 
-MARGIN, MARGIN_S = 1.5, 2.0  # of the predicted duration of a move
 IDENTITY_TRIES = 3  # after late replies
+STOP_TRIES = 2  # writing a stop again does no harm
+ENABLE_S = 2.0
 
 
 class ModbusAxis:
@@ -24,14 +28,12 @@ class ModbusAxis:
         self.counts_per_unit = settings.counts_per_unit or drive.counts_per_unit
         self._line, self._drive, self._settings = line, drive, settings
         self._target = Target(name, drive.unit_id if settings.unit_id is None else settings.unit_id)
-        self._stops, self._asked_to_stop = 0, threading.Event()
+        self._stops = Stops()
+        self._referenced = settings.absolute_encoder
+        self._written: dict[str, int] = {}  # registers of which only some bits are changed
         self._confirm_identity()
-        if self._holds("alarm"):
-            raise DeviceError(
-                f"{name} reports an alarm: {self._alarm_words()}.", "Remove the cause and reset the drive, then connect again."
-            )
-        if not self._holds("enabled", default=True):
-            self._run("enable", 0)
+        self._refuse_alarm(DeviceError, "connect again")
+        self._enable()
 
     # reading
 
@@ -40,8 +42,8 @@ class ModbusAxis:
         return self._read("position")
 
     def is_homed(self) -> bool:
-        """Tell whether the drive knows its position; a drive that cannot tell is believed."""
-        return self._holds("homed", default=True)
+        """Return whether the position is known; a drive that cannot report it must have been referenced since it was connected."""
+        return self._holds("homed") if "homed" in self._drive.conditions else self._referenced
 
     def state_words(self) -> tuple[bool, str, str]:
         """Return whether the axis is ready, its state in words, and the remedy."""
@@ -67,74 +69,114 @@ class ModbusAxis:
         Cancelled
             `stop` was called.
         """
+        attempt = self._stops.begin(f"The move of {self.name}", allowed_s(duration_s, timeout_s))
+        self._refuse_unrepresentable(goal)
         if not self.is_homed():
             raise MotionError(f"{self.name} is not referenced.", "Find its reference before it is moved.")
-        stops = self._begin()
-        within_s = min(timeout_s, MARGIN * duration_s + MARGIN_S)
-        self._command(goal)
-        self._wait_at(goal, stops, time.monotonic() + within_s, within_s)
+        self._guarded(attempt, lambda: self._move(goal, attempt))
 
     def home(self, timeout_s: float) -> None:
-        """Find the reference, if the drive does not know its position. Raises as `move`."""
-        if self.is_homed():
-            return
-        stops = self._begin()
-        self._run("home", 0)
-        end = time.monotonic() + timeout_s
-        while not self.is_homed() or self._moves():
-            self._check(stops, end, timeout_s, "did not find its reference")
+        """Find the reference, if the position is not known. Raises as `move`."""
+        attempt = self._stops.begin(f"The search of {self.name} for its reference", timeout_s)
+        if not self.is_homed():
+            self._guarded(attempt, lambda: self._home(attempt))
 
     def stop(self) -> None:
-        """Stop the drive now."""
-        self._stops += 1
-        self._asked_to_stop.set()
-        self._run("stop", 0)
-
-    def _begin(self) -> int:
-        self._asked_to_stop.clear()
-        return self._stops
-
-    def _command(self, goal: int) -> None:
-        """Write goal and command; after a lost reply look whether the drive took it, and never write a second time blindly."""
-        try:
-            self._run("move", goal)
-        except DeviceTimeout:
-            self._confirm_identity()
-            if self._read("goal") != self._wrapped("goal", goal) or not (self._moves() or self._is_at(goal)):
-                raise
-        if self._read("goal") != self._wrapped("goal", goal):
-            self._run("stop", 0)
-            raise MotionError(
-                f"{self.name} holds another goal than it was sent.", "Check the map of the drive, and that nobody else commands it."
-            )
-
-    def _wait_at(self, goal: int, stops: int, end: float, within_s: float) -> None:
-        resting_since, last = 0.0, None
-        tolerance = self._settings.tolerance * self.counts_per_unit
-        while True:
-            self._check(stops, end, within_s, "did not come to rest at its goal")
-            now, here = time.monotonic(), self.counts()
-            if self._holds("alarm"):
-                raise MotionError(f"{self.name} reports an alarm: {self._alarm_words()}.", "Remove the cause, then reset the drive.")
-            if last is None or abs(here - last) > tolerance or self._moves():
-                resting_since, last = now, here
-                continue
-            if now - resting_since < self._settings.settled_s:
-                continue
-            if abs(here - goal) <= tolerance:
+        """Stop the drive now; the request goes before all others that wait for the line."""
+        self._stops.stop()
+        for left in reversed(range(STOP_TRIES)):
+            try:
+                self._run("stop", 0, Urgency(is_stop=True))
                 return
-            if self._drive.conditions.get("moving") is not None and now - resting_since > 1.0:
+            except DeviceTimeout:
+                if not left:
+                    raise
+
+    def _guarded(self, attempt: Attempt, motion: Callable[[], None]) -> None:
+        """Run a motion; whatever ends it early also stops the axis. What fails after a stop has the stop as its cause."""
+        try:
+            motion()
+        except Cancelled:
+            raise  # by `stop`, which writes it itself
+        except BaseException:
+            with suppress(MeasureError):
+                self._run("stop", 0, Urgency(is_stop=True))
+            with suppress(DeviceTimeout):
+                attempt.check()
+            raise
+
+    def _move(self, goal: int, attempt: Attempt) -> None:
+        self._command(goal, Urgency(attempt.check))
+        settling = Settling(goal, self._settings.tolerance * self.counts_per_unit, self._settings.settled_s)
+        while True:
+            here, moving = self.counts(), self._moves()
+            self._refuse_alarm(MotionError)
+            verdict = settling.observe(time.monotonic(), here, moving)
+            if verdict == "arrived":
+                return
+            if verdict == "elsewhere":
                 raise MotionError(
-                    f"{self.name} came to rest {abs(here - goal) / self.counts_per_unit:.3f} away from its goal.",
+                    f"{self.name} came to rest {settling.distance(here) / self.counts_per_unit:.3f} away from its goal.",
                     "Check for an obstacle, a limit switch, and the scale of the drive.",
                 )
+            attempt.wait(self._settings.poll_s)
 
-    def _check(self, stops: int, end: float, within_s: float, what: str) -> None:
-        if self._asked_to_stop.wait(self._settings.poll_s) or self._stops != stops:
-            raise Cancelled
-        if time.monotonic() > end:
-            self._run("stop", 0)
-            raise DeviceTimeout(f"{self.name} {what} within {within_s:.1f} s.", "Check the drive, its load and its brake.")
+    def _home(self, attempt: Attempt) -> None:
+        self._run("home", 0, Urgency(attempt.check))
+        began, seen_moving = time.monotonic(), False
+        while True:
+            attempt.wait(self._settings.settled_s)
+            self._refuse_alarm(MotionError)
+            if self._moves():
+                seen_moving = True
+            elif "homed" in self._drive.conditions:
+                if self._holds("homed"):
+                    return
+            elif seen_moving or time.monotonic() - began > ELSEWHERE_S:
+                self._referenced = True
+                return
+
+    def _enable(self) -> None:
+        """Switch the servo on where it is off, and confirm it."""
+        if self._holds("enabled", default=True):
+            return
+        self._run("enable", 0, Urgency())
+        end = time.monotonic() + ENABLE_S
+        while not self._holds("enabled"):
+            if time.monotonic() > end:
+                raise DeviceError(f"{self.name} does not switch its servo on.", "Check its emergency stop, its supply and its interlocks.")
+            time.sleep(self._settings.poll_s)
+
+    def _command(self, goal: int, urgency: Urgency) -> None:
+        """Write goal and command; after a lost reply read whether the drive took it, and never write a second time blindly."""
+        try:
+            self._run("move", goal, urgency)
+        except DeviceTimeout:
+            urgency.check()  # its time-out is no lost reply
+            self._confirm_identity()
+            if self._read("goal") != goal or not (self._moves() or self._is_at(goal)):
+                raise
+        if self._read("goal") != goal:
+            raise MotionError(
+                f"{self.name} has another goal than was sent.", "Check the map of the drive, and that no other program commands it."
+            )
+
+    def _refuse_alarm(self, kind: type[DeviceError], then: str = "try again") -> None:
+        if self._holds("alarm"):
+            raise kind(f"{self.name} reports an alarm: {self._alarm_words()}.", f"Remove the cause and reset the drive, then {then}.")
+
+    def _refuse_unrepresentable(self, goal: int) -> None:
+        """Refuse a goal or speed that the registers of the drive cannot hold: what is cut off would be another goal."""
+        for step in self._drive.sequences["move"]:
+            value = self._value(step, goal)
+            register = self._drive.registers[step.write]
+            bits = 16 * register.words
+            low, high = (-(1 << bits - 1), (1 << bits - 1) - 1) if register.signed else (0, (1 << bits) - 1)
+            if not low <= value <= high and register.kind == "holding":
+                raise LimitError(
+                    f"{self.name}: {value} does not fit the register {step.write} ({low}…{high}).",
+                    "Check speed, counts_per_unit, zero_counts and the map of the drive; nothing was moved.",
+                )
 
     def _is_at(self, goal: int) -> bool:
         return abs(self.counts() - goal) <= self._settings.tolerance * self.counts_per_unit
@@ -199,26 +241,32 @@ class ModbusAxis:
         bits = 16 * register.words
         return value - (1 << bits) if register.signed and value >> (bits - 1) else value
 
-    def _run(self, sequence: str, goal: int) -> None:
+    def _run(self, sequence: str, goal: int, urgency: Urgency) -> None:
         for step in self._drive.sequences.get(sequence, ()):  # type: ignore[call-overload]
-            speed = max(1, round(self._settings.speed * self.counts_per_unit))
-            value = goal if step.value == "goal" else speed if step.value == "speed" else int(step.value)
+            value = self._value(step, goal)
             if step.bits is not None:
-                value |= self._raw(step.write) & ~step.bits
-            self._write(step.write, value)
+                value = (value & step.bits) | (self._kept(step.write, urgency) & ~step.bits)
+                self._written[step.write] = value
+            self._write(step.write, value, urgency)
 
-    def _write(self, name: str, value: int) -> None:
-        register = self._drive.registers[name]
-        masked = value & ((1 << 16 * register.words) - 1)
-        words = [masked >> 16 * place & 0xFFFF for place in reversed(range(register.words))]
-        self._line.write(self._target, register.kind, register.address, words[::-1] if self._drive.word_order == "low-first" else words)
+    def _value(self, step: Step, goal: int) -> int:
+        if step.value == "goal":
+            return goal
+        if step.value == "speed":
+            return max(1, round(self._settings.speed * (self._drive.speed_per_unit or self.counts_per_unit)))
+        return int(step.value)
 
-    def _wrapped(self, name: str, value: int) -> int:
-        """Return a value as the register can hold it."""
+    def _kept(self, name: str, urgency: Urgency) -> int:
+        """Return a register of which some bits are kept; for a stop as it was written last, which takes no time and cannot fail."""
+        if urgency.is_stop and name in self._written:
+            return self._written[name]
+        return self._read(name)
+
+    def _write(self, name: str, value: int, urgency: Urgency) -> None:
         register = self._drive.registers[name]
-        bits = 16 * register.words
-        masked = value & ((1 << bits) - 1)
-        return masked - (1 << bits) if register.signed and masked >> (bits - 1) else masked
+        words = [value >> 16 * place & 0xFFFF for place in reversed(range(register.words))]
+        ordered = words[::-1] if self._drive.word_order == "low-first" else words
+        self._line.write(self._target, register.kind, register.address, ordered, urgency)
 
     def _alarm_words(self) -> str:
         if "alarm_code" not in self._drive.registers:

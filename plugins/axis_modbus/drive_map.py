@@ -64,6 +64,7 @@ class DriveMap(Model):
     unit_id: int = 1
     word_order: Literal["high-first", "low-first"] = "high-first"
     counts_per_unit: float = Field(default=100.0, gt=0)
+    speed_per_unit: float | None = Field(default=None, gt=0, description="register value of 1 mm/s or 1 degree/s; none: counts_per_unit")
     registers: dict[str, Register]
     conditions: dict[Literal["moving", "in_position", "alarm", "homed", "enabled"], Condition] = Field(default_factory=dict)
     sequences: dict[Literal["enable", "move", "stop", "home", "reset"], tuple[Step, ...]]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import threading
 import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
@@ -11,10 +10,12 @@ from typing import Any, Literal
 from pydantic import ValidationError
 
 from measureapp.data.model import first_problem
+from measureapp.devices.serial_ports import find_port
 from measureapp.errors import DeviceError, DeviceLost, DeviceTimeout, InputError
 
 from .drive_map import DriveMap
 from .settings import LineSettings
+from .turns import Turns
 
 Kind = Literal["holding", "input", "coil", "discrete"]
 BUSY, BUSY_TRIES, BUSY_WAIT_S = 6, 5, 0.05
@@ -39,15 +40,29 @@ class Target:
     unit_id: int
 
 
+def _always() -> None:
+    """Allow a request to be sent."""
+
+
+@dataclass(frozen=True, slots=True)
+class Urgency:
+    """How a request is sent: a stop before those that wait; others only if ``check``, called when nothing else can be sent, does not raise."""
+
+    check: Callable[[], None] = _always
+    is_stop: bool = False
+
+
 class ModbusLine:
     """A serial line or TCP connection that several axes may share. All methods may be called from any thread."""
 
     def __init__(self, make_client: Callable[[Callable[[bool, bytes], bytes]], Any], place: str, *, serial: bool) -> None:
         self._client = make_client(self._trace)
         self._place, self._serial = place, serial
-        self._lock = threading.Lock()
+        self._turns = Turns()
         self._heard = b""
-        self._silent = 0  # transactions in a row without a reply
+        self._silent: dict[int, int] = {}  # by station: transactions in a row without a reply
+        self._lost: dict[int, str] = {}  # by station: why
+        self._closed = False
         self.doubtful = False  # a late reply may still arrive: nothing is believed before `trust`
         if not self._client.connect():
             raise DeviceError(f"{place} cannot be opened.", "Check port or address, cable and power, and that no other program uses it.")
@@ -60,7 +75,7 @@ class ModbusLine:
             "coil": self._client.read_coils,
             "discrete": self._client.read_discrete_inputs,
         }
-        reply = self._transact(target, lambda: functions[kind](address, count=count, device_id=target.unit_id))
+        reply = self._transact(target, lambda: functions[kind](address, count=count, device_id=target.unit_id), Urgency())
         values = reply.registers if kind in ("holding", "input") else [int(bit) for bit in reply.bits[:count]]
         if len(values) != count:
             raise DeviceError(
@@ -68,38 +83,42 @@ class ModbusLine:
             )
         return list(values)
 
-    def write(self, target: Target, kind: Kind, address: int, values: Sequence[int]) -> None:
-        """Write registers or one bit; never repeated by itself. Raises DeviceTimeout, DeviceLost, DeviceError."""
+    def write(self, target: Target, kind: Kind, address: int, values: Sequence[int], urgency: Urgency) -> None:
+        """Write registers or one bit; never repeated by itself. Raises DeviceTimeout, DeviceLost, DeviceError, and what the check raises."""
         if kind == "coil":
-            self._transact(target, lambda: self._client.write_coil(address, bool(values[0]), device_id=target.unit_id))
+            self._transact(target, lambda: self._client.write_coil(address, bool(values[0]), device_id=target.unit_id), urgency)
         elif len(values) == 1:
-            self._transact(target, lambda: self._client.write_register(address, values[0], device_id=target.unit_id))
+            self._transact(target, lambda: self._client.write_register(address, values[0], device_id=target.unit_id), urgency)
         else:
-            self._transact(target, lambda: self._client.write_registers(address, list(values), device_id=target.unit_id))
+            self._transact(target, lambda: self._client.write_registers(address, list(values), device_id=target.unit_id), urgency)
 
     def drain(self) -> None:
-        """Discard what arrives late, until the line is silent."""
-        with self._lock:
-            port = self._client.socket
-            quiet_since = time.monotonic()
-            while self._serial and port is not None and time.monotonic() - quiet_since < QUIET_S:
-                waiting = port.in_waiting
-                if waiting:
-                    port.read(waiting)
-                    quiet_since = time.monotonic()
-                time.sleep(0.005)
+        """Discard what arrives late, until the line is silent; a stop may be sent meanwhile."""
+        quiet_since = time.monotonic()
+        while self._serial and time.monotonic() - quiet_since < QUIET_S:
+            with self._turns.turn():
+                port = self._client.socket
+                try:
+                    heard = port is not None and bool(port.read(port.in_waiting))
+                except (OSError, TypeError):
+                    return  # the next transaction reports it
+            if heard:
+                quiet_since = time.monotonic()
+            time.sleep(0.005)
 
     def trust(self) -> None:
         """Believe replies again, after one was proven to be the drive's own."""
         self.doubtful = False
 
     def close(self) -> None:
-        """Close the line."""
-        self._client.close()
+        """Close the line; harmless when repeated. No call opens it again."""
+        with self._turns.turn(urgent=True):
+            self._closed = True
+            self._client.close()
 
-    def _transact(self, target: Target, request: Callable[[], Any]) -> Any:
+    def _transact(self, target: Target, request: Callable[[], Any], urgency: Urgency) -> Any:
         for attempt in range(BUSY_TRIES):
-            reply = self._once(target, request)
+            reply = self._once(target, request, urgency)
             if not reply.isError():
                 return reply
             if reply.exception_code != BUSY:
@@ -112,30 +131,40 @@ class ModbusLine:
             "Check that the map fits this drive, and the state of the drive.",
         )
 
-    def _once(self, target: Target, request: Callable[[], Any]) -> Any:
+    def _once(self, target: Target, request: Callable[[], Any], urgency: Urgency) -> Any:
         from pymodbus.exceptions import ConnectionException, ModbusException
 
-        with self._lock:
+        with self._turns.turn(urgent=urgency.is_stop):
+            if self._closed:
+                raise self._lose(target, "the line was closed")
+            if target.unit_id in self._lost and not urgency.is_stop:
+                raise self._lose(target, self._lost[target.unit_id])
+            urgency.check()
             self._heard = b""
             try:
                 reply = request()
             except (ConnectionException, OSError) as error:
                 raise self._lose(target, str(error)) from error
             except ModbusException as error:
-                self._silent += 1
-                self.doubtful = True
-                if self._silent >= LOST_AFTER:
-                    raise self._lose(target, "no reply") from error
-                raise DeviceTimeout(
-                    f"{target.axis} (station {target.unit_id} at {self._place}) did not reply ({self._excerpt()}).",
-                    "Check power, cable, station number and baud rate.",
-                ) from error
-            self._silent = 0
+                raise self._miss(target) from error
+            self._silent[target.unit_id] = 0
             return reply
 
+    def _miss(self, target: Target) -> DeviceError:
+        self._silent[target.unit_id] = silent = self._silent.get(target.unit_id, 0) + 1
+        self.doubtful = True
+        if silent >= LOST_AFTER:
+            return self._lose(target, f"no reply ({self._excerpt()})")
+        return DeviceTimeout(
+            f"{target.axis} (station {target.unit_id} at {self._place}) did not reply ({self._excerpt()}).",
+            "Check power, cable, station number and baud rate.",
+        )
+
     def _lose(self, target: Target, reason: str) -> DeviceLost:
+        """Return the error, and believe this station no more: what is found at its port later may be another device, or not referenced."""
+        self._lost.setdefault(target.unit_id, reason)
         return DeviceLost(
-            f"{target.axis} (station {target.unit_id} at {self._place}) does not answer any more: {reason} ({self._excerpt()}).",
+            f"{target.axis} (station {target.unit_id} at {self._place}) does not answer any more: {self._lost[target.unit_id]}.",
             "Check power, cable, station number and baud rate; connect again, and find the reference anew if the drive lost it.",
         )
 
@@ -190,17 +219,3 @@ def open_line(table: Mapping[str, object], drive: DriveMap) -> ModbusLine:
         )
 
     return ModbusLine(over_serial, port, serial=True)
-
-
-def find_port(usb_serial: str) -> str:
-    """Return the port of the USB adapter with this serial number, whatever its name is now. Raises DeviceError with those that are there."""
-    from serial.tools.list_ports import comports  # type: ignore[import-untyped]
-
-    found = {entry.serial_number: entry.device for entry in comports() if entry.serial_number}
-    if usb_serial and usb_serial in found:
-        return str(found[usb_serial])
-    listed = ", ".join(f"{device} ({number})" for number, device in sorted(found.items())) or "none"
-    wanted = f"serial number {usb_serial!r}" if usb_serial else "a port, a host or a USB serial number"
-    raise DeviceError(
-        f"No serial adapter with {wanted} was found (adapters here: {listed}).", "Plug it in, or set port, host or usb_serial in [links]."
-    )

@@ -36,3 +36,7 @@ class AxisSettings(Model):
     tolerance: float = Field(default=0.02, gt=0, description="mm or degrees: largest difference of goal and read-back")
     settled_s: float = Field(default=0.1, gt=0, le=5, description="two reads this far apart must agree")
     poll_s: float = Field(default=0.03, gt=0, le=1, description="time between two reads while the axis moves")
+    absolute_encoder: bool = Field(
+        default=False,
+        description="for drives that cannot report whether they are referenced: true where the position is known after power-up",
+    )

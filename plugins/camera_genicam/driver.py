@@ -197,6 +197,7 @@ class GenicamCamera:
         except DeviceError as error:
             return DeviceStatus(False, error.message, error.hint, self._facts.identity)
         text = f"{self.width_px} × {self.height_px} px, {self.bit_depth} bit, " + ("armed" if self._armed else "ready")
+        text = "; ".join(filter(None, (text, self.statistics().warning)))
         return DeviceStatus(True, text, identity=self._facts.identity)
 
     def stop(self) -> None:

@@ -15,7 +15,7 @@ class SecondScreenSettings(Model):
     model: str = Field(default="", description="model of the screen; empty: any")
     serial: str = Field(default="", description="serial number of the screen; empty: any")
     latency_s: float = Field(
-        default=0.15, ge=0, le=2, description="from painting an image until it is lit for certain; measure it with the cameras"
+        default=0.15, ge=0, le=2, description="from painting an image until it is lit for certain; `measureapp rig latency` measures it"
     )
     frame_us: int = Field(
         default=0, ge=0, le=1_000_000, description="duration over which the projector's grey levels are right; 0: one frame of the screen"

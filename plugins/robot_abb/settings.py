@@ -34,7 +34,7 @@ class AbbSettings(Model):
     arm: str = Field(
         default="irb1200_7_07",
         min_length=1,
-        description="kinematic model: a name in the folder `arms` of this driver, or the path of a file",
+        description="kinematic model: a name in `resources/robots`, a TOML file of the same form, or a URDF with a link `tool0`",
     )
     speed_mm_per_s: float = Field(default=150.0, gt=0, le=250, description="speed of the flange")
     speed_deg_per_s: float = Field(default=30.0, gt=0, le=90, description="reorientation of the flange")

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from dataclasses import replace
 from typing import cast
 
+import numpy as np
 from pydantic import ValidationError
 
 from measureapp.data.model import first_problem
@@ -12,6 +14,8 @@ from measureapp.data.rig import RigDescription
 from measureapp.devices.request import DeviceRequest
 from measureapp.devices.rig import Rig
 from measureapp.errors import DeviceError, InputError
+from measureapp.geometry.transform import RigidTransform
+from measureapp.peers.positions import PositionsAsked
 from measureapp.simulate.parts import make_part
 from measureapp.simulate.world import TableContent, World
 
@@ -61,7 +65,7 @@ def _shared(request: DeviceRequest) -> Rig:
         except ValidationError as error:
             raise InputError(f"[links]: {first_problem(error, 'the virtual rig')}.", "Correct it in the rig description.") from error
 
-    return request.links.open(request.settings.link, Rig, build)
+    return request.links.open(request.settings.link, Rig, build, Rig.close)
 
 
 def _build(description: RigDescription, chosen: VirtualRigSettings) -> Rig:
@@ -69,13 +73,32 @@ def _build(description: RigDescription, chosen: VirtualRigSettings) -> Rig:
     if strangers:
         raise DeviceError(f"Virtual rig: setting world.knocked_deg names camera {strangers[0]!r}.", "Name cameras of this rig.")
     world = World(description, make_part(chosen.part, chosen.unit), chosen.seed, chosen.board, chosen.world)
-    return rig_of(world, clock_of(chosen.time_scale))
+    clock = clock_of(chosen.time_scale)
+    if not chosen.follows:
+        return rig_of(world, clock)
+    cell = PositionsAsked(chosen.follows)
+    return replace(rig_of(world, clock, lambda: _follow(world, cell)), release=cell.close)
 
 
-def rig_of(world: World, clock: Clock | None = None) -> Rig:
-    """Connect to an existing world; without a clock nothing waits."""
+def _follow(world: World, cell: PositionsAsked) -> None:
+    """Move a world to where the axes of a cell in another program are."""
+    told = cell.ask()
+    world.move_robot(RigidTransform(np.array(told["base_from_flange"]), "base", "flange"))
+    world.move_guide(told["guide_mm"])
+    world.turn_table(told["table_rad"])
+    if world.table_holds != told["table_holds"]:
+        world.table_holds = told["table_holds"]
+
+
+def rig_of(world: World, clock: Clock | None = None, follow: Callable[[], None] = lambda: None) -> Rig:
+    """Connect to an existing world; without a clock nothing waits.
+
+    Parameters
+    ----------
+    follow : called before the images of a pose are taken
+    """
     time, link = clock or SteppingClock(), SharedLink()
-    cameras = {camera.name: VirtualCamera(camera, world, time, link) for camera in world.description.cameras}
+    cameras = {camera.name: VirtualCamera(camera, world, time, link, follow) for camera in world.description.cameras}
 
     def place_on_table(thing: str) -> None:
         if thing not in THINGS:

@@ -59,7 +59,7 @@ class VirtualCamera:
     exposure_limits_us = EXPOSURE_LIMITS_US
     exposure_step_us = 1
 
-    def __init__(self, description: CameraDescription, world: World, clock: Clock, link: SharedLink) -> None:
+    def __init__(self, description: CameraDescription, world: World, clock: Clock, link: SharedLink, follow: Callable[[], None]) -> None:
         self.name = description.name
         self.serial = description.serial
         self.width_px = description.width_px
@@ -68,7 +68,7 @@ class VirtualCamera:
         self.readout_s = description.height_px * ROW_S + READOUT_START_S
         self._bytes = self.width_px * self.height_px * (1 if self.bit_depth == 8 else 2)
         self.transfer_s = self._bytes * len(world.description.cameras) / LINK_BYTES_PER_S
-        self._world, self._link = world, link
+        self._world, self._link, self._follow = world, link, follow
         self._stopping = Stopping(clock)
         self._exposure_us = world.description.exposures_us[-1]
         self._trigger: Trigger | None = None
@@ -89,6 +89,7 @@ class VirtualCamera:
 
     def arm(self, frames: int, trigger: Trigger) -> None:
         """Begin a sequence of at most ``frames`` images."""
+        self._follow()  # nothing moves during a sequence
         self._trigger, self._most, self._count = trigger, frames, 0
         self._taken.clear()
 

@@ -18,6 +18,7 @@ class VirtualRigSettings(Model):
     unit: LengthUnit = Field(default=LengthUnit.MM, description="unit of a mesh file: mm, inch, m, cm or um")
     seed: int = Field(default=1, ge=0, description="seed of the hidden errors and all noise")
     time_scale: float = Field(default=0.0, ge=0, description="1: moves and exposures take as long as on a real rig; 0: no waiting")
+    follows: str = Field(default="", description="host:port of a virtual cell in another program, whose axes move this rig; empty: none")
     board: AnyBoard = PAPER_BOARD
     world: WorldOptions = WorldOptions()
 

@@ -165,6 +165,8 @@ class FakeCamera(FakeDevice):
                 return (pixels.astype(int) * 16 % 256).astype(np.uint8)
             case "lamp":
                 return (pixels * 0.8).astype(np.uint8)
+            case "no rows":
+                return pixels[:0]
         return pixels
 
     def wait_ready(self, *, timeout_s: float) -> None:

@@ -161,7 +161,7 @@ def test_a_read_back_that_is_not_a_number_is_no_confirmation(rig, cell, axis):
 
 
 @pytest.mark.parametrize("device", ["robot", "guide", "table", "left", "projector"])
-@pytest.mark.parametrize(("fault", "error"), [("oserror", OSError), ("lost", DeviceLost), ("interrupt", KeyboardInterrupt)])
+@pytest.mark.parametrize(("fault", "error"), [("oserror", DeviceLost), ("lost", DeviceLost), ("interrupt", KeyboardInterrupt)])
 def test_any_exception_from_a_driver_stops_every_device_and_is_told_last(rig, cell, device, fault, error):
     cell.fault = once(device, 2, fault)
     events = []
@@ -169,6 +169,8 @@ def test_any_exception_from_a_driver_stops_every_device_and_is_told_last(rig, ce
         run(rig, fake_plan(), Truthful(cell), events=events)
     assert stopped(rig)
     assert events[-1].reason == ("cancelled" if fault == "interrupt" else "failed")
+    if fault == "oserror":
+        assert f"failed: OSError: {device}: connection reset" in events[-1].message
     assert cell.shown == -2
 
 

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from acquire.fake_rig import Cell, fake_rig, released
 
 from measureapp.acquire.events import ImageTaken
 from measureapp.acquire.jog import find_references, jog, show_live
-from measureapp.errors import DeviceLost, LimitError
+from measureapp.data.rig import KeepOutBox, MotionRules
+from measureapp.errors import DeviceLost, LimitError, PlanError
 from measureapp.progress import NoProgress
 
 
@@ -50,6 +53,21 @@ def test_a_step_too_large_for_a_hand_is_refused_and_nothing_moves(rig, cell, axi
     with pytest.raises(LimitError, match="by hand is too large"):
         jog(rig, axis, step, NoProgress())
     assert cell.moves == 0
+
+
+def test_a_step_into_a_keep_out_box_is_refused_and_one_out_of_it_is_not(rig, cell):
+    here = jog(rig, "guide", 0.0, NoProgress())
+    low, high = np.array([20.0, -100.0, -100.0]), np.array([60.0, 100.0, 100.0])
+    at = here.base_from_flange.translation_mm + [0.0, here.guide_mm, 0.0]
+    box = KeepOutBox(name="pillar", low_mm=tuple(at + low), high_mm=tuple(at + high))
+    fenced = replace(rig, description=rig.description.model_copy(update={"motion": MotionRules(keep_out=(box,))}))
+    jog(fenced, "x", 15.0, NoProgress())
+    moves = cell.moves
+    with pytest.raises(PlanError, match="would enter the keep-out box pillar"):
+        jog(fenced, "x", 20.0, NoProgress())
+    assert (cell.moves, fenced.latch.reason) == (moves, "")
+    jog(rig, "x", 20.0, NoProgress())
+    jog(fenced, "x", -20.0, NoProgress())
 
 
 def test_a_device_that_fails_while_jogging_stops_everything(rig, cell):

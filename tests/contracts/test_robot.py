@@ -45,10 +45,9 @@ def test_a_move_that_takes_too_long_is_a_timeout(slow_robot: Robot) -> None:
 
 
 def test_a_stop_from_another_thread_cancels_the_move(slow_robot: Robot, cancelled_by: Callable[..., bool]) -> None:
-    before = slow_robot.pose().matrix
     goal = shifted(slow_robot, 100.0)
     assert cancelled_by(slow_robot.stop, lambda: slow_robot.move_to(goal, timeout_s=30.0))
-    np.testing.assert_allclose(slow_robot.pose().matrix, before)
+    assert np.linalg.norm(slow_robot.pose().translation_mm - goal.translation_mm) > TOLERANCE_MM  # it stops on the way
 
 
 def test_a_stop_while_nothing_moves_leaves_the_next_move_alone(robot: Robot) -> None:

@@ -30,6 +30,13 @@ def connect(request):
     return Device(request)
 """
 
+WHOLE = """
+from measureapp.devices.rig import Rig
+
+def connect(request):
+    return Rig(request.rig, {}, request, None, None, None, lambda thing: None)
+"""
+
 
 def make_plugin(folder: Path, name: str, driver: str, kinds: tuple[str, ...] = KINDS) -> None:
     (folder / name).mkdir(parents=True)
@@ -50,10 +57,12 @@ def composed(devices: dict[str, object], links: dict[str, object] | None = None)
 
 
 def test_a_driver_of_a_whole_rig_gets_the_description_and_its_checked_settings(tmp_path: Path) -> None:
-    make_plugin(tmp_path, "cell", "def connect(request): return request", ("rig",))
-    request: object = connect_rig(whole("cell", port=7), tmp_path)
+    make_plugin(tmp_path, "cell", WHOLE, ("rig",))
+    rig = connect_rig(whole("cell", port=7), tmp_path)
+    request = rig.projector
     assert request.rig.name == read_rig("paper").name  # type: ignore[attr-defined]
     assert request.settings.port == 7  # type: ignore[attr-defined]
+    rig.release()
 
 
 def test_a_wrong_setting_is_refused_by_name_before_the_driver_is_called(tmp_path: Path) -> None:
@@ -88,6 +97,7 @@ def test_a_rig_is_composed_of_single_devices_each_with_its_settings(tmp_path: Pa
     assert list(rig.cameras) == ["left", "right", "upper"]
     assert rig.cameras["upper"].name == "upper"
     assert (rig.guide.settings.port, rig.table.settings.port) == (9, 3)  # type: ignore[attr-defined]
+    rig.close()
 
 
 def test_drivers_share_a_link_by_name_and_it_is_closed_once_with_the_rig(tmp_path: Path) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 
 import pytest
@@ -93,3 +94,53 @@ def test_the_command_line_allows_by_name(folder: Path, permissions: Path, capsys
 def test_a_plugin_that_is_not_there_cannot_be_allowed(folder: Path, permissions: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["plugins", "--folder", str(folder), "--allow", "robot"]) == 2
     assert "no plugin robot" in capsys.readouterr().err
+
+
+def own_plugin(home: Path, plugin_id: str) -> Path:
+    own = home / "MeasureApp" / "plugins" / "mine"
+    own.mkdir(parents=True)
+    (own / "plugin.toml").write_text(MANIFEST.replace('"cam"', f'"{plugin_id}"'), encoding="utf-8")
+    (own / "driver.py").write_text(DRIVER, encoding="utf-8")
+    return own
+
+
+def test_plugins_of_the_user_are_searched_beside_those_of_the_program(permissions: Path) -> None:
+    own = own_plugin(permissions, "cam")
+    (row,) = [row for row in discover() if row.folder == own]
+    assert not row.allowed
+    allow(own)
+    assert load_driver(None, "cam", "camera").entry(None) == "connected"  # type: ignore[arg-type]
+
+
+def test_a_plugin_of_the_user_cannot_take_the_place_of_one_of_the_program(permissions: Path) -> None:
+    own = own_plugin(permissions, "camera_folder")
+    allow(own)
+    shipped, refused = [row for row in discover() if row.id == "camera_folder"]
+    assert shipped.problem == ""
+    assert "camera_folder, which comes with the program, has the same id" in refused.problem
+    assert str(own / "plugin.toml") in refused.hint
+    assert load_driver(None, "camera_folder", "camera").module.__file__ != str(own / "driver.py")
+
+
+def test_a_plugin_that_changed_since_a_person_saw_its_fingerprint_is_not_allowed(folder: Path, permissions: Path) -> None:
+    seen = fingerprint(folder / "cam")
+    (folder / "cam" / "driver.py").write_text("evil = True", encoding="utf-8")
+    with pytest.raises(PluginError, match="have changed"):
+        allow(folder / "cam", seen)
+    assert not discover(folder)[0].allowed
+
+
+def test_the_command_line_searches_the_folder_of_the_user(permissions: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    own_plugin(permissions, "cam")
+    assert main(["plugins", "--allow", "cam"]) == 0
+    capsys.readouterr()
+    assert main(["plugins", "--json"]) == 0
+    listed = {row["id"]: row for row in json.loads(capsys.readouterr().out)["plugins"]}
+    assert listed["cam"]["loaded"]
+    assert listed["camera_folder"]["loaded"]
+
+
+def test_the_command_line_does_not_allow_a_twin(permissions: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    own_plugin(permissions, "camera_folder")
+    assert main(["plugins", "--allow", "camera_folder"]) == 2
+    assert "has the same id" in capsys.readouterr().err

@@ -29,22 +29,23 @@ class Settings(Model):
 """
 HALF_DEAD = """
 from types import SimpleNamespace
+from measureapp.devices.rig import Rig
 from measureapp.devices.status import DeviceStatus
 
+def device(status):
+    return SimpleNamespace(status=status, close=lambda: print("closed"))
+
 def alive(*_):
-    return SimpleNamespace(status=lambda: DeviceStatus(True, "ready"))
+    return device(lambda: DeviceStatus(True, "ready"))
 
 def dead(*_):
-    return SimpleNamespace(status=lambda: DeviceStatus(False, "no answer.", "Switch it on."))
+    return device(lambda: DeviceStatus(False, "no answer.", "Switch it on."))
 
 def broken():
     raise OSError("reset by peer")
 
 def connect(request):
-    return SimpleNamespace(
-        cameras={"left": dead()}, projector=alive(), robot=dead(), guide=alive(),
-        table=SimpleNamespace(status=broken), close=lambda: print("closed"),
-    )
+    return Rig(request.rig, {"left": dead()}, alive(), dead(), alive(), device(broken), lambda thing: None)
 """
 
 
@@ -104,7 +105,7 @@ def test_all_devices_that_fail_are_named_at_once_and_the_rig_is_closed(capsys, t
     assert "left: no answer." in output.err
     assert "robot: no answer. Switch it on." in output.err
     assert "table: OSError: reset by peer." in output.err
-    assert "closed" in output.out
+    assert output.out.count("closed") == 5
 
 
 def test_a_rig_whose_driver_is_absent_is_a_device_failure(capsys, tmp_path) -> None:

@@ -96,12 +96,12 @@ def literals(source: str) -> Iterator[tuple[int, str]]:
 
 
 def texts() -> Iterator[Text]:
-    """Yield every text that users read: of the core, the window and the plugins, the help pages and the README."""
+    """Yield every text that users read: of the core, the window and the plugins, the help pages, the README and the CHANGELOG."""
     for top in ("measureapp", "ui", "plugins"):
         for path in sorted((ROOT / top).rglob("*.py")):
             for line, words in literals(path.read_text(encoding="utf-8")):
                 yield Text(path.relative_to(ROOT).as_posix(), line, words)
-    for path in (ROOT / "README.md", *sorted((ROOT / "resources" / "help").glob("*.md"))):
+    for path in (ROOT / "README.md", ROOT / "CHANGELOG.md", *sorted((ROOT / "resources" / "help").glob("*.md"))):
         for line, words in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
             yield Text(path.relative_to(ROOT).as_posix(), line, words)
 

@@ -15,7 +15,7 @@ def test_a_job_that_fails_before_the_window_checks_again_is_reported_once(qtbot)
         raise MeasureError("It cannot be done.", "Do something else.")
 
     runner, told = JobRunner(Session()), []
-    job = runner.run("Refusing", refuse, told.append, on_failed=told.append, on_cancelled=lambda: told.append("cancelled"))
+    job = runner.run("Refusing", refuse, told.append, on_failed=told.append)
     assert job.wait(PATIENCE_MS)
     qtbot.waitUntil(lambda: not runner.queue.busy, timeout=PATIENCE_MS)
     assert [str(one) for one in told] == ["It cannot be done. Do something else."]
@@ -26,6 +26,6 @@ def test_a_job_that_is_cancelled_reports_so_and_nothing_else(qtbot) -> None:
         raise Cancelled
 
     runner, told = JobRunner(Session()), []
-    runner.run("Stopping", stop, told.append, on_failed=told.append, on_cancelled=lambda: told.append("cancelled"))
+    runner.run("Stopping", stop, told.append, on_failed=told.append, on_stopped=lambda: told.append("cancelled"))
     qtbot.waitUntil(lambda: not runner.queue.busy, timeout=PATIENCE_MS)
     assert told == ["cancelled"]

@@ -19,6 +19,7 @@ from ui.controllers.programming import ProgrammingController
 from ui.controllers.project import ProjectController
 from ui.controllers.recent_calibration import RecentCalibrationController
 from ui.controllers.rig_control import RigControl
+from ui.controllers.rig_editing import RigEditing
 from ui.controllers.startup import StartupController
 from ui.controllers.stored_images import StoredImagesController
 from ui.controllers.view_choices import ViewChoicesController
@@ -38,7 +39,9 @@ class Controllers(QObject):
         self.drawing = JobRunner(session, self)
         self.explaining = JobRunner(session, self)
         self.solving = JobRunner(session, self)
+        self.editing = JobRunner(session, self)
         self.rig = RigControl(session, self.jobs, self)
+        self.rig_editing = RigEditing(session, self.editing, self.rig, self)
         self.demo = DemoController(session, self.jobs, self)
         self.project = ProjectController(session, self.jobs, self)
         self.documents = DocumentsController(session, self.jobs, self)
@@ -63,8 +66,8 @@ class Controllers(QObject):
 
     @property
     def runners(self) -> tuple[JobRunner, ...]:
-        """All queues: foreground jobs, background jobs, drawing, explanation of views, solving of calibrations."""
-        return self.jobs, self.background, self.drawing, self.explaining, self.solving
+        """All queues: foreground jobs, background jobs, drawing, explanation of views, solving of calibrations, editing of rigs."""
+        return self.jobs, self.background, self.drawing, self.explaining, self.solving, self.editing
 
     def end(self, timeout_ms: int) -> bool:
         """Cancel all jobs and wait for their threads; return whether all have ended. The compilation of a kernel cannot be interrupted."""

@@ -50,7 +50,7 @@ class RigControl(QObject):
             self._session.tell(error.message, error.hint, "error")
             return
         self.disconnect_rig()
-        self._session.set_rig(description)
+        self._session.set_rig(description, file=name_or_path if isinstance(name_or_path, Path) else None)
 
     @Slot()
     def connect_rig(self) -> None:

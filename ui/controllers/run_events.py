@@ -111,3 +111,5 @@ class RunEvents(QObject):
             self._session.tell(event.message or "The scan failed.", "", "error")
         elif event.reason == "done":
             self._session.tell("The scan is complete.", "", "done")
+            if event.message:
+                self._session.tell(event.message, "", "warning")

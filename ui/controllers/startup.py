@@ -42,7 +42,10 @@ class StartupController(QObject):
     @Slot(object)
     def _show_rig(self, found: tuple[RigDescription | None, tuple[DriverRow, ...]]) -> None:
         rig, drivers = found
-        self._session.set_rig(self._session.rig or rig, drivers)
+        if self._session.rig is None:
+            self._session.set_rig(rig, drivers)
+        else:
+            self._session.set_drivers(drivers)
 
     @Slot(object)
     def _graphics_ready(self, problem: str) -> None:
@@ -74,7 +77,7 @@ def list_drivers() -> tuple[DriverRow, ...]:
 
 def driver_row(found: PluginRow) -> DriverRow:
     """Return one row of the list of drivers."""
-    return DriverRow(found.id, ", ".join(found.kinds), found.version, f"{found.problem} {found.hint}".strip())
+    return DriverRow(found.id, ", ".join(found.kinds), found.version, f"{found.problem} {found.hint}".strip(), found.allowed)
 
 
 def load_graphics(job: Job) -> str:

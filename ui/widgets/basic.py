@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QFormLayout, QFrame, QHBoxLayout, QLabel, QLayout,
 
 from ui.look.look import Look
 
-TextRole = Literal["body", "title", "heading", "strong", "soft", "small", "caption", "figure", "field"]
+TextRole = Literal["body", "title", "heading", "strong", "soft", "small", "caption", "figure", "field", "problem"]
 ButtonRole = Literal["normal", "primary", "quiet", "message", "stop"]
 
 

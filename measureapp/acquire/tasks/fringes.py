@@ -11,6 +11,7 @@ import numpy as np
 from measureapp.acquire.events import AcquisitionEvent, ImageTaken
 from measureapp.acquire.session import RigSession
 from measureapp.acquire.stale_images import StaleImages
+from measureapp.acquire.steady_light import check_light
 from measureapp.acquire.task import Visit
 from measureapp.arrays import ImageArray, read_only
 from measureapp.data.fringe import FringeStack, PatternSet
@@ -127,9 +128,10 @@ def empty_stacks(rig: Rig, exposures: int, patterns: int) -> dict[str, ImageArra
 
 
 def check_images(stack: FringeStack) -> None:
-    """Raise FrameError where images contradict the patterns they should show: a wrong, torn, repeated or wrongly exposed one."""
+    """Raise FrameError where images contradict the patterns they should show: a wrong, torn, repeated, or wrongly exposed or lit one."""
     try:
         check_stack(stack)
         check_exposures(stack)
     except DecodeError as error:
         raise FrameError(error.message, "Check projector, trigger lines and ambient light.") from error
+    check_light(stack)

@@ -178,11 +178,11 @@ class _Calibrator:
     def _solve(
         self, link: str, views: Sequence[BoardReadback], hand_eye: HandEye | None, progress: Progress, guide: LinearGuide = PAPER_GUIDE
     ) -> Any:
-        """Solve one link; for hand-eye the guide, which may move, is taken as known."""
+        """Solve one link; one whose guide should stand still, but moved, is solved with the guide taken as known."""
         kind = KINDS[link.replace("_", "-")]
         setup = self._setup(kind.name, hand_eye or stationary_rig(self.cameras).hand_eye)
         seen = self._seen(views)
-        if kind.name == "hand-eye":
+        if kind.guide_at_zero:
             seen = tuple(replace(one, readback=_with_guide(one.axes, guide)) for one in seen)
         return kind.result(solve(Draft(setup, seen, _sizes_px(self.rig)), progress))
 

@@ -51,6 +51,8 @@ def test_lost_packets_are_sent_again_counted_and_the_images_exact(peer: GigeCame
             assert frame.number == number
             assert shows(frame, number)
         counted = camera.statistics()
+        told = camera.status().text
+    assert ("of the packets were sent again" in told) == (counted.resend_share > 0.001)
     sent = count * 182  # of 1500 bytes, with leader and trailer
     lost = sent * lost_share
     assert (counted.frames, counted.failed_frames, counted.lost_packets) == (count, 0, 0)

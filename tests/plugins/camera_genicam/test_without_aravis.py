@@ -15,7 +15,8 @@ from measureapp.errors import PluginError
 from measureapp.resources import plugin_folder
 
 
-def test_a_missing_library_is_named_with_the_package_to_install(tmp_path: Path) -> None:
+def test_a_missing_library_is_named_with_the_package_to_install(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("measureapp.devices.plugin_loader.is_allowed", lambda _folder: True)
     folder = tmp_path / "camera_genicam"
     shutil.copytree(plugin_folder() / "camera_genicam", folder, ignore=shutil.ignore_patterns("__pycache__"))
     bindings = folder / "aravis.py"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from pathlib import Path
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -10,9 +10,10 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 from robot_requests import plugin_module
 
-from measureapp.errors import InputError, LimitError
+from measureapp.errors import LimitError
 from measureapp.geometry.transform import RigidTransform
 from measureapp.peers.rws.arm import LIMITS_DEG, flange_pose
+from measureapp.project.geometry.robot_file import read_robot
 
 arms = plugin_module("robot_abb", "arm")
 ARM = arms.Arm.read("irb1200_7_07", 2.0)
@@ -57,28 +58,25 @@ def test_the_configuration_nearest_to_the_present_joints_is_taken() -> None:
 @pytest.mark.parametrize(
     ("pose", "words"),
     [
-        (RigidTransform.from_parts(np.eye(3), [5000.0, 0.0, 0.0], "base", "flange"), r"from the shoulder; the arm reaches 4…704 mm"),
-        (RigidTransform.from_parts(np.eye(3), [0.0, 2.0, 900.0], "base", "flange"), "from axis 1"),
-        (ARM.pose(np.zeros(6)), "joint 5 at 0.00°, a singularity"),
+        (RigidTransform.from_parts(np.eye(3), [5000.0, 0.0, 0.0], "base", "flange"), r"reaches \d+\.\d…\d+\.\d mm: \d+\.\d mm too far"),
+        (RigidTransform.from_parts(np.eye(3), [300.0, 0.0, -100.0], "base", "flange"), "violate joint limits"),
     ],
-    ids=["reach", "shoulder", "wrist"],
+    ids=["reach", "limits"],
 )
 def test_a_pose_that_cannot_be_taken_is_refused_with_its_reason(pose: RigidTransform, words: str) -> None:
-    with pytest.raises(LimitError, match=words) as caught:
+    with pytest.raises(LimitError, match=words):
         ARM.joints_for(pose, START)
-    assert "nothing was moved" in caught.value.hint
 
 
-def test_a_pose_beyond_a_joints_limit_is_refused_with_joint_angle_and_limit() -> None:
-    narrow = ARM.description.model_copy(update={"limits_deg": ((-10.0, 10.0), *ARM.description.limits_deg[1:])})
-    arm = arms.Arm(narrow, 2.0)
-    with pytest.raises(LimitError, match=r"needs joint 1 at 50\.0°, outside -8…8°"):
+def test_at_a_singularity_of_the_wrist_joint_4_stays_where_it_is() -> None:
+    present = np.array([0.0, 0.0, 0.0, 25.0, 2.0, -20.0])
+    found = ARM.joints_for(ARM.pose(np.zeros(6)), present)
+    np.testing.assert_allclose(ARM.pose(found).matrix, ARM.pose(np.zeros(6)).matrix, atol=1e-6)
+    np.testing.assert_allclose(found, [0.0, 0.0, 0.0, 25.0, 0.0, -25.0], atol=1e-6)
+
+
+def test_a_pose_beyond_a_joints_limit_is_refused_with_joint_and_excess() -> None:
+    wide = read_robot("irb1200_7_07")
+    arm = arms.Arm(replace(wide, limits_rad=np.deg2rad([[-10.0, 10.0], *np.rad2deg(wide.limits_rad)[1:]])), 2.0)
+    with pytest.raises(LimitError, match=r"the best exceeds that of joint 1 by \d+\.\d°"):
         arm.joints_for(arm.pose(np.array([50.0, 0.0, 0.0, 0.0, 30.0, 0.0])), START)
-
-
-def test_a_model_that_does_not_exist_or_is_incomplete_is_named(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match="irb9"):
-        arms.Arm.read("irb9", 0.0)
-    (tmp_path / "mine.toml").write_text("name = 'x'\n", encoding="utf-8")
-    with pytest.raises(InputError, match="shoulder_height_mm"):
-        arms.Arm.read(str(tmp_path / "mine.toml"), 0.0)

@@ -16,6 +16,7 @@ from ui.look.look import Look
 from ui.look.wording import exposure, several
 from ui.pages.page import Page
 from ui.pages.rig.device_rows import HEADERS, device_rows, rig_properties
+from ui.pages.rig.editing import Editing
 from ui.session import Session
 from ui.widgets.basic import Button, card, column, label, row
 from ui.widgets.data_table import DataTable
@@ -67,7 +68,8 @@ class RigPage(Page):
         self.connect_button.clicked.connect(rig.connect_rig)
         self.disconnect_button = Button("Disconnect", self.look, "disconnect", "normal", "Release every device")
         self.disconnect_button.clicked.connect(rig.disconnect_rig)
-        for widget in (self.rigs, self.connect_button, self.disconnect_button):
+        self.editing = Editing(self.look, self.session, self.controllers, self)
+        for widget in (self.rigs, self.editing.button, self.connect_button, self.disconnect_button):
             self.action_row.addWidget(widget)
 
     def _lay_out(self) -> None:
@@ -133,6 +135,8 @@ class RigPage(Page):
         session.rigChanged.connect(self._show)
         session.cellChanged.connect(self._show_cell)
         session.busyChanged.connect(self._show_busy)
+        session.appearanceChanged.connect(self._show_cell)
+        self.editing.changed.connect(self._show_busy)
         self._state_timer, self._live_timer = QTimer(self), QTimer(self)
         self._state_timer.setInterval(STATE_INTERVAL_MS)
         self._state_timer.timeout.connect(controllers.rig.refresh)
@@ -178,8 +182,9 @@ class RigPage(Page):
         busy = bool(self.session.busy_with)
         self.run_demo.setEnabled(not busy)
         self.empty.button.setEnabled(not busy)
-        for widget in (self.rigs, self.connect_button, self.disconnect_button, self.home):
+        for widget in (self.connect_button, self.disconnect_button, self.home):
             widget.setEnabled(not busy)
+        self.rigs.setEnabled(not busy and self.editing.editor is None)
 
     def _show(self) -> None:
         rig = self.session.rig
@@ -200,6 +205,7 @@ class RigPage(Page):
         rig, cell = self.session.rig, self.session.cell
         if rig is None:
             return
+        self.editing.button.setVisible(self.session.role == "engineer")
         self.connect_button.setVisible(not cell.connected)
         self.disconnect_button.setVisible(cell.connected)
         self.views.set_available("live", cell.connected and not cell.stopped)
@@ -224,7 +230,7 @@ class RigPage(Page):
         if cell.connected:
             unready = sum(not device.status.ready for device in cell.devices)
             return f"{rig.name}, connected. " + (f"{several(unready, 'device')} not ready." if unready else "All devices are ready.")
-        problems = [driver for driver in self.session.drivers if driver.problem]
+        problems = [driver for driver in self.session.drivers if driver.problem and driver.allowed]
         words = f"{rig.name}. {several(len(rig.cameras), 'camera')}, projector, robot, guide and table; not connected."
         return words + (f" {several(len(problems), 'driver')} could not be loaded." if problems else "")
 

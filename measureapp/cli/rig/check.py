@@ -11,19 +11,15 @@ from measureapp.cli.reply import JsonOption, reply
 from measureapp.errors import DeviceError
 
 
-def register(app: typer.Typer) -> None:
-    """Add the command group."""
-    group = typer.Typer(help="The connected devices.", no_args_is_help=True)
-    app.add_typer(group, name="rig")
-
-    @group.callback()
-    def about() -> None:
-        """The connected devices."""
+def register(group: typer.Typer) -> None:
+    """Add the command."""
 
     @group.command()
     def check(
         rig: Annotated[str, typer.Argument(help="Rig description: a TOML file, or a name in resources/rigs.")],
-        plugins: Annotated[Path | None, typer.Option(help="Folder of the plugins; default: those shipped with the program.")] = None,
+        plugins: Annotated[
+            Path | None, typer.Option(help="Folder of the plugins; default: the program's and ~/MeasureApp/plugins.")
+        ] = None,
         calibration: Annotated[
             Path | None, typer.Option("--calibration", help="Project whose calibration is checked for these cameras.")
         ] = None,

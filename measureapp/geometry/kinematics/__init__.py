@@ -1,0 +1,1 @@
+"""Kinematics of six-axis arms: forward and inverse, branches and their singularities, Jacobian, configuration data."""
