@@ -37,7 +37,7 @@ def test_a_board_in_5_megapixels_is_found_in_time(kind: str) -> None:
 
 
 @pytest.mark.parametrize("kind", list(BOARDS))
-def test_a_miss_in_5_megapixels_is_told_in_time(kind: str) -> None:
+def test_a_miss_in_5_megapixels_is_reported_in_time(kind: str) -> None:
     part = shot(BOARDS[kind], 35, size=FULL).image.copy()
     part[:, :1100] = 40
     part[900:] = 40

@@ -80,7 +80,7 @@ def test_the_axis_collected_is_the_true_one_and_its_verdict_covers_the_error(sho
     assert all(one.residual_mm < 0.05 for one in session.observations)  # 154 corners of 0.05 px at 550 mm are 0.003 mm
 
 
-def test_a_board_that_slipped_on_the_table_is_left_out_by_name(shown, start, rig, simulate, generator):
+def test_a_board_that_slipped_on_the_table_is_rejected_by_name(shown, start, rig, simulate, generator):
     session = start("axis")
     show(shown, session, rig, simulate, chosen(simulate, rig, "axis"), generator, moved_board=[0, 0, 0, 1.5, 0, 0])
     solved = session.solve()
@@ -88,7 +88,7 @@ def test_a_board_that_slipped_on_the_table_is_left_out_by_name(shown, start, rig
     assert "moved or was detected wrongly" in session.observation("09").reason
 
 
-def test_hand_eye_is_found_within_what_it_promises_and_a_moved_view_is_left_out(shown, start, rig, simulate, generator):
+def test_hand_eye_is_found_within_its_uncertainty_and_a_moved_view_is_rejected(shown, start, rig, simulate, generator):
     session = start("hand-eye")
     show(shown, session, rig, simulate, standing(simulate, rig), generator, moved_board=[0, 0.02, 0, 4.0, 0, 0])
     solved = session.solve()
@@ -158,7 +158,7 @@ def test_the_rig_accepted_into_a_folder_is_read_back(shown, start, rig, simulate
     assert len(read.provenance.inputs) == 3 * len(session.observations)
 
 
-def test_exchanged_cameras_are_told_instead_of_solved(shown, start, rig, simulate, generator):
+def test_exchanged_cameras_are_reported_instead_of_solved(shown, start, rig, simulate, generator):
     session = start("axis")
     for readback in chosen(simulate, rig, "axis")[:4]:
         corners = simulate.corners(rig.head, rig.board, rig.camera_from_board(readback), SIGMA_PX, generator)
@@ -189,7 +189,9 @@ def test_an_angle_that_contradicts_the_images_is_refused_with_the_observation_s_
 
 
 @pytest.mark.parametrize("kind", ["axis", "guide"])
-def test_the_verdict_on_one_link_tells_its_own_part_from_that_of_robot_and_hand_eye(shown, start, rig, simulate, generator, kind):
+def test_the_verdict_on_one_link_separates_its_own_contribution_from_that_of_robot_and_hand_eye(
+    shown, start, rig, simulate, generator, kind
+):
     hand_eye = HandEye(rig.flange_from_camera, rotation_sigma_rad=1e-4, translation_sigma_mm=0.03)
     session = start(kind, hand_eye=hand_eye)
     show(shown, session, rig, simulate, chosen(simulate, rig, kind), generator)

@@ -47,7 +47,7 @@ def knocked(head):
     return replace(head, cameras={**head.cameras, "right": replace(right, reference_from_camera=turned)})
 
 
-def test_the_verdict_tells_a_length_in_mm_and_follows_its_limits(collected):
+def test_the_verdict_states_a_length_in_mm_and_follows_its_limits(collected):
     session = collected("one", 1)
     verdict = evaluate(session.draft)
     assert "to a length of 300 mm" in verdict.sentence
@@ -77,7 +77,7 @@ def test_nothing_solved_has_no_verdict(tmp_path, board):
         evaluate(session.draft)
 
 
-def test_two_calibrations_of_the_same_head_differ_within_what_both_promise(collected, tmp_path):
+def test_two_calibrations_of_the_same_head_differ_within_their_uncertainties(collected, tmp_path):
     accept(collected("one", 1), tmp_path / "cameras.json")
     comparison = compare(read_result(tmp_path / "cameras.json"), collected("two", 2).draft)
     assert comparison.within, comparison.sentence
@@ -87,7 +87,7 @@ def test_two_calibrations_of_the_same_head_differ_within_what_both_promise(colle
     assert comparison.on_part_mm > 0
 
 
-def test_a_knocked_head_differs_by_more_than_both_promise(collected, head, tmp_path):
+def test_a_knocked_head_differs_by_more_than_the_uncertainties(collected, head, tmp_path):
     accept(collected("one", 1), tmp_path / "cameras.json")
     comparison = compare(read_result(tmp_path / "cameras.json"), collected("two", 2, of=knocked(head)).draft)
     assert not comparison.within

@@ -154,7 +154,7 @@ def test_solving_while_collecting_gives_what_solving_afresh_gives(session, shown
     assert warm.joint_rms_px == pytest.approx(cold.joint_rms_px, rel=1e-3)
 
 
-def test_a_view_whose_board_moved_between_the_cameras_is_left_out_with_the_reason(session, shown, head, board, simulate, generator):
+def test_a_view_whose_board_moved_between_the_cameras_is_rejected_with_the_reason(session, shown, head, board, simulate, generator):
     fill(session, shown, head, board, simulate, generator, 7)
     still = simulate.corners(head, board, simulate.board_pose(generator), SIGMA_PX, generator)
     moved = simulate.corners(head, board, simulate.board_pose(generator), SIGMA_PX, generator)
@@ -192,7 +192,7 @@ def test_the_recorded_pairs_collected_give_the_published_baseline(tmp_path):
     assert solved.solution.joint_rms_px < 0.30
 
 
-def test_recorded_pairs_with_wrongly_refined_corners_are_left_out_with_the_reason(tmp_path, monkeypatch):
+def test_recorded_pairs_with_wrongly_refined_corners_are_rejected_with_the_reason(tmp_path, monkeypatch):
     """With a window of 11 px, corners of two of the views are drawn to the neighbouring squares; the views are found and left out."""
     import cv2
 

@@ -39,7 +39,7 @@ def camera():
     return CameraArrayCalibration("left", {"left": CameraCalibration("left", pinhole, RigidTransform.identity("camera", "left"))})
 
 
-def test_a_kind_in_the_table_is_collected_solved_judged_and_compared(standoff, camera, tmp_path):
+def test_a_kind_in_the_table_is_collected_solved_assessed_and_compared(standoff, camera, tmp_path):
     session = CalibrationSession.create(tmp_path / "session", Setup(standoff, BOARD, ("left",), camera))
     shown = [shot(BOARD, 20, towards, 10) for towards in (40, 130, 220)]
     for view in shown[:1]:

@@ -51,7 +51,7 @@ def test_nothing_is_suggested_where_it_is_not_known_where_the_robot_stood(collec
     assert suggest_viewpoint(session.draft, RIG, "more01") is None
 
 
-def test_the_suggested_viewpoint_can_be_reached_is_new_and_teaches_what_it_promises(collected):
+def test_the_suggested_viewpoint_can_be_reached_is_new_and_gains_what_was_predicted(collected):
     session, cell = collected()
     solution = session.solve().camera_solution
     found = suggest_viewpoint(session.draft, RIG, "more01")

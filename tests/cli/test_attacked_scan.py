@@ -24,7 +24,8 @@ AXES = {"VirtualRobot", "VirtualGuide", "VirtualTable"}
 ALL = {*AXES, "VirtualCamera", "VirtualProjector"}
 SHIPPED = plugin_folder()
 PROGRAM = """
-import pathlib, sys
+import pathlib, signal, sys
+signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell may have started the tests without it
 import measureapp.devices.plugin_loader as loader
 loader.plugin_folder, loader.is_allowed = lambda: pathlib.Path(sys.argv[1]), lambda folder: True
 from measureapp.cli.main import main

@@ -41,7 +41,7 @@ def run(capsys, table, *more):
     return code, json.loads(capsys.readouterr().out)
 
 
-def test_a_part_is_told_by_the_angles_of_the_table_and_not_without_them(capsys, table):
+def test_a_part_is_determined_by_the_angles_of_the_table_and_not_without_them(capsys, table):
     code, answer = run(capsys, table, "--angles", str(table / "angles.csv"))
     assert code == 0, answer
     assert answer["rejected"] == []

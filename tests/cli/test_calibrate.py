@@ -223,7 +223,7 @@ def test_a_file_without_a_hand_eye_transform_is_refused(capsys, tables):
     assert "x.json holds no flange_from_camera" in answer["error"]["message"]
 
 
-def test_what_is_asked_of_a_figure_is_told_and_can_be_set(capsys, tmp_path):
+def test_the_requirement_for_a_figure_is_stated_and_can_be_set(capsys, tmp_path):
     corner_table(tmp_path / "corners.csv", 0.01)
     axis = ["axis", "--corners", tmp_path / "corners.csv"]
     _, answer = run(capsys, *axis)

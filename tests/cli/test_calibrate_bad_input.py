@@ -110,7 +110,7 @@ def test_squares_of_another_size_are_named_where_the_guide_tells(capsys, sightin
 
 
 @pytest.mark.parametrize("kind", ["hand-eye", "rig"])
-def test_a_view_whose_board_moved_is_left_out_by_name(capsys, sightings, kind):
+def test_a_view_whose_board_moved_is_rejected_by_name(capsys, sightings, kind):
     folder = sightings(kind)
     show_moved(folder, 3, 3)
     code, answer = run(capsys, kind, folder)
@@ -126,7 +126,7 @@ def _hand_eye(answer):
 
 
 @pytest.mark.parametrize(("kind", "place", "said"), [("axis", 9, "contradict each other"), ("guide", 11, "off an even, straight travel")])
-def test_a_moved_board_is_told_also_where_three_views_cannot_say_which(capsys, sightings, kind, place, said):
+def test_a_moved_board_is_reported_also_where_three_views_cannot_say_which(capsys, sightings, kind, place, said):
     folder = sightings(kind)
     assert not [warning for warning in run(capsys, kind, folder)[1]["warnings"] if said in warning]
     show_moved(folder, 1, place)
@@ -135,7 +135,7 @@ def test_a_moved_board_is_told_also_where_three_views_cannot_say_which(capsys, s
 
 
 @pytest.mark.parametrize("kind", ["hand-eye", "rig"])
-def test_a_view_in_which_the_cameras_contradict_each_other_is_left_out_by_name(capsys, sightings, kind):
+def test_a_view_in_which_the_cameras_contradict_each_other_is_rejected_by_name(capsys, sightings, kind):
     folder = sightings(kind)
     image = folder / "right03.png"
     cv2.imwrite(str(image), np.roll(cv2.imread(str(image), 0), 4, axis=1))

@@ -37,7 +37,7 @@ def test_cameras_and_projector_are_recovered_together_and_serve_reconstruct(caps
     assert agreement
 
 
-def test_known_cameras_stay_as_they_are_and_their_uncertainty_is_carried_on(capsys, truth, manifests, tmp_path):
+def test_known_cameras_stay_as_they_are_and_their_uncertainty_is_propagated(capsys, truth, manifests, tmp_path):
     code, answer = run(capsys, *manifests, *BOARD, "--out", tmp_path / "together.json")
     assert code == 0, answer
     code, answer = run(capsys, *manifests, *BOARD, "--cameras", tmp_path / "together.json", "--out", tmp_path / "added.json")
@@ -61,7 +61,7 @@ def test_known_cameras_stay_as_they_are_and_their_uncertainty_is_carried_on(caps
         assert conditional.projector.standard_deviations[name] < added.projector.standard_deviations[name]
 
 
-def test_figures_are_told_beside_what_is_asked_and_missing_one_is_exit_code_1(capsys, manifests):
+def test_figures_are_stated_with_their_requirements_and_missing_one_is_exit_code_1(capsys, manifests):
     code, answer = run(capsys, *manifests[:5], *BOARD, "--limit", "projector position=0.000001")
     assert code == 1
     told = {one["name"]: one for one in answer["limits"]}

@@ -33,7 +33,7 @@ def images(tmp_path):
     return folder
 
 
-def test_a_session_is_collected_coached_solved_and_accepted_in_several_calls(capsys, images, tmp_path):
+def test_a_session_is_collected_guided_solved_and_accepted_in_several_calls(capsys, images, tmp_path):
     session = ("cameras", "--session", tmp_path / "session")
     code, answer = run(capsys, *session, "--images", f"left={images}/view*.png", *BOARD, "--coach")
     assert code == 0, answer

@@ -31,7 +31,7 @@ def cameras(truth, tmp_path):
     return tmp_path / "cameras.json"
 
 
-def test_fringes_are_collected_coached_solved_compared_and_accepted(capsys, truth, fringes, cameras, tmp_path):
+def test_fringes_are_collected_guided_solved_compared_and_accepted(capsys, truth, fringes, cameras, tmp_path):
     session = ("projector", "--session", tmp_path / "session")
     code, answer = run(capsys, *session, "--fringes", fringes, "--cameras", cameras, *BOARD, "--coach")
     assert code == 0, answer

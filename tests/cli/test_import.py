@@ -226,7 +226,7 @@ def test_the_example_of_the_help_page_is_a_recording() -> None:
     assert len(example.board_view) == len(example.viewpoint) == 1 and example.board is not None
 
 
-def test_several_problems_are_told_at_once(recording: Path, tmp_path: Path, capsys) -> None:
+def test_several_problems_are_reported_at_once(recording: Path, tmp_path: Path, capsys) -> None:
     (recording.parent / "b/1_left.png").unlink()
     (recording.parent / "part.stl").unlink()
     _replace("view02/MANIFEST.toml", "shift_sign", "shift_sine")(recording.parent)

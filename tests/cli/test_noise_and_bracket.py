@@ -88,7 +88,7 @@ def write_noisy_fringes(folder: Path, camera: CameraNoise, steps: int) -> Path:
     return folder / "MANIFEST.toml"
 
 
-def test_recorded_fringes_tell_the_noise_where_there_are_no_flats(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_recorded_fringes_determine_the_noise_where_there_are_no_flats(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     camera = CameraNoise(full_well_e=4000, read_noise_e=12)
     manifest = write_noisy_fringes(tmp_path, camera, 6)
     found = answer(capsys, "noise", "--fringes", manifest, "--out", tmp_path / "noise.json")["cameras"]["left"]

@@ -21,7 +21,7 @@ def answered(capsys: pytest.CaptureFixture[str], *arguments: object) -> dict[str
     return json.loads(capsys.readouterr().out)
 
 
-def test_the_list_has_every_named_set_with_its_promise(capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_list_has_every_named_set_with_its_predicted_performance(capsys: pytest.CaptureFixture[str]) -> None:
     sets = answered(capsys, "patterns", "list")["sets"]
     assert set(sets) == set(PATTERN_SETS)
     paper, ours = sets["paper"]["directions"]["vertical"], sets["three-close"]["directions"]["vertical"]

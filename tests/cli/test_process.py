@@ -27,7 +27,7 @@ def processed(demo: Demo, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("measureapp.pipeline.process_project", process_project)
 
 
-def test_a_view_that_gives_nothing_is_told_beside_the_answer(processed: None, demo: Demo, capsys) -> None:
+def test_a_view_without_points_is_reported_with_the_answer(processed: None, demo: Demo, capsys) -> None:
     assert main(["process", str(demo.folder), "--json"]) == 0
     said = capsys.readouterr()
     assert json.loads(said.out) == {"dimensions": []}

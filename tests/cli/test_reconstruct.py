@@ -84,7 +84,7 @@ def test_a_calibration_of_other_cameras_is_refused_before_decoding(tmp_path: Pat
 
 
 @pytest.mark.parametrize(("grey", "reason", "remedy"), [(255, "saturated", "shorter exposure"), (0, "shadow", "longer exposure")])
-def test_images_that_are_all_white_or_all_black_are_told_from_a_wrong_calibration(
+def test_images_that_are_all_white_or_all_black_are_distinguished_from_a_wrong_calibration(
     grey: int, reason: str, remedy: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     manifest = write_paper_set(tmp_path, ("left", "right"))

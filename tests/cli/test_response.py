@@ -34,7 +34,7 @@ def dense_set(folder: Path, steps: int = 12, gamma: float = 1.8) -> Path:
     return manifest
 
 
-def test_a_dense_capture_tells_gamma_harmonics_and_what_few_steps_keep(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_dense_capture_determines_gamma_harmonics_and_what_few_steps_keep(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     manifest = dense_set(tmp_path)
     answer = answered(capsys, "response", manifest, "--out", tmp_path / "response.json", "--camera", "right")
     assert answer["camera"] == "right"
@@ -51,13 +51,13 @@ def test_a_dense_capture_tells_gamma_harmonics_and_what_few_steps_keep(tmp_path:
     assert "gamma 1.80" in said and "3 steps: phase error" in said
 
 
-def test_three_steps_tell_their_own_error_but_no_curve(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_three_steps_determine_their_own_error_but_no_curve(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     answer = answered(capsys, "response", dense_set(tmp_path, steps=3), "--out", tmp_path / "response.json")
     assert answer["gamma"] is None
     assert answer["pitches"][0]["harmonics"][0]["share"] == pytest.approx(0.8 / 3.8, rel=0.15)
 
 
-def test_a_grey_ramp_tells_the_curve(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_grey_ramp_determines_the_curve(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     levels = np.arange(0, 256, 15)
     rows = [f"{level},{12 + 150 * (level / 255) ** 2.2}" for level in levels]
     (tmp_path / "ramp.csv").write_text("\n".join(["level,grey", *rows]))
@@ -66,7 +66,7 @@ def test_a_grey_ramp_tells_the_curve(tmp_path: Path, capsys: pytest.CaptureFixtu
     assert answer["pitches"] == []
 
 
-def test_what_tells_nothing_is_refused_and_nothing_written(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_what_determines_nothing_is_refused_and_nothing_written(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     manifest = dense_set(tmp_path, steps=4, gamma=1.0)
     out = tmp_path / "response.json"
     assert "no error of the projector" in refused_with(capsys, "response", manifest, "--out", out)

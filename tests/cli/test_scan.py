@@ -207,7 +207,7 @@ def test_a_folder_that_holds_something_else_is_left_as_it_was(rig: Path, plan: P
     assert [path.name for path in (tmp_path / "full").iterdir()] == ["letter.txt"]
 
 
-def test_a_dry_run_tells_what_a_scan_needs_and_moves_and_writes_nothing(
+def test_a_dry_run_states_what_a_scan_needs_and_moves_and_writes_nothing(
     rig: Path, plan: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], standing_still: None
 ) -> None:
     code, document = answer(capsys, "scan", plan, "--rig", rig, "--project", tmp_path / "new", "--dry-run")

@@ -25,7 +25,7 @@ def test_an_unknown_command_is_refused(capsys) -> None:
     assert "nonsense" in refused(capsys, ["nonsense"])
 
 
-def test_without_a_command_the_help_is_shown_and_a_program_is_told_what_is_missing(capsys) -> None:
+def test_without_a_command_the_help_is_shown_and_a_program_reads_what_is_missing(capsys) -> None:
     assert main([]) == 2
     assert "Commands:" in capsys.readouterr().err
     assert main(["calibrate", "--json"]) == 2

@@ -60,13 +60,13 @@ def test_images_are_numbered_from_zero_in_every_sequence_with_exposure_and_seria
 def test_the_image_before_can_be_fetched_while_the_next_is_exposed(camera: Camera) -> None:
     camera.arm(3, "software")
     camera.trigger()
-    camera.wait_ready(timeout_s=5.0)
+    camera.wait_ready(timeout_s=20.0)
     numbers = []
     for _ in range(2):
         camera.trigger()
-        numbers.append(camera.next_frame(timeout_s=5.0).number)
-        camera.wait_ready(timeout_s=5.0)
-    numbers.append(camera.next_frame(timeout_s=5.0).number)
+        numbers.append(camera.next_frame(timeout_s=20.0).number)
+        camera.wait_ready(timeout_s=20.0)
+    numbers.append(camera.next_frame(timeout_s=20.0).number)
     camera.disarm()
     assert numbers == [0, 1, 2]
 

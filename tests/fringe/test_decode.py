@@ -62,7 +62,7 @@ def test_orders_without_support_are_marked_and_never_let_out() -> None:
     assert (decoded.state == PixelState.ORDER_CONFLICT).sum() > 100
 
 
-def test_highlights_and_dark_places_are_told_apart() -> None:
+def test_highlights_and_dark_places_are_distinguished() -> None:
     column = ramp(40, 200)
     mean, modulation = np.full(column.shape, 110.0), np.full(column.shape, 80.0)
     mean[:10], modulation[:10] = 900, 700  # saturated above 20 ms
@@ -213,7 +213,7 @@ def test_patterns_that_start_with_a_trough_are_recognised(sets: dict[str, Patter
         assert np.abs(error[decoded.valid]).max() < 0.3, name
 
 
-def test_where_fringes_start_is_told_by_a_part_in_a_strip_of_the_image() -> None:
+def test_where_fringes_start_is_determined_from_a_part_in_a_strip_of_the_image() -> None:
     width = 4 * CHUNK  # steps between samples of the image would be whole rows
     column = ramp(768, width, last=975.0)
     lit = np.broadcast_to(np.where(np.arange(width) < 3 * CHUNK, 0.0, 80.0), column.shape)
@@ -224,7 +224,7 @@ def test_where_fringes_start_is_told_by_a_part_in_a_strip_of_the_image() -> None
     assert np.abs(error[decoded.valid]).max() < 0.3
 
 
-def test_the_start_of_the_fringes_is_told_from_a_part_that_fills_a_hundredth_of_the_image(sets: dict[str, PatternSet]) -> None:
+def test_the_start_of_the_fringes_is_determined_from_a_part_that_fills_a_hundredth_of_the_image(sets: dict[str, PatternSet]) -> None:
     for name in ("two pitches", "complementary gray"):
         patterns = sets[name]
         part = images_of(ramp(30, 200), patterns)

@@ -117,7 +117,7 @@ def test_pixels_near_saturation_do_not_use_that_exposure_and_say_so_when_none_is
     assert_same(streamed(images, PAPER_PATTERNS, settings), found)
 
 
-def test_known_harmonics_of_the_projector_are_taken_out_of_the_phase() -> None:
+def test_known_harmonics_of_the_projector_are_corrected_in_the_phase() -> None:
     column = ramp(60, 400)
     images = images_of(column, PAPER_PATTERNS, seed=None).astype(float)
     for group, pitch in enumerate((32, 33)):

@@ -362,7 +362,7 @@ def test_there_are_as_many_workers_as_processors_and_memory_allow(
     assert installer.machine.workers() == workers
 
 
-def test_trouble_is_told_in_words_with_exit_code_2(installer, called, monkeypatch, capsys) -> None:
+def test_trouble_is_reported_in_words_with_exit_code_2(installer, called, monkeypatch, capsys) -> None:
     def trouble(screen):
         raise installer.trouble.SetupTrouble("Libraries are missing.", "Run this line.")
 

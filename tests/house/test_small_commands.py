@@ -104,7 +104,7 @@ def test_all_devices_that_fail_are_named_at_once_and_the_rig_is_closed(capsys, t
     assert code == 3
     assert "left: no answer." in output.err
     assert "robot: no answer. Switch it on." in output.err
-    assert "table: OSError: reset by peer." in output.err
+    assert "table: The table failed: OSError: reset by peer." in output.err
     assert output.out.count("closed") == 5
 
 

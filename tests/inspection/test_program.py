@@ -27,7 +27,7 @@ def written(folder: Path, text: str) -> Path:
         ("flat", {"top_flatness"}),
     ],
 )
-def test_the_sample_parts_have_the_dimensions_of_their_drawings(part: str, names: set[str]) -> None:
+def test_the_sample_parts_have_the_dimensions_of_their_nominals(part: str, names: set[str]) -> None:
     path = resource(f"parts/{part}/program.toml")
     described = read_program(path)
     assert {dimension.name for dimension in described.dimensions} == names

@@ -42,7 +42,7 @@ def test_a_process_that_dies_gives_its_folder_free(tmp_path):
         pass
 
 
-def test_a_folder_that_cannot_be_written_to_is_told(tmp_path):
+def test_a_folder_that_cannot_be_written_to_is_reported(tmp_path):
     (tmp_path / "file").touch()
     with pytest.raises(StorageError, match="cannot be written to"), lock_folder(tmp_path / "file"):
         pass

@@ -29,7 +29,7 @@ def seen() -> PhaseMap:
     return PhaseMap("one", "v", phase, sigma, modulation, grey, state, exposure, 16.0, 1024, exposures_us=EXPOSURES_US)
 
 
-def test_it_is_told_to_half_a_grey_level_whatever_the_exposures(seen: PhaseMap) -> None:
+def test_it_is_determined_to_half_a_grey_level_whatever_the_exposures(seen: PhaseMap) -> None:
     assert estimate_ambient_light(seen) == pytest.approx(OTHER, abs=0.5)
 
 
@@ -40,7 +40,7 @@ def test_pixels_at_edges_and_without_a_phase_do_not_spoil_it(seen: PhaseMap) -> 
     assert estimate_ambient_light(replace(seen, modulation=modulation, state=state)) == pytest.approx(OTHER, abs=1.0)
 
 
-def test_where_it_cannot_be_told_it_is_none(seen: PhaseMap) -> None:
+def test_where_it_cannot_be_determined_it_is_none(seen: PhaseMap) -> None:
     evenly = replace(seen, modulation=np.full_like(seen.modulation, 100), exposure_index=np.zeros_like(seen.exposure_index))
     nowhere = replace(seen, state=np.full_like(seen.state, PixelState.SHADOW))
     less_than_none = replace(seen, grey=np.maximum(np.array(seen.grey, int) - 30, 0).astype(np.uint16))

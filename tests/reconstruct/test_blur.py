@@ -48,7 +48,7 @@ def seen(light: FloatArray, true_phase: FloatArray = PHASE) -> PhaseMap:
         (np.where(ROWS >= 30, 2600.0, 2000.0), 0.13),
     ],
 )
-def test_the_shift_by_changing_light_is_taken_back(light: FloatArray, left: float) -> None:
+def test_the_shift_by_changing_light_is_corrected(light: FloatArray, left: float) -> None:
     phase_map = seen(light)
     before = np.abs(phase_map.phase_rad - PHASE)[INNER].max()
     after = np.abs(correct_blur({"one": phase_map}, camera(BLUR_PX), STEP_RAD)["one"].phase_rad - PHASE)[INNER].max()
@@ -63,7 +63,7 @@ def test_a_step_of_the_light_shifts_nothing_further_away_than_the_blur_reaches()
 
 
 @pytest.mark.parametrize("bend", [0.002 * (COLUMNS - 40) ** 2, -0.003 * (ROWS - 30) ** 2, 0.002 * ((COLUMNS - 40) ** 2 + (ROWS - 30) ** 2)])
-def test_the_shift_by_a_bent_surface_is_taken_back(bend: FloatArray) -> None:
+def test_the_shift_by_a_curved_surface_is_corrected(bend: FloatArray) -> None:
     round_part = PHASE + bend
     phase_map = seen(np.full(PHASE.shape, 2000.0), round_part)
     before = np.mean((phase_map.phase_rad - round_part)[INNER])
@@ -87,7 +87,7 @@ def test_an_edge_of_two_planes_is_no_bend_and_noise_hardly_grows(away: float) ->
     assert left.std() < 1.05 * noise[INNER].std()
 
 
-def test_at_the_rim_of_a_round_body_neither_light_nor_bend_is_taken_alone() -> None:
+def test_at_the_edge_of_a_round_body_neither_light_nor_curvature_is_corrected_alone() -> None:
     """Towards the rim the light falls and the phase bends, both like the root of the distance; what each does all but cancels."""
     rim = 15
     away = np.sqrt(np.maximum(COLUMNS - rim + 0.5, 0.0))
@@ -119,7 +119,7 @@ def test_beside_a_hole_what_blur_does_stays_and_counts_as_noise() -> None:
 
 
 @pytest.mark.parametrize("rim", [15.0, 15.25, 15.5, 15.75])
-def test_at_the_rim_of_a_round_body_what_stays_counts_as_noise(rim: float) -> None:
+def test_at_the_edge_of_a_round_body_the_residual_counts_as_noise(rim: float) -> None:
     away = np.sqrt(np.maximum(COLUMNS - rim + 0.5, 0.0))
     on = rim <= COLUMNS
     round_part = 20.0 + 1.6 * away
@@ -150,7 +150,7 @@ def test_flat_and_evenly_bent_parts_are_as_certain_as_they_were() -> None:
         assert np.mean(made.sigma_rad[INNER]) < 1.01 * NOISE_RAD
 
 
-def test_what_reading_between_pixels_does_to_a_bent_phase_is_taken_back() -> None:
+def test_the_error_of_interpolating_a_curved_phase_is_corrected() -> None:
     bend = 0.003 * (COLUMNS - 40) ** 2
     phase_map = seen(np.full(PHASE.shape, 2000.0), PHASE + bend)
     made = correct_blur({"one": phase_map}, camera(BLUR_PX), STEP_RAD, interpolated=["one"])["one"].phase_rad

@@ -49,7 +49,7 @@ def rims(hole: BoolArray, blur_px: float = BLUR_PX) -> BoolArray:
 
 
 @pytest.mark.parametrize(("blur_px", "width"), [(0.5, 2), (BLUR_PX, 2), (0.95, 2), (1.2, 3), (1.5, 4), (2.0, 5)])
-def test_pixels_round_a_hole_are_its_rim_as_wide_as_the_blur_reaches(blur_px: float, width: int) -> None:
+def test_pixels_around_a_hole_are_a_discontinuity_as_wide_as_the_blur(blur_px: float, width: int) -> None:
     hole = np.zeros((HEIGHT, WIDTH), np.bool_)
     hole[15:22, 20:30] = True
     cross = cv2.getStructuringElement(cv2.MORPH_CROSS, (3, 3))
@@ -110,7 +110,7 @@ def test_rims_give_no_points_and_say_so(chosen: tuple[str, ...]) -> None:
     assert "border of its surface" in told.sentence
 
 
-def test_the_phase_of_a_rim_touches_no_other_pixel() -> None:
+def test_the_phase_at_a_discontinuity_affects_no_other_pixel() -> None:
     """What blur does is told without it: beside a border it would bend the phase of pixels up to six further in."""
     head = make_projector_head()
     maps = head.phase_maps(plane(550, 0.2, 0.1))

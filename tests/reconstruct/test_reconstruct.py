@@ -134,7 +134,7 @@ def test_a_point_that_stands_alone_is_removed(head: Head, rectifier: Rectifier) 
     assert not lone.any()
 
 
-def test_grazing_surfaces_are_left_out_beyond_the_limit(head: Head, rectifier: Rectifier) -> None:
+def test_grazing_surfaces_are_rejected_beyond_the_limit(head: Head, rectifier: Rectifier) -> None:
     maps = head.phase_maps(plane(550, 0.2, 0.1))
     made = reconstruct(maps, head.cameras, ReconstructSettings(max_incidence_deg=15.0), rectifier=rectifier)
     cosine = -(made.cloud.normals * made.cloud.points_mm).sum(axis=1) / np.linalg.norm(made.cloud.points_mm, axis=1)

@@ -130,7 +130,7 @@ def test_horizontal_fringes_are_explained_by_rows_and_by_the_pairs_they_cannot_m
     assert "left and right were not matched: epipolar lines" in said.sentence
 
 
-def test_fringes_of_both_directions_tell_column_and_row_and_what_one_of_them_lacks(head: Head) -> None:
+def test_fringes_of_both_directions_state_column_and_row_and_what_one_of_them_lacks(head: Head) -> None:
     across = head.phase_maps(plane(550, 0.2, 0.1), horizontal=True)
     state = across["left"].state.copy()
     state[100:120, 100:140] = PixelState.SATURATED

@@ -61,7 +61,7 @@ def test_the_two_sides_of_a_thin_wall_never_mix():
     assert np.abs(merged.points_mm[~top, 2]).max() < 0.12
 
 
-def test_islands_and_single_points_are_dropped():
+def test_isolated_patches_and_single_points_are_removed():
     stray = plane(40, 0.02, 3, height_mm=60.0, half_mm=1.0)
     alone = plane(20, 0.02, 4, height_mm=-40.0)
     merged = merge([plane(20_000, 0.02, 1), stray, alone], [ABOVE] * 3, 0.6, island_mm2=15)
@@ -78,7 +78,7 @@ def test_spacing_density_and_noise_are_those_the_cloud_was_made_with():
     assert quality.accepted and quality.reason == ""
 
 
-def test_a_large_cloud_is_judged_by_a_sample_to_the_same_figures():
+def test_a_large_cloud_is_assessed_by_a_sample_to_the_same_figures():
     quality = assess_cloud(plane(400_000, 0.04, 2, half_mm=140.0))
     assert quality.density_per_mm2 == pytest.approx(400_000 / 280**2, rel=0.1)
     assert quality.noise_mm == pytest.approx(0.04, rel=0.1)

@@ -85,7 +85,7 @@ def test_on_the_clouds_page_clicks_measure_while_the_tool_is_on_and_undo_takes_t
     assert not page.distance.can_undo
 
 
-def test_on_the_inspection_page_a_click_tells_view_and_place_in_the_drawing_and_measures_on_the_points(application, window, measurement):
+def test_on_the_inspection_page_a_click_shows_view_and_position_in_the_nominal_and_measures_on_the_points(application, window, measurement):
     application.session.set_measurement(measurement, {})
     window.show_page("inspection")
     page = window.pages["inspection"]

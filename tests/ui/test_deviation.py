@@ -44,7 +44,7 @@ def compared(measurement, tmp_path, monkeypatch) -> Comparison:
     return found
 
 
-def test_points_outside_the_drawing_deviate_by_their_distance_and_what_no_point_lies_near_is_not_measured(compared):
+def test_points_outside_the_nominal_deviate_by_their_distance_and_what_no_point_lies_near_is_not_measured(compared):
     assert compared.deviation.mean_mm == pytest.approx(0.1, abs=0.06)  # facets of the drawing lie up to 0.05 mm inside its ball
     assert (compared.deviation.distances_mm > 0).all()
     assert np.mean(compared.unmeasured_mm[:, 2] < 60.0) > 0.9
@@ -70,7 +70,7 @@ def test_the_card_sums_up_the_deviations_in_words(qtbot, compared):
     assert card.isHidden()
 
 
-def test_a_tolerance_is_marked_on_the_scale_and_shares_are_told(qtbot, compared):
+def test_a_tolerance_is_marked_on_the_scale_and_percentages_are_shown(qtbot, compared):
     card = DeviationCard(Look("light"))
     qtbot.addWidget(card)
     card.show_comparison(compared)

@@ -96,7 +96,7 @@ def test_a_tree_keeps_selection_and_open_rows_when_its_rows_are_set_anew(qtbot):
     assert tree.selected() == (1, -1)
 
 
-def test_the_page_prints_the_rule_and_tells_what_was_filled_without_points(application, window, measurement, qtbot):
+def test_the_page_prints_the_rule_and_states_what_was_filled_without_points(application, window, measurement, qtbot):
     page = window.pages["inspection"]
     application.session.set_measurement(measurement, {})
     window.show_page("inspection")

@@ -36,7 +36,7 @@ def test_the_demo_form_gives_back_what_it_was_given(qtbot, wanted):
     assert form.value() == wanted
 
 
-def test_a_change_by_the_user_is_told(qtbot):
+def test_a_change_by_the_user_is_signalled(qtbot):
     form = DemoForm()
     qtbot.addWidget(form)
     with qtbot.waitSignal(form.valueChanged) as told:
@@ -78,7 +78,7 @@ def test_choosing_the_impeller_suggests_the_viewpoints_it_needs(qtbot):
     assert form.value().viewpoints == 26
 
 
-def test_segments_give_back_what_they_were_given_and_tell_a_click(qtbot):
+def test_segments_give_back_what_they_were_given_and_signal_a_click(qtbot):
     segments = Segments({"a": "A", "b": "B"})
     qtbot.addWidget(segments)
     segments.setValue("b")

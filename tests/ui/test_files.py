@@ -41,7 +41,7 @@ def settled(application, qtbot):
     return next(iter(reversed(application.session.messages)), None)
 
 
-def test_a_cloud_in_inches_is_asked_about_then_compared_with_its_drawing(application, window, qtbot, tmp_path, drawing, monkeypatch):
+def test_a_cloud_in_inches_is_asked_about_then_compared_with_its_nominal(application, window, qtbot, tmp_path, drawing, monkeypatch):
     chosen = [str(scanned(tmp_path / "scan.xyz", drawing, 1 / 25.4)), str(drawing)]
     monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (chosen.pop(0), ""))
     window.header.file.click()
@@ -108,7 +108,7 @@ def test_a_stitched_cloud_from_a_file_is_as_uncertain_as_the_command_line_says(a
         ("missing.stl", None, "does not exist"),
     ],
 )
-def test_a_file_that_cannot_be_measured_is_told_and_the_project_stays(
+def test_a_file_that_cannot_be_measured_is_reported_and_the_project_stays(
     application, window, qtbot, tmp_path, drawing, measurement, monkeypatch, name, content, told
 ):
     monkeypatch.setattr(application.controllers.documents, "preview", lambda: None)

@@ -53,7 +53,7 @@ def settled(application, qtbot):
     qtbot.waitUntil(lambda: not application.controllers.jobs.queue.busy and not application.session.busy_with, timeout=10_000)
 
 
-def test_filters_add_up_beside_the_stitched_cloud_and_are_taken_back_one_by_one(application, clouds, measurement, tmp_path, qtbot):
+def test_filters_add_up_beside_the_stitched_cloud_and_are_undone_one_by_one(application, clouds, measurement, tmp_path, qtbot):
     stitched, beside = measurement.stitched, tmp_path / "filtered_cloud.ply"
     clouds.filter_button.setChecked(True)
     assert clouds.filters.isVisible() and not clouds.undo.isVisible()
@@ -95,7 +95,7 @@ def test_another_stitched_cloud_forgets_the_filters_of_the_last(application, clo
     assert clouds.stage.value() == "merged"
 
 
-def test_residuals_of_a_filtered_cloud_can_be_looked_at_and_its_points_clicked(application, clouds, qtbot):
+def test_residuals_of_a_filtered_cloud_can_be_shown_and_its_points_clicked(application, clouds, qtbot):
     clouds.filters.setValue(Filter("plane", (0, 0, 1, 60.0)))
     clouds.filters.button.click()
     settled(application, qtbot)

@@ -39,7 +39,7 @@ def settled(application, qtbot):
     qtbot.waitUntil(lambda: not application.controllers.jobs.queue.busy and not application.session.busy_with, timeout=20_000)
 
 
-def test_a_click_grows_the_ball_and_its_lines_can_be_copied_and_taken_back(application, page, measurement, qtbot):
+def test_a_click_grows_the_ball_and_its_lines_can_be_copied_and_undone(application, page, measurement, qtbot):
     page.grow.button.setChecked(True)
     assert page.grow.isVisible() and page.shape.value() == "points"
     page.grow.shape.setValue("sphere")
@@ -60,7 +60,7 @@ def test_a_click_grows_the_ball_and_its_lines_can_be_copied_and_taken_back(appli
     assert page.grow.last is None and len(page.view._lines) == lines and not page.undo.isVisible()
 
 
-def test_where_no_such_shape_is_nothing_grows_and_the_reason_is_told(application, page, qtbot):
+def test_where_no_such_shape_is_nothing_grows_and_the_reason_is_shown(application, page, qtbot):
     page.grow.button.setChecked(True)
     page.grow.shape.setValue("cone")
     page.view.pointPicked.emit(0, 100)

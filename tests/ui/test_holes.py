@@ -78,7 +78,7 @@ def test_the_selected_view_is_explained_with_the_shares_of_all_reasons(qtbot, cl
     assert not dialog.progress.isVisible() and not dialog.again.isVisible()
 
 
-def test_a_click_on_a_pixel_tells_stage_reason_and_numbers(qtbot, clouds):
+def test_a_click_on_a_pixel_shows_stage_reason_and_numbers(qtbot, clouds):
     clouds.holes.click()
     dialog = settled(qtbot, clouds)
     assert dialog.answer.text() == ASK

@@ -10,7 +10,7 @@ from ui.session import Session
 PATIENCE_MS = 10_000
 
 
-def test_a_job_that_fails_before_the_window_looks_again_is_told_once(qtbot) -> None:
+def test_a_job_that_fails_before_the_window_checks_again_is_reported_once(qtbot) -> None:
     def refuse(_job: object) -> None:
         raise MeasureError("It cannot be done.", "Do something else.")
 
@@ -21,7 +21,7 @@ def test_a_job_that_fails_before_the_window_looks_again_is_told_once(qtbot) -> N
     assert [str(one) for one in told] == ["It cannot be done. Do something else."]
 
 
-def test_a_job_that_is_cancelled_tells_so_and_nothing_else(qtbot) -> None:
+def test_a_job_that_is_cancelled_reports_so_and_nothing_else(qtbot) -> None:
     def stop(_job: object) -> None:
         raise Cancelled
 

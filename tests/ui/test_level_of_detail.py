@@ -146,7 +146,7 @@ def test_where_the_processor_draws_it_is_recognised_before_the_first_frame_and_d
     view.close_view()
 
 
-def test_a_renderer_that_is_not_told_counts_as_software():
+def test_an_unknown_renderer_counts_as_software():
     assert FrameBudget("Display ID not set").software
     assert not FrameBudget("OpenGL renderer string:  NVIDIA GeForce RTX 3060").software
 

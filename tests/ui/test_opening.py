@@ -79,7 +79,7 @@ def measured(project, measurement):
     return stored
 
 
-def test_filters_come_back_with_the_project_and_can_be_taken_back_one_by_one(qtbot, application, window, project, measurement):
+def test_filters_come_back_with_the_project_and_can_be_undone_one_by_one(qtbot, application, window, project, measurement):
     stitched = measured(project, measurement).stitched
     chain = FilterChain.build((Filter("plane", (0, 0, 1, 30.0)), Filter("plane", (0, 0, 1, 60.0))), stitched.points_mm)
     save_filters(project.results, chain, stitched)
@@ -97,7 +97,7 @@ def test_filters_come_back_with_the_project_and_can_be_taken_back_one_by_one(qtb
 
 
 @pytest.mark.parametrize("harm", ["damaged", "of another cloud"])
-def test_filters_that_do_not_fit_are_told_and_the_cloud_is_shown_whole(qtbot, application, window, project, measurement, harm):
+def test_filters_that_do_not_fit_are_reported_and_the_cloud_is_shown_whole(qtbot, application, window, project, measurement, harm):
     stitched = measured(project, measurement).stitched
     save_filters(project.results, FilterChain.build((Filter("plane", (0, 0, 1, 60.0)),), stitched.points_mm), stitched)
     if harm == "damaged":

@@ -60,7 +60,7 @@ def test_a_mesh_that_cannot_be_read_keeps_the_part_and_says_why(application, win
     assert application.controllers.demo.settings == DemoSettings() and window.pages["rig"].form.value() == DemoSettings()
 
 
-def test_the_unit_that_is_marked_is_the_one_that_is_told(qtbot, application):
+def test_the_marked_unit_is_the_one_reported(qtbot, application):
     dialog = UnitDialog(application.look, "points", "The points span 7.1, the nominal 180 mm", LengthUnit.INCH)
     qtbot.addWidget(dialog)
     dialog.units[LengthUnit.CM].click()

@@ -310,7 +310,7 @@ def test_stored_images_of_every_camera_are_read_from_the_project(tmp_path, monke
     assert first_images(tmp_path, "view-09", None) == ()
 
 
-def test_a_view_that_stitching_left_out_says_so_with_its_reason(measurement):
+def test_a_view_that_registration_excluded_says_so_with_its_reason(measurement):
     from dataclasses import replace
 
     from ui.pages.clouds.view_words import view_properties, view_verdict
@@ -329,7 +329,7 @@ def test_the_name_of_a_dimension_is_words_but_a_letter_of_the_drawing_stays():
     assert dimension_words("a") == "a"
 
 
-def test_the_plan_page_says_what_the_patterns_promise_and_what_a_view_costs(filled, rig):
+def test_the_plan_page_says_the_predicted_performance_of_the_patterns_and_what_a_view_costs(filled, rig):
     page = filled.pages["plan"]
     filled.show_page("plan")
     groups = {group.heading: {name: plain(value) for name, value in group.rows} for group in page.properties.groups}
@@ -360,7 +360,7 @@ def test_the_wrong_orders_of_the_papers_patterns_are_predicted(rig):
     ]
 
 
-def test_decoded_shares_and_losses_are_told_where_they_are_stored(filled, application, measurement):
+def test_decoded_percentages_and_losses_are_shown_where_they_are_stored(filled, application, measurement):
     from dataclasses import replace
 
     from ui.pages.clouds.view_words import view_properties

@@ -46,7 +46,7 @@ def test_a_part_of_any_shape_fills_the_picture_and_is_not_cut(view, sizes):
     assert abs((columns[0] + columns[-1]) / 2 - 160) < 12
 
 
-def test_a_click_picks_the_foremost_point_and_tells_its_layer(view, qtbot):
+def test_a_click_picks_the_foremost_point_and_its_layer(view, qtbot):
     front = CloudLayer(np.array([[-10.0, -11.0, 8.5]]), plain(RED, 1))
     behind = CloudLayer(np.array([[10.0, 11.0, -8.5], [0.0, 0.0, 60.0]]), plain(RED, 2))
     view.set_clouds([behind, front])
@@ -71,7 +71,7 @@ def _pixel_of(view: CloudView, point: np.ndarray) -> tuple[float, float]:
     return float(x), float(y)
 
 
-def test_a_point_of_a_view_tells_its_sigma_and_that_its_pixel_is_not_known(measurement):
+def test_a_point_of_a_view_shows_its_sigma_and_that_its_pixel_is_not_known(measurement):
     view = measurement.views[2]
     cloud = view.cloud.seen_from(view.part_from_camera)
     point = view_point(view.viewpoint_id, cloud, 5)

@@ -87,7 +87,7 @@ def ball_mesh(path, *, scale=1.0, radius=60.0):
     return path
 
 
-def test_what_grew_joins_the_program_with_a_dimension_of_it_and_both_are_taken_back(application, opened, project, qtbot):
+def test_a_grown_feature_joins_the_program_with_a_dimension_and_both_are_undone(application, opened, project, qtbot):
     session = application.session
     opened.grow.button.setChecked(True)
     application.controllers.growing.grow(np.array([140.0, 0, 10.0]), "plane")
@@ -118,7 +118,7 @@ def test_what_grew_joins_the_program_with_a_dimension_of_it_and_both_are_taken_b
     assert project.program_text(has_nominal=False) == PROGRAM and not application.controllers.programming.can_undo
 
 
-def test_a_dimension_is_taken_out_and_a_feature_that_it_rests_on_is_not(application, opened, project, qtbot):
+def test_a_dimension_is_removed_and_a_feature_that_it_needs_is_not(application, opened, project, qtbot):
     opened.side.table.select(0, 0)
     assert opened.properties.title == "Ball" and opened.properties.decision == REMOVE
     opened.decide()
@@ -157,7 +157,7 @@ def test_a_program_that_is_none_stays_in_its_window_with_the_reason(application,
     assert project.program_text(has_nominal=False) == PROGRAM
 
 
-def test_the_unit_of_a_drawing_in_inches_is_asked_for_and_never_assumed(application, opened, project, qtbot, tmp_path):
+def test_the_unit_of_a_nominal_in_inches_is_asked_for_and_never_assumed(application, opened, project, qtbot, tmp_path):
     path = ball_mesh(tmp_path / "ball.stl", scale=1 / 25.4)
     take, dialog_of = application.controllers.programming.set_nominal, opened.program.nominal
     take(path)
@@ -175,7 +175,7 @@ def test_the_unit_of_a_drawing_in_inches_is_asked_for_and_never_assumed(applicat
     assert abs(application.session.comparison.deviation.mean_mm) < 0.2  # the sag of the drawing's triangles
 
 
-def test_a_drawing_that_replaces_another_can_be_taken_back(application, opened, project, qtbot, tmp_path):
+def test_a_nominal_that_replaces_another_can_be_undone(application, opened, project, qtbot, tmp_path):
     take = application.controllers.programming.set_nominal
     take(ball_mesh(tmp_path / "first.stl"))
     settled(application, qtbot)
@@ -190,7 +190,7 @@ def test_a_drawing_that_replaces_another_can_be_taken_back(application, opened, 
 
 
 @pytest.mark.parametrize("content", ["another part", "nothing", "one point", "cut off"])
-def test_a_drawing_that_cannot_be_used_is_told_and_changes_nothing(application, opened, project, qtbot, tmp_path, content):
+def test_a_nominal_that_cannot_be_used_is_reported_and_changes_nothing(application, opened, project, qtbot, tmp_path, content):
     path = tmp_path / ("point.ply" if content == "one point" else "drawing.stl")
     if content == "another part":
         ball_mesh(path, radius=14.0)

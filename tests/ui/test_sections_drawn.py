@@ -47,7 +47,7 @@ def test_what_a_dimension_measures_on_a_blade_is_drawn_on_it():
     assert np.array_equal(measured_lines("pitch", CURVES)[0], CURVES.mean_line[[0, -1]])
 
 
-def test_a_selected_blade_shows_its_measured_outline_over_that_of_the_drawing():
+def test_a_selected_blade_shows_its_measured_outline_over_that_of_the_nominal():
     layers = feature_lines([BLADE], [BLADE], dimension("thickness", "max_thickness", ("low.1",)), SECTIONS, GREEN)
     by_width = {layer.width: layer for layer in layers}
     assert by_width[1.5].colour == OUTLINE and by_width[1.5].lines == SECTIONS.nominal_blades["low.1"]

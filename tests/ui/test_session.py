@@ -39,7 +39,7 @@ def test_the_same_view_is_replaced_not_doubled(qtbot, measurement):
     assert len(session.views) == 1
 
 
-def test_a_measurement_tells_everything_at_once(qtbot, measurement):
+def test_a_measurement_signals_everything_at_once(qtbot, measurement):
     session = Session()
     with qtbot.waitSignals([session.calibrationChanged, session.cloudsChanged, session.inspectionChanged, session.reportChanged]):
         session.set_measurement(measurement, {})

@@ -39,7 +39,7 @@ def settled(application, qtbot):
     qtbot.waitUntil(lambda: not application.controllers.jobs.queue.busy and not application.session.busy_with, timeout=10_000)
 
 
-def test_a_used_view_can_be_left_out_and_the_choice_taken_back(application, window, kept, qtbot):
+def test_a_used_view_can_be_excluded_and_the_choice_undone(application, window, kept, qtbot):
     page = window.pages["clouds"]
     page.table.selectRow(1)
     assert page.properties.decision == EXCLUDE

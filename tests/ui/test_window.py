@@ -88,7 +88,7 @@ def test_cancel_stops_the_demo_and_keeps_what_is_known(started, window, demo, qt
     assert window.pages["rig"].run_demo.isEnabled()
 
 
-def test_a_failure_is_told_with_its_remedy(started, window, demo, qtbot):
+def test_a_failure_is_shown_with_its_remedy(started, window, demo, qtbot):
     demo.error = InputError("The disk is full.", "Free some space.")
     demo.gate.set()
     qtbot.waitUntil(lambda: idle(started), timeout=10_000)
@@ -116,7 +116,7 @@ def test_closing_during_a_job_asks_and_can_be_refused(started, window, demo, qtb
     qtbot.waitUntil(lambda: idle(started), timeout=10_000)
 
 
-def test_an_error_nobody_caught_is_told_as_a_sentence(application, window):
+def test_an_error_nobody_caught_is_shown_as_a_sentence(application, window):
     report = Reporter(application.session)
     error = InputError("The plan is damaged.", "Plan again.")
     report(InputError, error, None)

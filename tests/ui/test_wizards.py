@@ -189,7 +189,7 @@ def test_images_that_cannot_be_read_lead_back_to_the_choice(qtbot, wizard, tmp_p
     assert wizard.step == SETUP
 
 
-def test_an_image_of_one_camera_may_be_missing_and_a_broken_one_is_told(qtbot, wizard, tmp_path):
+def test_an_image_of_one_camera_may_be_missing_and_a_broken_one_is_reported(qtbot, wizard, tmp_path):
     folder = record(tmp_path / "some", 5)
     (folder / "right02.png").unlink()
     (folder / "left04.png").write_bytes(b"no image")
@@ -284,7 +284,7 @@ def test_a_wizard_does_not_open_while_the_rig_is_busy(calibration_page, applicat
     application.session.set_busy("")
 
 
-def test_images_of_two_sizes_are_told(qtbot, wizard, tmp_path):
+def test_images_of_two_sizes_are_reported(qtbot, wizard, tmp_path):
     folder = record(tmp_path / "sizes", 4, ("left",))
     cv2.imwrite(str(folder / "left09.png"), np.zeros((HEIGHT // 2, WIDTH // 2), np.uint8))
     read_folder(qtbot, wizard, folder)

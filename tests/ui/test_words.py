@@ -24,12 +24,12 @@ def test_a_signed_error_shows_its_sign_and_zero_has_none():
 
 
 @pytest.mark.parametrize(("seconds", "words"), [(4.4, "4 s"), (130, "2 min 10 s"), (3900, "1 h 05 min")])
-def test_a_time_is_told_in_its_own_size(seconds, words):
+def test_a_duration_is_given_in_a_fitting_unit(seconds, words):
     assert wording.duration(seconds) == words
 
 
 @pytest.mark.parametrize(("age", "words"), [(10, "just now"), (600, "10 min ago"), (7200, "2 h ago"), (259_200, "3 days ago")])
-def test_an_age_is_told_in_words(age, words):
+def test_an_age_is_given_in_words(age, words):
     now = datetime(2026, 1, 10, tzinfo=UTC)
     assert wording.when((now - timedelta(seconds=age)).isoformat(), now) == words
 

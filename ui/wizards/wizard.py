@@ -134,7 +134,7 @@ class CalibrationWizard(QDialog):
         return [
             setup,
             Step(self.kind.words.step, state, words),
-            Step("Result", result, {"done": "Good", "problem": "Inspect"}.get(result, "")),
+            Step("Result", result, {"done": "Good", "problem": "Check"}.get(result, "")),
         ]
 
     def _offers(self) -> tuple[str, str, str]:

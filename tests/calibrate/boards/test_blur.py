@@ -35,6 +35,6 @@ def test_markers_beside_the_edges_hide_a_part_of_the_blur_and_add_none() -> None
     assert 0.85 * (true**2 + 4) ** 0.5 < found_blur("charuco", 2.0) < 1.02 * (true**2 + 4) ** 0.5
 
 
-def test_the_usual_image_counts_and_no_image_tells_nothing() -> None:
+def test_the_usual_image_counts_and_no_image_determines_nothing() -> None:
     assert blur_px([0.0, 2.0, 2.1, 9.0]) == blur_px([2.1])
     assert blur_px([]) == blur_px([0.0]) == 0.0

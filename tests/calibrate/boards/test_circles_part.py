@@ -50,7 +50,7 @@ def test_the_true_lie_is_always_among_the_possible_ones(quarter):
         assert any(np.array_equal(ids_of(BOARD, grid.places, lie), ids) for lie in lies), (left, right, top, bottom)
 
 
-def test_one_side_with_both_of_its_ends_tells_the_part():
+def test_one_side_with_both_of_its_ends_determines_the_part():
     grid, ids = drawn(BOARD, 0, 7, 0, 4, 0, (True, True, True, False))
     (lie,) = possible_placements(BOARD, grid)
     assert np.array_equal(ids_of(BOARD, grid.places, lie), ids)

@@ -145,7 +145,7 @@ def test_a_board_drawn_by_opencv_is_found_where_it_was_drawn():
     assert np.abs(found.corners_px - expected).max() < 0.1
 
 
-def test_a_mark_that_left_the_grid_is_told_from_those_that_only_scatter(generator):
+def test_a_mark_that_left_the_grid_is_distinguished_from_those_that_only_scatter(generator):
     seen = shot(CHARUCO, 40)
     marks = seen.marks_px + generator.normal(scale=0.03, size=seen.marks_px.shape)
     marks[17] += [1.2, -0.6]

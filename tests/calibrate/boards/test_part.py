@@ -116,7 +116,7 @@ def test_a_white_sheet_is_not_taken_for_the_margin():
         assert np.abs(found.corners_px - seen.marks_px[found.ids]).max() < 0.3, share
 
 
-def test_one_image_gives_one_answer_however_often_it_is_looked_at():
+def test_one_image_gives_one_answer_however_often_it_is_evaluated():
     """The search draws lots: unseeded, one call in twenty finds a smaller grid in this image."""
     seen = shot(CHECKER, 15, 60, 20)
     part = middle_of(seen.image, seen.marks_px)

@@ -43,7 +43,7 @@ def sights(request):
     return Sights(request.param, whole.image, part, other.marks_px, CameraArrayCalibration("left", cameras))
 
 
-def test_the_other_camera_tells_which_part_it_is(sights):
+def test_the_other_camera_determines_which_part_it_is(sights):
     with pytest.raises(AmbiguousPart):
         find_board(sights.part, sights.board)
     found = find_part_by_cameras(sights.part, "right", {"left": find_board(sights.whole, sights.board)}, sights.cameras, sights.board)
@@ -62,7 +62,7 @@ def test_a_collection_with_calibrated_cameras_uses_such_a_part(sights, tmp_path)
         assert ("right" in one.refused) is (known is None)
 
 
-def test_cameras_that_are_being_calibrated_tell_each_other_parts_once_they_are_solved(tmp_path):
+def test_cameras_that_are_being_calibrated_determine_each_other_s_parts_once_they_are_solved(tmp_path):
     right_from_left = RigidTransform.from_vector([0.02, 0.1, 0.01], [-60.0, 3.0, 5.0], "right", "camera")
     session = CalibrationSession.create(tmp_path / "session", Setup(KINDS["cameras"], CHECKER, ("left", "right")))
     for number, towards in enumerate((70, 140, 210, 280, 0)):

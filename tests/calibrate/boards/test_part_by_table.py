@@ -60,7 +60,7 @@ def seen_at(board, turned, angles):
     return [Observation("", Readback(table_rad=float(np.deg2rad(angle))), pose) for angle, pose in poses.items()]
 
 
-def test_two_whole_sightings_tell_which_part_is_seen_at_a_third_angle(turned):
+def test_two_whole_sightings_determine_which_part_is_seen_at_a_third_angle(turned):
     board, sights = turned
     with pytest.raises(AmbiguousPart):
         find_board(sights.part, board)
@@ -70,7 +70,7 @@ def test_two_whole_sightings_tell_which_part_is_seen_at_a_third_angle(turned):
     assert np.abs(found.corners_px - sights.marks_px[found.ids]).max() < 0.3  # a wrong identity is off by a whole square
 
 
-def test_one_sighting_at_another_angle_tells_nothing_and_at_the_same_angle_everything(turned):
+def test_one_sighting_at_another_angle_determines_nothing_and_at_the_same_angle_everything(turned):
     board, sights = turned
     seen = seen_at(board, sights, WHOLE_DEG[:1])
     with pytest.raises(AmbiguousPart):
@@ -82,7 +82,7 @@ def test_one_sighting_at_another_angle_tells_nothing_and_at_the_same_angle_every
     )
 
 
-def test_angles_that_the_board_did_not_follow_tell_nothing(turned):
+def test_angles_that_the_board_did_not_follow_determine_nothing(turned):
     board, sights = turned
     first, second = seen_at(board, sights, WHOLE_DEG)
     other = replace(second, readback=Readback(table_rad=second.readback.table_rad * 57.3))  # degrees given as radians
@@ -109,7 +109,7 @@ def test_the_prediction_errs_as_it_says_and_is_refused_beyond_half_a_square():
     assert predict_marks(list(drawn(40 * NOISE_PX, (0.0, 3.0))), goal, lens, CHECKER) is None
 
 
-def test_a_session_for_the_axis_tells_the_part_also_when_it_comes_first(turned, tmp_path):
+def test_a_session_for_the_axis_determines_the_part_also_when_it_comes_first(turned, tmp_path):
     board, sights = turned
     session = CalibrationSession.create(tmp_path / "axis", Setup(KINDS["axis"], board, ("left",), sights.cameras))
     part = session.add({"left": sights.part}, Readback(table_rad=np.deg2rad(PART_DEG)))

@@ -70,17 +70,17 @@ def test_a_hidden_part_of_a_charuco_board_only_costs_its_corners():
 
 
 @pytest.mark.parametrize("size", [(9, 6), (13, 11), (14, 10), (11, 8)])
-def test_a_checkerboard_larger_than_the_one_asked_for_is_told_by_its_size(size):
+def test_a_checkerboard_larger_than_the_expected_one_is_reported_with_its_size(size):
     asked = CheckerboardDescription(columns=size[0], rows=size[1], square_mm=15.0)
     assert "looks like one of 14 × 11 corners" in refusal(shot(CHECKER, 35, size=FULL).image, asked)
 
 
-def test_a_smaller_checkerboard_seen_whole_is_told_by_its_size():
+def test_a_smaller_checkerboard_seen_whole_is_reported_with_its_size():
     smaller = CheckerboardDescription(columns=9, rows=6, square_mm=20.0)
     assert "looks like one of 9 × 6 corners" in refusal(shot(smaller, 30, 10, 70).image, CHECKER)
 
 
-def test_a_circle_grid_of_another_size_is_told_by_its_size():
+def test_a_circle_grid_of_another_size_is_reported_with_its_size():
     asked = CirclesDescription(kind="circles", columns=4, rows=11, spacing_mm=12, diameter_mm=11)
     assert "looks like one of 7 × 15 circles" in refusal(shot(CIRCLES).image, asked)
 
@@ -134,7 +134,7 @@ def test_small_tilted_squares_are_plain_unless_markers_are_printed_in_them(squar
 
 
 @pytest.mark.parametrize("roll_deg", [5, 20, 110])
-def test_a_board_seen_askance_by_62_degrees_is_found_but_for_corners_that_wandered_to_the_next_edge(roll_deg):
+def test_a_board_at_62_degrees_is_found_except_for_corners_that_drifted_to_the_next_edge(roll_deg):
     seen = shot(CHECKER, 62, 100, roll_deg, (648, 486, 1022.5))
     found = find_board(seen.image, CHECKER)
     assert len(found.ids) >= CHECKER.count - 2

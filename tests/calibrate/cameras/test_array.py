@@ -96,7 +96,7 @@ def test_a_single_camera_can_be_calibrated(head, board, simulate, generator):
     assert solution.calibration.cameras["left"].blur_px == blur_px([2.1])
 
 
-def test_a_view_whose_board_moved_between_cameras_is_left_out_with_its_reason(head, board, simulate, generator):
+def test_a_view_whose_board_moved_between_cameras_is_rejected_with_its_reason(head, board, simulate, generator):
     sightings = list(simulate.sightings(head, board, 10, 0.05, generator))
     index = next(i for i, one in enumerate(sightings) if one.camera == "right" and one.view == "04")
     sightings[index] = replace(sightings[index], corners_px=sightings[index].corners_px + np.array([4.0, 0.0]))
@@ -106,7 +106,7 @@ def test_a_view_whose_board_moved_between_cameras_is_left_out_with_its_reason(he
     assert solution.joint_rms_px < 0.05 * np.sqrt(2) * 1.1
 
 
-def test_a_single_wrong_corner_is_left_out_and_its_view_kept(head, board, simulate, generator):
+def test_a_single_wrong_corner_is_rejected_and_its_view_kept(head, board, simulate, generator):
     sightings = list(simulate.sightings(head, board, 8, 0.05, generator))
     corners = np.array(sightings[0].corners_px)
     corners[17] += [1.0, -0.5]
@@ -134,7 +134,7 @@ def test_a_board_that_moved_by_a_twentieth_of_a_millimetre_is_noticed(head, boar
     assert solution.rejected_corners == ()
 
 
-def test_nothing_is_left_out_of_clean_views(head, board, simulate):
+def test_nothing_is_rejected_in_clean_views(head, board, simulate):
     for seed in range(6):
         solution = solve(problem_of(board, simulate.sightings(head, board, 12, 0.1, np.random.default_rng(100 + seed))))
         assert solution.rejected == ()
@@ -150,7 +150,7 @@ def test_exchanged_images_of_two_cameras_are_named(head, board, simulate, genera
     assert all(one.reason == "the images of cameras left and right were exchanged" for one in solution.rejected)
 
 
-def test_a_camera_that_saw_another_board_position_is_told_from_the_two_that_agree(head, board, simulate, generator):
+def test_a_camera_that_saw_another_board_position_is_distinguished_from_the_two_that_agree(head, board, simulate, generator):
     sightings = list(simulate.sightings(head, board, 8, 0.05, generator))
     elsewhere = next(one for one in sightings if (one.camera, one.view) == ("right", "05"))
     wrong = tuple(replace(one, corners_px=elsewhere.corners_px) if (one.camera, one.view) == ("right", "02") else one for one in sightings)
@@ -262,7 +262,7 @@ def test_triangulated_squares_of_the_recorded_pairs_have_their_size(opencv_pairs
     assert np.mean(np.concatenate(sides)) == pytest.approx(1.0, abs=0.002)
 
 
-def test_views_refined_with_too_wide_a_window_are_found_and_left_out(opencv_pairs):
+def test_views_refined_with_too_wide_a_window_are_found_and_rejected(opencv_pairs):
     board, images, corners = opencv_pairs
     until = (cv2.TERM_CRITERIA_EPS + cv2.TERM_CRITERIA_MAX_ITER, 100, 0.01)
     wide = {

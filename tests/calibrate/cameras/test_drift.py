@@ -69,7 +69,7 @@ def test_a_small_turn_asks_for_a_check_only(calibrated, generator):
     assert "board" in found.sentence
 
 
-def test_cameras_that_the_images_cannot_tell_apart_are_both_named(calibrated, generator):
+def test_cameras_that_the_images_cannot_distinguish_are_both_named(calibrated, generator):
     found = camera_drift([evidence(generator, {"left": turn_of(1.0)}, alike=0.0)], calibrated)
     assert set(found.cameras) == {"left", "right"}
     assert "One of the cameras" in found.sentence
@@ -98,7 +98,7 @@ def test_a_turn_is_seen_from_the_size_on_that_is_said(calibrated, generator, mot
         assert found.status in standings, (share, least, found.sentence)
 
 
-def test_the_blindness_along_the_fringes_is_told(calibrated, generator):
+def test_the_insensitivity_along_the_fringes_is_reported(calibrated, generator):
     blind, seeing = (camera_drift([one], calibrated) for one in (seen_from_upright_fringes(generator), evidence(generator)))
     for name in NAMES:
         assert blind.undetectable_deg[name]["pitch"] == pytest.approx(20 * seeing.undetectable_deg[name]["pitch"], rel=0.1)

@@ -76,7 +76,7 @@ def test_another_image_size_and_a_missing_camera_are_named_together(calibration)
         (Provenance("2031-01-01T08:00:00+00:00", temperature_c=21), 22.0, "valid for 90 days and has expired"),
     ],
 )
-def test_age_and_temperature_are_judged(provenance, temperature_c, said):
+def test_age_and_temperature_are_checked(provenance, temperature_c, said):
     reasons = shortfalls(provenance, NOW, temperature_c)
     assert (said in " ".join(reasons)) if said else reasons == ()
 

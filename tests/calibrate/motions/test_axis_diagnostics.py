@@ -38,7 +38,7 @@ def test_the_predicted_sigma_of_a_centre_is_its_scatter():
     assert np.mean(along_x) == pytest.approx(np.mean(predicted[0].centre_sigma_mm), rel=0.1)
 
 
-def test_centres_from_short_arcs_are_told_with_their_sigma():
+def test_centres_from_short_arcs_are_reported_with_their_sigma():
     angles = np.deg2rad([-8.0, -4, 0, 4, 8])
     noisy = turned(steep_board(10.0), angles) + np.random.default_rng(1).normal(scale=0.03, size=(5, 154, 3))
     solution = solve(AxisProblem(noisy, angles))

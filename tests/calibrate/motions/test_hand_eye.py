@@ -59,7 +59,7 @@ def test_opencv_still_has_no_hand_eye_solver_for_python():
     assert not hasattr(cv2, "calibrateHandEye") and not hasattr(cv2, "calibrateRobotWorldHandEye")
 
 
-def test_the_methods_spread_is_told_at_the_part(generator):
+def test_the_spread_of_methods_is_stated_at_the_part(generator):
     solution = solve(problem_of(generator))
     carried = [estimate.flange_from_camera.apply(solution.part_in_camera_mm) for estimate in solution.methods.values()]
     assert 500 < solution.part_in_camera_mm[2] < 620
@@ -67,7 +67,7 @@ def test_the_methods_spread_is_told_at_the_part(generator):
     assert solve(problem_of(generator, noisy=False)).spread_at_part_mm < 1e-5
 
 
-def test_the_influence_of_a_pose_is_what_leaving_it_out_changes(generator):
+def test_the_influence_of_a_pose_is_what_excluding_it_changes(generator):
     problem = problem_of(generator)
     solution = solve(problem)
     at_part = solution.refined.flange_from_camera.apply(solution.part_in_camera_mm)

@@ -56,7 +56,7 @@ def test_errors_agree_with_the_predicted_standard_deviations():
     assert 0.8 < np.sqrt(np.mean(np.square(ratios))) < 1.25
 
 
-def test_the_cost_of_assuming_plus_y_is_told(generator):
+def test_the_error_of_assuming_plus_y_is_stated(generator):
     solution = solve(problem_of(generator, sigma_mm=0.0))
     assert solution.paper_cost_mm == pytest.approx(600 * np.linalg.norm(GUIDE.direction * GUIDE.scale - [0, 1, 0]))
     assert solution.paper_mm[0] == 0
@@ -73,7 +73,7 @@ def test_straightness_shows_a_bent_guide(generator):
     assert int(np.argmax(np.hypot(solution.straightness_mm, solution.along_mm))) == 4
 
 
-def test_a_board_that_turned_is_told(generator):
+def test_a_board_that_rotated_is_reported(generator):
     problem = problem_of(generator, sigma_mm=0.0)
     turned = list(problem.observations)
     pose = apply_changes(turned[0].pose.camera_from_board.matrix, np.array([0.05, 0, 0, 0, 0, 0.0]))

@@ -132,7 +132,7 @@ def test_a_board_that_did_not_turn_is_refused(board, generator):
         solve(AxisProblem(turned_corners(board, np.zeros(4)) + generator.normal(scale=0.001, size=(4, 154, 3))))
 
 
-def test_short_arcs_are_told(board):
+def test_short_arcs_are_reported(board):
     angles = np.deg2rad([0.0, 5.0, 10.0])
     assert "span only 10°" in solve(AxisProblem(turned_corners(board, angles), angles)).warnings[0]
 

@@ -75,7 +75,7 @@ def test_robot_poses_that_all_turn_about_one_axis_are_named(rig, observations):
         solve_rig(still, rig.head)
 
 
-def test_residuals_far_beyond_the_stated_noise_are_told(rig, observations):
+def test_residuals_far_beyond_the_stated_noise_are_reported(rig, observations):
     from measureapp.calibrate.motions.axis_noise import AxisNoise
 
     strict = solve_rig(observations, rig.head, noise=AxisNoise(robot_mm=0.01, robot_rad=1e-5))

@@ -61,7 +61,7 @@ def test_the_joint_solution_is_better_than_the_stages(rig, solutions):
     assert np.mean(joint) < np.mean(stages)
 
 
-def test_a_sighting_whose_board_moved_is_left_out_with_its_reason(rig, simulate, generator):
+def test_a_sighting_whose_board_moved_is_rejected_with_its_reason(rig, simulate, generator):
     observations = simulate.observations(rig, generator)
     index = next(index for index, one in enumerate(observations) if one.id == "axis3")
     shifted = apply_changes(observations[index].board.camera_from_board.matrix, np.array([0, 0, 0, 3.0, 0, 0]))
@@ -72,7 +72,7 @@ def test_a_sighting_whose_board_moved_is_left_out_with_its_reason(rig, simulate,
     assert max(map(abs, errors_over_sigma(solution, rig))) < 4.5
 
 
-def test_a_sighting_that_is_left_out_does_not_make_one_approach_of_its_neighbours(rig, simulate, generator):
+def test_a_rejected_sighting_does_not_make_one_approach_of_its_neighbours(rig, simulate, generator):
     """The robot stood at one pose, went away and came back; from where it was meanwhile the board was not seen, or is rejected."""
     observations = simulate.observations(rig, generator)
     pose = observations[0].readback.base_from_flange
@@ -104,7 +104,7 @@ def test_a_table_that_did_not_turn_is_refused(rig, simulate, generator):
         solve_rig(observations, rig.head)
 
 
-def test_an_axis_is_carried_with_its_camera(generator):
+def test_an_axis_is_transformed_with_its_camera(generator):
     guide_from_camera = RigidTransform.from_vector([0.4, 0.2, -0.3], [10, 20, 30], "guide", "camera")
     axis = RotationAxis(np.array([1.0, 2, 3]), np.array([0, 0.6, 0.8]), "camera", point_sigma_mm=0.1)
     carried = transform_axis(axis, guide_from_camera)

@@ -66,7 +66,7 @@ def test_a_wide_dark_surrounding_whose_grey_levels_are_mostly_rounding_is_no_spi
     assert spill_radius_px(stack, "left", CameraNoise()) == 0
 
 
-def test_a_single_exposure_or_no_highlight_tells_nothing() -> None:
+def test_a_single_exposure_or_no_highlight_determines_nothing() -> None:
     stack = spilling_stack(0.1)
     alone = FringeStack("v", PAPER_PATTERNS, EXPOSURES_US[:1], {"left": stack.images["left"][:1]}, 255)
     assert spill_radius_px(alone, "left", CameraNoise()) == 0

@@ -126,7 +126,7 @@ def test_flats_without_an_answer_are_refused_in_words(levels: list[np.ndarray], 
     assert raised.value.hint
 
 
-def test_images_that_are_not_raw_are_refused_or_told() -> None:
+def test_images_that_are_not_raw_are_refused_or_reported() -> None:
     levels = flats(CameraNoise(), 255, 1)
     smoothed = [np.rint(255 * (images / 255.0) ** 0.45).astype(np.uint8) for images in levels]
     with pytest.raises(CalibrationError, match="does not grow with its brightness") as raised:
@@ -155,7 +155,7 @@ def fringes(steps: int, gamma: float, seed: int) -> FringeStack:
 
 
 @pytest.mark.parametrize(("steps", "gamma"), [(4, 1.0), (5, 1.0), (6, 1.0), (8, 1.0), (12, 1.0), (12, 2.2)])
-def test_fringe_images_tell_the_noise_as_well_as_they_say(steps: int, gamma: float) -> None:
+def test_fringe_images_determine_the_noise_within_its_stated_uncertainty(steps: int, gamma: float) -> None:
     found = [noise_of_stack(fringes(steps, gamma, seed), "left") for seed in range(8)]
     for truth, values, sds in (
         (6000.0, [e.noise.full_well_e for e in found], [e.full_well_sd_e for e in found]),
@@ -176,7 +176,7 @@ def test_harmonics_of_the_projector_are_never_taken_for_noise(steps: int) -> Non
         assert not found.accepted or found.noise.full_well_e == pytest.approx(6000, rel=0.05)
 
 
-def test_recorded_fringes_with_harmonics_are_told_to_be_poor_or_refused() -> None:
+def test_recorded_fringes_with_harmonics_are_reported_as_poor_or_refused() -> None:
     folder = recorded("cfpe_statue")
     groups = tuple(PhaseShiftGroup(pitch_px=pitch, steps=12) for pitch in (42, 45, 48))
     images = np.array([read_image(folder / f"06{n:02d}h.png") for n in range(36)])[None]

@@ -169,7 +169,7 @@ def scene(random: np.random.Generator) -> FloatArray:
 
 
 @pytest.mark.parametrize("steps", [3, 4])
-def test_few_steps_tell_their_own_error_from_how_unevenly_their_phases_are_spread(steps: int) -> None:
+def test_few_steps_distinguish_their_own_error_from_how_unevenly_their_phases_are_spread(steps: int) -> None:
     random = np.random.default_rng(3)
     true = scene(random)
     levels = np.linspace(0, 255, 256)
@@ -245,7 +245,7 @@ def test_the_estimate_of_a_recorded_stack_names_what_each_number_of_steps_keeps(
         ([0, 50, 100, 150, 200, 255], [0, 60, 120, 255, 255, 255], "saturates"),
     ],
 )
-def test_a_ramp_that_tells_no_curve_is_refused(levels: list[float], grey: list[float], reason: str) -> None:
+def test_a_ramp_that_determines_no_curve_is_refused(levels: list[float], grey: list[float], reason: str) -> None:
     with pytest.raises(DecodeError, match=reason) as raised:
         response_of_ramp(np.array(levels), np.array(grey))
     assert raised.value.hint
@@ -347,7 +347,7 @@ def test_the_statue_decoded_from_few_steps_with_the_correction_agrees_with_twelv
     assert mended.valid.sum() >= plain.valid.sum()
 
 
-def test_twelve_steps_of_the_statue_tell_its_gamma() -> None:
+def test_twelve_steps_of_the_statue_determine_its_gamma() -> None:
     response, reports = estimate_response(statue(1), "one")
     assert response.gamma == pytest.approx(1.5, abs=0.1)
     assert len(reports) == 3

@@ -182,7 +182,7 @@ def test_the_blades_of_the_sample_impeller_have_their_thickness_pitch_and_form(s
     assert trailing.verdict is Verdict.NOT_MEASURED and "(trailing end)" in trailing.reason
 
 
-def test_what_a_single_blade_or_a_part_without_nominal_cannot_tell_is_refused() -> None:
+def test_what_a_single_blade_or_a_part_without_nominal_cannot_determine_is_refused() -> None:
     single = {**SECTIONS[0], "count": 1}
     other = {**SECTIONS[1], "count": 1}
     found = measured(

@@ -25,7 +25,7 @@ def moved(feature: Feature, rotation: np.ndarray, shift: np.ndarray) -> Feature:
 
 
 @pytest.mark.parametrize("datums", [[A, B, C], [A, AXIS, B], [AXIS, A, HOLE], [A, AXIS, HOLE], BALLS, [A, BALLS[0], BALLS[1]]])
-def test_a_whole_system_takes_a_part_back_to_its_drawing(datums):
+def test_a_whole_system_aligns_a_part_to_its_nominal(datums):
     rotation, shift = Rotation.from_rotvec([0.02, -0.03, 0.05]).as_matrix(), np.array([0.7, -1.1, 0.4])
     system = datum_system(datums, [moved(datum, rotation, shift) for datum in datums])
     assert system.free.shape[1] == 0

@@ -158,7 +158,7 @@ def test_the_shift_by_noise_is_taken_off_whatever_the_form(form, cells, times):
     assert abs(errors.mean()) < np.sqrt(np.mean(sigmas**2)) + 2.5 * errors.std() / np.sqrt(times)
 
 
-def test_heights_that_noise_alone_tells_apart_come_out_equal():
+def test_heights_that_differ_by_noise_alone_are_equal():
     rng = np.random.default_rng(3)
     true = np.repeat([0.0, 1.0, 4.0], 40)
     found = estimate_noise_free_heights((true + 0.1 * rng.standard_normal(120))[None], np.full(120, 0.1))

@@ -93,7 +93,7 @@ def test_without_datums_the_alignment_places_it(nominal):
 
 
 @pytest.mark.parametrize(("offset_mm", "truth"), [(0.0, 0.16), (-0.04, 0.08), (-0.1, 0.2), (0.05, 0.26)])
-def test_the_middle_of_the_zone_may_lie_off_the_drawing(nominal, offset_mm, truth):
+def test_the_middle_of_the_zone_may_lie_off_the_nominal(nominal, offset_mm, truth):
     """The deviations run from −0.08 to 0: a zone into the material by half of that is 0.08 wide, one to either side wider."""
     (found,) = measured(part(0, 0.0), nominal, {**ASKED, "zone_offset_mm": offset_mm})
     assert found.measured == pytest.approx(truth, abs=2 * FACET_MM + 1e-3)

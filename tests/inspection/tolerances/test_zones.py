@@ -209,7 +209,7 @@ def test_a_step_has_a_sign_and_a_projection_lies_in_its_plane(without_noise):
     assert "constructed" in height.traceability
 
 
-def test_a_constructed_feature_has_its_place_in_the_drawing_too(without_noise):
+def test_a_constructed_feature_has_its_place_in_the_nominal_too(without_noise):
     """The foot of the ball lies beside the shaft's axis as far as the ball; the plane in the middle is half as tilted as the shelf."""
     foot, middle = measured(
         without_noise,

@@ -88,6 +88,18 @@ def test_a_position_that_never_changes_is_no_arrival_and_stops_the_drive() -> No
             found.device.move_to(20.0, timeout_s=0.5)
 
 
+def test_a_move_that_never_ends_is_over_after_one_and_a_half_times_its_prediction_and_two_seconds() -> None:
+    with toyo_guide(speed_mm=100.0) as found:
+        found.drive.faults = DriveFaults(frozen=True)
+        found.drive.told_moving = lambda: True  # type: ignore[method-assign]
+        predicted_s = 20.0 / 100.0 + 100.0 / 2000.0  # constant speed, and the ramps at 20 times as much per second
+        started = time.monotonic()
+        with pytest.raises(DeviceTimeout, match=r"within 2\.[34]\d* s"):
+            found.device.move_to(20.0, timeout_s=60.0)
+        assert time.monotonic() - started < 1.5 * predicted_s + 2.0 + 0.5
+        assert found.drive.stops
+
+
 def test_in_position_told_early_is_not_believed() -> None:
     with toyo_guide(speed_mm=100.0) as found:
         found.drive.faults = DriveFaults(early_in_position=True)

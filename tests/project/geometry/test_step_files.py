@@ -77,7 +77,7 @@ def test_a_worker_that_takes_too_long_is_ended(part: Path, library: None, tmp_pa
         ("pass", "ended with code 0"),
     ],
 )
-def test_a_worker_that_fails_is_told_in_words(code: str, complaint: str, part: Path, library: None, tmp_path: Path) -> None:
+def test_a_worker_that_fails_is_reported_in_words(code: str, complaint: str, part: Path, library: None, tmp_path: Path) -> None:
     with pytest.raises(InputError, match=complaint):
         read_step(part, StepLimits(), worker(tmp_path, code))
 

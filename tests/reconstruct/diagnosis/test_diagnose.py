@@ -252,7 +252,7 @@ def test_rows_taken_for_columns_are_named(head: ProjectorHead) -> None:
     assert "fringe-direction" in kinds(diagnose(maps, head.cameras))
 
 
-def test_a_single_camera_whose_columns_lie_behind_it_is_told_so() -> None:
+def test_a_single_camera_whose_columns_lie_behind_it_is_reported() -> None:
     good = make_head(*RIGS["one camera"])
     shifted = {
         name: replace(found, phase_rad=np.where(found.valid, found.phase_rad - np.float32(700 * tau / PITCH_PX), 0).astype(np.float32))

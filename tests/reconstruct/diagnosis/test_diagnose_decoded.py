@@ -131,7 +131,7 @@ def test_the_rendered_pair_is_fine_its_wrong_sign_refused_and_its_exchange_named
     groups = (PhaseShiftGroup(pitch_px=30, steps=4), GrayCodeGroup(planes=7, complementary=True))
     places = {"left": folder / "L", "right": folder / "R"}
     numbers = [0, 3, 6, 9, *range(12, 19)]
-    with pytest.raises(DecodeError, match="against the Gray code") as refused:
+    with pytest.raises(DecodeError, match="phase decreases where the Gray code increases") as refused:
         decoded(places, numbers, groups, -1)
     assert "shift_sign" in refused.value.hint
     cameras = cameras_of(folder)
@@ -143,6 +143,6 @@ def test_the_rendered_pair_is_fine_its_wrong_sign_refused_and_its_exchange_named
 def test_the_real_camera_and_projector_are_fine_and_the_wrong_sign_is_refused() -> None:
     folder = recorded("slmaster_real_mono")
     groups = (PhaseShiftGroup(pitch_px=60, steps=12), GrayCodeGroup(planes=6, complementary=True))
-    with pytest.raises(DecodeError, match="against the Gray code"):
+    with pytest.raises(DecodeError, match="phase decreases where the Gray code increases"):
         decoded({"left": folder}, list(range(18)), groups, -1)
     assert diagnose(decoded({"left": folder}, list(range(18)), groups, 1), cameras_of(folder)) == ()

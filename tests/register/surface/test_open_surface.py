@@ -46,7 +46,7 @@ def borders(triangles: np.ndarray) -> int:
     return int(connected_components(coo_matrix((np.ones(len(a)), (a, b)), shape=(len(used), len(used))), directed=False)[0])
 
 
-def test_a_sheet_keeps_its_rim_and_its_hole_and_every_corner_is_a_measured_point() -> None:
+def test_a_sheet_keeps_its_border_and_its_hole_and_every_corner_is_a_measured_point() -> None:
     points = sheet()
     mesh = triangulate_open_patch(points)
     assert mesh.measured is not None and mesh.measured.all()
@@ -92,7 +92,7 @@ def test_sheets_over_one_another_are_refused() -> None:
         triangulate_open_patch(cloud(both, np.vstack([one.normals, other.normals])))
 
 
-def test_memory_is_judged_before_anything_is_done() -> None:
+def test_memory_is_checked_before_anything_is_done() -> None:
     with pytest.raises(RegistrationError, match=r"of memory, and 0\.0 GiB are free"):
         triangulate_open_patch(sheet(), free_bytes=lambda: 1000)
 

@@ -24,7 +24,7 @@ class DriverForm(FieldEditor):
 
     def __init__(self, kind: PluginKind, offers: Sequence[PluginOffer], choice: dict[str, Any]) -> None:
         super().__init__()
-        self._kind, self._offers = kind, offers
+        self._drives, self._offers = kind, offers
         self._remembered = {choice["driver"]: choice["settings"]}  # of drivers chosen before
         self.box = CalmComboBox()
         self.box.setAccessibleName("Driver")
@@ -65,8 +65,8 @@ class DriverForm(FieldEditor):
 
     def _list(self, chosen: str) -> None:
         """List the fitting drivers; those that are not loaded state why and cannot be chosen, unless they are in use."""
-        entries = {offer.row.id: (offer.row.name, offer.row.problem) for offer in self._offers if self._kind in offer.row.kinds}
-        if self._kind == "rig":
+        entries = {offer.row.id: (offer.row.name, offer.row.problem) for offer in self._offers if self._drives in offer.row.kinds}
+        if self._drives == "rig":
             entries[RECORDED] = (RECORDING, "")
         if chosen not in entries:
             entries = {chosen: (chosen or "Choose a driver", "There is no such driver." if chosen else "")} | entries
@@ -97,7 +97,7 @@ class DriverForm(FieldEditor):
     def _settings_editor(self) -> FieldEditor | None:
         row = next((offer.row for offer in self._offers if offer.row.id == self.driver), None)
         problem = "" if row is None else f"{row.problem} {row.hint}".strip()
-        known = loaded(self._offers, self.driver, self._kind)
+        known = loaded(self._offers, self.driver, self._drives)
         values = self._remembered.get(self.driver, {})
         self.note.setText(f"{problem} {NO_MODEL}".strip() if known is None else "")
         self._problem.hide()
