@@ -43,8 +43,8 @@ def measure_projector_latency(rig: Rig, progress: Progress, *, flips: int = USUA
             flip_times.append(time.monotonic())
             session.call("The projector", lambda level=flip % 2: rig.projector.show(level, timeout_s=SHOW_TIMEOUT_S), SHOW_TIMEOUT_S)  # type: ignore[misc]
             while time.monotonic() < flip_times[-1] + hold_s:
-                image_times.append(time.monotonic())
                 session.call("A camera", camera.trigger, within_s)
+                image_times.append(time.monotonic())  # no earlier than the exposure, so that no latency is stated too small
                 session.call("A camera", lambda: camera.wait_ready(timeout_s=within_s), within_s)
                 frame = session.call("A camera", lambda: camera.next_frame(timeout_s=within_s), within_s)
                 greys.append(float(frame.pixels[::EVERY, ::EVERY].mean()))
