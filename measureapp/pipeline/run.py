@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from measureapp.acquire.control import RunControl
 from measureapp.acquire.engine import Engine
 from measureapp.acquire.events import ImageTaken, ViewpointFailed
 from measureapp.acquire.tasks.board import BoardTask
@@ -25,11 +26,12 @@ from measureapp.pipeline.assemble import assemble
 from measureapp.pipeline.calibrate import calibrate_from_views
 from measureapp.pipeline.documents import outcome_document, write_reports
 from measureapp.pipeline.events import CalibrationReady, Event
-from measureapp.pipeline.measure import compute_clouds, scan
+from measureapp.pipeline.measure import compute_clouds
 from measureapp.pipeline.part_program import store_part_program
 from measureapp.pipeline.preflight import Preflight, check_connected, check_plan
 from measureapp.pipeline.recording.learn import calibrate_recording
 from measureapp.pipeline.recording.stages import is_recording
+from measureapp.pipeline.scan import ScanOptions, scan
 from measureapp.pipeline.validity import check_stored_images
 from measureapp.pipeline.watch import Stopwatch
 from measureapp.planning.calibration_views import calibration_viewpoints
@@ -63,6 +65,8 @@ class ScanRequest:
     calibrated: Path | None = None  # another project whose calibration is copied into a new one
     bracket_s: float | None = None  # time budget per viewpoint for exposures chosen by a probe; None: exposures of the plan
     part_program: PartProgram | None = None  # whose inspection program, nominal and report template become the project's
+    per_viewpoint: bool = False  # probe at every viewpoint, instead of once at the first
+    retake: tuple[str, ...] = ()  # viewpoints taken again although their images are stored
 
 
 def calibrate_rig(rig: Rig, project: ProjectFolder, on_event: OnEvent, progress: Progress, watch: Stopwatch) -> RigSolution:
@@ -94,8 +98,13 @@ def solve_calibration(project: ProjectFolder, on_event: OnEvent, progress: Progr
     return calibrated
 
 
-def scan_into_project(request: ScanRequest, on_event: OnEvent, progress: Progress) -> Outcome | None:
+def scan_into_project(request: ScanRequest, on_event: OnEvent, progress: Progress, control: RunControl | None = None) -> Outcome | None:
     """Connect the rig, run the plan into the project and process the images.
+
+    Parameters
+    ----------
+    on_event : receives events one at a time, from several threads
+    control : pauses, resumes, skips and retakes from other threads
 
     Returns
     -------
@@ -125,7 +134,8 @@ def scan_into_project(request: ScanRequest, on_event: OnEvent, progress: Progres
             project.save_plan(request.plan)
             if request.part_program is not None:
                 store_part_program(project, request.part_program)
-            views = scan(rig, project, calibration, on_event, PartOf(progress, 0.0, 0.8), watch, request.bracket_s, registration_cache)
+            options = ScanOptions(request.bracket_s, request.per_viewpoint, request.retake, control)
+            views = scan(rig, project, calibration, on_event, PartOf(progress, 0.0, 0.8), watch, options, registration_cache)
         finally:
             rig.close()
         if calibration is None:
