@@ -11,6 +11,7 @@ from typing import Any
 from measureapp.acquire.control import RunControl
 from measureapp.acquire.engine import Engine
 from measureapp.acquire.events import ImageTaken, ViewpointFailed
+from measureapp.acquire.motion import checked
 from measureapp.acquire.tasks.board import BoardTask
 from measureapp.calibrate.rig.joint_solution import RigSolution
 from measureapp.calibrate.rig.stitch_uncertainty import uncertainty_of
@@ -35,6 +36,7 @@ from measureapp.pipeline.scan import ScanOptions, scan
 from measureapp.pipeline.validity import check_stored_images
 from measureapp.pipeline.watch import Stopwatch
 from measureapp.planning.calibration_views import calibration_viewpoints
+from measureapp.planning.collision.build import PartSolid
 from measureapp.progress import PartOf, Progress
 from measureapp.project.folder import ProjectFolder, ProjectSettings
 from measureapp.project.geometry.robot_file import arm_of
@@ -75,7 +77,9 @@ def calibrate_rig(rig: Rig, project: ProjectFolder, on_event: OnEvent, progress:
     stored = {view.viewpoint_id for view in project.board_views()}
     with watch.stage("calibration images"):
         waiting = [viewpoint for viewpoint in viewpoints if viewpoint.id not in stored]
-        Engine(rig).run("calibration", waiting, BoardTask(project.save_board_view), _of_images(on_event), PartOf(progress, 0.0, 0.6))
+        Engine(checked(rig, PartSolid.board_on_stand())).run(
+            "calibration", waiting, BoardTask(project.save_board_view), _of_images(on_event), PartOf(progress, 0.0, 0.6)
+        )
     return solve_calibration(project, on_event, PartOf(progress, 0.6, 1.0), watch)
 
 
