@@ -128,7 +128,7 @@ def scan_into_project(request: ScanRequest, on_event: OnEvent, progress: Progres
             if calibration is not None and project.calibration() is None:
                 project.save_calibration(calibration, calibrated.rig_uncertainty())
                 project.copy_noise_from(calibrated)
-            project.save_plan(request.plan)
+            project.save_plan(_plan_of(request, project))
             options = ScanOptions(request.bracket_s, request.per_viewpoint, request.retake, control)
             views = scan(rig, project, calibration, on_event, PartOf(progress, 0.0, 0.8), watch, options, registration_cache)
         finally:
@@ -155,11 +155,19 @@ def _project_of(request: ScanRequest) -> ProjectFolder:
     if not (request.folder / "project.json").exists():
         return ProjectFolder(request.folder, ProjectSettings(name=request.plan.name, part=request.plan.name, rig=request.rig))
     project = ProjectFolder.open(request.folder)
-    if project.stored_viewpoints() and not request.resume:
+    if project.stored_viewpoints() and not request.resume and not request.retake:
         raise InputError(
             f"{request.folder} contains images already.", "Use --resume to take only the missing viewpoints, or scan into a new project."
         )
     return project
+
+
+def _plan_of(request: ScanRequest, project: ProjectFolder) -> ScanPlan:
+    """Return the plan requested; that of the project where a scan with chosen exposures is continued, which differs in these only."""
+    found = project.plan()
+    if request.bracket_s is None or found is None or not project.stored_viewpoints():
+        return request.plan
+    return found if found.model_copy(update={"bracket": request.plan.bracket}) == request.plan else request.plan
 
 
 def _calibrated_for(request: ScanRequest, project: ProjectFolder) -> ProjectFolder:
