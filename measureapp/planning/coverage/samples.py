@@ -8,7 +8,6 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from measureapp.arrays import BoolArray, FloatArray, IntArray, read_only
-from measureapp.data.mesh import Mesh
 from measureapp.errors import PlanError
 from measureapp.planning.coverage.outward import outward
 from measureapp.planning.coverage.scene import PartScene
