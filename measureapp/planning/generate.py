@@ -28,7 +28,7 @@ from measureapp.planning.coverage.limits import VisibilityLimits
 from measureapp.planning.coverage.result import GeneratedPlan
 from measureapp.planning.coverage.samples import SurfaceSamples, sample_surface
 from measureapp.planning.coverage.scene import PartScene
-from measureapp.planning.coverage.unreachable import UnreachableArea, as_areas, find_causes
+from measureapp.planning.coverage.unreachable import UnreachableArea, as_areas, find_causes, touches_support
 from measureapp.planning.coverage.value import Problem
 from measureapp.planning.coverage.visibility import seen_from
 from measureapp.planning.order import path_time_s, shortest_order
@@ -166,7 +166,8 @@ def _with_aimed(search: _Search, grid: Candidates, progress: Progress) -> _Found
     cell = search.cell
     free = grid.subset(free_of_contact(grid, cell.is_free, PartOf(progress, 0.0, 0.3)))
     sigma = search.sigma_mm(free, PartOf(progress, 0.3, 0.8))
-    missed = search.samples.subset(np.flatnonzero(~np.isfinite(sigma).any(axis=0)))
+    unseen = ~np.isfinite(sigma).any(axis=0) & ~touches_support(search.samples, search.scene)
+    missed = search.samples.subset(np.flatnonzero(unseen))
     aimed = aimed_candidates(missed, cell.rig, cell.arm, search.scene, search.settings.limits, PartOf(progress, 0.8, 0.9))
     aimed_free = aimed.subset(free_of_contact(aimed, cell.is_free, PartOf(progress, 0.9, 0.95)))
     more = search.sigma_mm(aimed_free, PartOf(progress, 0.95, 1.0))

@@ -13,7 +13,7 @@ from measureapp.data.mesh import Mesh
 from measureapp.data.rig import RigDescription
 
 RAY_OFFSET_MM = 0.05  # of the origin of a ray above the surface
-TABLE_BELOW_MM = 0.02  # so that a part that stands on the table is not inside it
+TABLE_BELOW_MM = 0.2  # so that rays which start just below a part that stands on the table are above it
 TABLE_CORNERS = 96
 
 
