@@ -6,13 +6,14 @@ from itertools import combinations
 
 import numpy as np
 
-from measureapp.arrays import FloatArray
 from measureapp.planning.coverage.greedy import STATION_COST, Goal
 from measureapp.planning.coverage.value import Problem
 from measureapp.progress import Progress
 
 ROUNDS = 4
 TINY = 1e-9
+PROMISING = 60  # candidates that are examined in place of one
+BEST = 4  # of them, those that are tried
 
 
 def improve(problem: Problem, chosen: list[int], goal: Goal, progress: Progress) -> list[int]:
@@ -26,7 +27,7 @@ def improve(problem: Problem, chosen: list[int], goal: Goal, progress: Progress)
         before = list(best)
         if goal.count is None:
             best = _without_redundant(problem, best, goal)
-            best = _two_for_one(problem, best, goal)
+            best = _two_for_one(problem, best, goal, progress)
         best = _one_for_one(problem, best, goal)
         if best == before:
             break
@@ -73,56 +74,40 @@ def _without_redundant(problem: Problem, chosen: list[int], goal: Goal) -> list[
     return best
 
 
-def _two_for_one(problem: Problem, chosen: list[int], goal: Goal) -> list[int]:
-    """Replace pairs of viewpoints by one that suffices, as often as possible."""
-    best, changed = list(chosen), True
-    while changed and len(best) > 1:
-        changed = False
-        for pair in combinations(best, 2):
-            rest = [one for one in best if one not in pair]
-            covered = _covered_with(problem, rest)
-            enough = np.flatnonzero(covered >= _required(problem, best, goal) - TINY)
-            ordered = sorted(enough.tolist(), key=lambda one: (-covered[one], one))[:5]
-            found = next((one for one in ordered if one not in rest and _acceptable(problem, [*rest, one], best, goal)), None)
-            if found is not None:
-                best, changed = [*rest, found], True
-                break
-    return best
+def _two_for_one(problem: Problem, chosen: list[int], goal: Goal, progress: Progress) -> list[int]:
+    """Replace pairs of viewpoints by one that suffices, until no pair can be."""
+    best, tried = list(chosen), set[tuple[int, int]]()
+    while True:
+        pair = next((one for one in combinations(best, 2) if one not in tried), None)
+        if pair is None:
+            return best
+        progress.check()
+        tried.add(pair)
+        rest = [one for one in best if one not in pair]
+        covered = problem.covered_with(problem.information(rest))
+        enough = np.flatnonzero(covered >= _required(problem, best, goal) - TINY)
+        ordered = sorted(enough.tolist(), key=lambda one: (-covered[one], one))[:BEST]
+        found = next((one for one in ordered if one not in rest and _acceptable(problem, [*rest, one], best, goal)), None)
+        if found is not None:
+            best = [*rest, found]
 
 
 def _one_for_one(problem: Problem, chosen: list[int], goal: Goal) -> list[int]:
-    """Replace each viewpoint by the candidate with the most value for the cost, if that is better and covers enough."""
+    """Replace each viewpoint by the candidate with the most value for its cost, if that is better and covers enough."""
     best = list(chosen)
     for one in chosen:
         rest = [other for other in best if other != one]
         information = problem.information(rest)
-        gains = _gains(problem, information)
         stations = set(problem.station[rest].tolist())
-        fresh = np.array([int(station) not in stations for station in problem.station])
-        value = gains - gains[one] * STATION_COST * fresh
-        value[rest] = -np.inf
-        for candidate in np.argsort(-value, kind="stable")[:3].tolist():
-            if value[candidate] <= value[one] + TINY:
-                break
+        promising = np.argsort(-problem.covered_with(information), kind="stable")[:PROMISING].tolist()
+        gains = {candidate: problem.gain(candidate, information) for candidate in {one, *promising} - set(rest)}
+        price = STATION_COST * gains[one]
+        values = {candidate: gain - price * (int(problem.station[candidate]) not in stations) for candidate, gain in gains.items()}
+        for candidate in sorted(values, key=lambda each: (-values[each], each))[:BEST]:
             changed = [*rest, candidate]
+            if values[candidate] <= values[one] + TINY:
+                break
             if _acceptable(problem, changed, best, goal) and _cost(problem, changed) <= _cost(problem, best) + TINY:
                 best = changed
                 break
     return best
-
-
-def _covered_with(problem: Problem, rest: list[int]) -> FloatArray:
-    """Return the covered area (V,) of ``rest`` with each candidate."""
-    information = problem.information(rest)
-    if problem.cover_share:
-        open_rows = np.flatnonzero(information <= 0.0)
-        added = (problem.weights[:, open_rows] > 0.0) @ problem.areas[open_rows]
-        return problem.covered_area(information) + added
-    open_rows = np.flatnonzero(information < 1.0)
-    missing = 1.0 - information[open_rows]
-    added = np.minimum(problem.weights[:, open_rows], missing) @ problem.areas[open_rows]
-    return problem.covered_area(information) + added
-
-
-def _gains(problem: Problem, information: FloatArray) -> FloatArray:
-    return np.array([problem.gain(one, information) for one in range(len(problem.rows))])

@@ -25,6 +25,7 @@ class Problem:
     station: IntArray  # (V,)
     cover_share: float  # 0 if a σ is required
     rows: tuple[IntArray, ...] = field(repr=False)  # of each candidate, the samples it sees
+    _seen_areas: FloatArray = field(repr=False)  # (V, N) float32, area of a sample where it is seen
 
     @classmethod
     def of(cls, sigma_mm: FloatArray, areas_mm2: FloatArray, station: IntArray, required_mm: float | None) -> Problem:
@@ -33,7 +34,8 @@ class Problem:
         weights = np.where(np.isnan(sigma_mm), 0.0, np.square(wanted / sigma_mm)).astype(np.float32)
         share = COVER_SHARE if required_mm is None else 0.0
         rows = tuple(np.flatnonzero(row) for row in weights)
-        return cls(weights, areas_mm2 / max(float(areas_mm2.sum()), 1e-300), station, share, rows)
+        areas = areas_mm2 / max(float(areas_mm2.sum()), 1e-300)
+        return cls(weights, areas, station, share, rows, ((weights > 0.0) * areas).astype(np.float32))
 
     def total(self, chosen: IntArray | list[int]) -> float:
         """Return the value of a set of candidates."""
@@ -52,6 +54,14 @@ class Problem:
     def covered_area(self, information: FloatArray) -> float:
         """Return the covered share of all areas."""
         return float(self.areas @ self.covered(information))
+
+    def covered_with(self, information: FloatArray) -> FloatArray:
+        """Return the covered share of all areas with each candidate added, (V,)."""
+        missing = 1.0 - self.covered(information)
+        rows = np.flatnonzero(missing > 0.0)
+        if self.cover_share:
+            return np.asarray(self.covered_area(information) + self._seen_areas[:, rows].sum(axis=1, dtype=np.float64))
+        return np.asarray(self.covered_area(information) + np.minimum(self.weights[:, rows], missing[rows]) @ self.areas[rows])
 
     def information(self, chosen: IntArray | list[int]) -> FloatArray:
         """Return the information (N,) of a set of candidates."""
