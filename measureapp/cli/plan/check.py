@@ -7,15 +7,18 @@ from typing import TYPE_CHECKING, Any
 import typer
 
 from measureapp.cli.main import DONE, OUT_OF_TOLERANCE
-from measureapp.cli.plan.options import NominalOption, PlanArgument, RigOption
+from measureapp.cli.plan.options import NominalOption, PlanArgument, RigOption, read_part
 from measureapp.cli.reply import JsonOption, TerminalProgress, UnitOption, reply
 from measureapp.data.length_unit import LengthUnit
+from measureapp.progress import PartOf
 
 if TYPE_CHECKING:
     from measureapp.data.plan import ScanPlan
     from measureapp.pipeline.plan_check import PlanCheck
+    from measureapp.pipeline.plan_coverage import PlanCoverage
 
 SHOWN = 20
+CHECKED = 0.7  # share of the progress
 
 
 def register(group: typer.Typer) -> None:
@@ -29,28 +32,32 @@ def register(group: typer.Typer) -> None:
         unit: UnitOption = LengthUnit.MM,
         as_json: JsonOption = False,
     ) -> None:
-        """Check a plan against the rig: limits, joints, singularities, keep-out boxes, moves; with a nominal also the predicted coverage.
+        """Check a plan against the rig: limits, joints, singularities, collisions at viewpoints and on the moves between them; with a nominal also the predicted coverage.
 
         Nothing is connected and nothing moves. The exit code is 1 if something prevents the scan.
         """
-        from measureapp.pipeline.plan_check import check_plan_on_rig
-        from measureapp.project.geometry.files import read_mesh
+        from measureapp.pipeline.plan_check import PlanChecker
+        from measureapp.pipeline.plan_coverage import predict_coverage
+        from measureapp.planning.collision.build import PartSolid
         from measureapp.project.geometry.robot_file import arm_of
         from measureapp.project.plan_file import read_plan
         from measureapp.project.rig_file import read_rig
 
         scan_plan, description = read_plan(plan), read_rig(rig)
-        part = None if nominal is None else read_mesh(nominal, unit=unit)
-        found = check_plan_on_rig(scan_plan, description, arm_of(description), TerminalProgress())
-        del part
-        reply(_document(scan_plan, found), "\n".join(_lines(scan_plan, found)), as_json)
+        part = None if nominal is None else read_part(nominal, unit)
+        solid = None if part is None else PartSolid.of_points(part.vertices_mm)
+        found = PlanChecker(description, arm_of(description), solid).check(scan_plan, PartOf(TerminalProgress(), 0.0, CHECKED))
+        blocked = frozenset(problem.viewpoint_id for problem in found.problems)
+        coverage = (
+            None if part is None else predict_coverage(scan_plan, part, description, blocked, PartOf(TerminalProgress(), CHECKED, 1.0))
+        )
+        reply(_document(scan_plan, found, coverage), "\n".join(_lines(scan_plan, found, coverage)), as_json)
         raise typer.Exit(OUT_OF_TOLERANCE if found.problems else DONE)
 
 
-def _document(plan: ScanPlan, found: PlanCheck) -> dict[str, Any]:
-    by_viewpoint: dict[str, list[str]] = {}
-    for problem in found.problems:
-        by_viewpoint.setdefault(problem.viewpoint_id, []).append(problem.sentence)
+def _document(plan: ScanPlan, found: PlanCheck, coverage: PlanCoverage | None) -> dict[str, Any]:
+    sentences = found.sentences()
+    seen = [None] * len(plan) if coverage is None else [coverage.share(row) for row in coverage.seen]
     return {
         "name": plan.name,
         "viewpoints": [
@@ -59,21 +66,34 @@ def _document(plan: ScanPlan, found: PlanCheck) -> dict[str, Any]:
                 "guide_mm": viewpoint.guide_mm,
                 "table_deg": viewpoint.table_deg,
                 "exposures_us": plan.exposures_of(viewpoint),
-                "problems": by_viewpoint.get(viewpoint.id, []),
+                "sees": share,
+                "problems": sentences.get(viewpoint.id, []),
             }
-            for viewpoint in plan
+            for viewpoint, share in zip(plan, seen, strict=True)
         ],
         "problems": [{"viewpoint": one.viewpoint_id or None, "kind": one.kind, "message": one.sentence} for one in found.problems],
         "time_s": found.time_s,
+        "images_s": found.images_s,
+        "moves_s": found.moves_s,
         "bytes": found.bytes,
-        "coverage": None,
+        "coverage": None
+        if coverage is None
+        else {
+            "predicted": coverage.predicted,
+            "twice": coverage.twice,
+            "unreachable": [{"reason": reason, "share": share} for reason, share in coverage.unseen().items()],
+        },
     }
 
 
-def _lines(plan: ScanPlan, found: PlanCheck) -> list[str]:
+def _lines(plan: ScanPlan, found: PlanCheck, coverage: PlanCoverage | None) -> list[str]:
     minutes = f"{found.time_s / 60:.0f} min" if found.time_s >= 120 else f"{found.time_s:.0f} s"
     lines = [f"{plan.name}: {len(plan)} viewpoints, at least {minutes}, {found.bytes / 1e9:.2f} GB of images."]
+    if coverage is not None:
+        lines.append(f"Predicted coverage {coverage.predicted:.1%}; {coverage.twice:.1%} are seen twice or more.")
+        lines += [f"  not seen, {share:.1%}: {reason}" for reason, share in coverage.unseen().items()]
     lines += [f"  ✗ {problem}" for problem in found.problems[:SHOWN]]
     if len(found.problems) > SHOWN:
         lines.append(f"  … and {len(found.problems) - SHOWN} more problems")
-    return [*lines, "Nothing prevents the scan." if not found.problems else f"{len(found.problems)} problems prevent the scan."]
+    count = len(found.problems)
+    return [*lines, "Nothing prevents the scan." if not count else f"{count} problem{'s prevent' if count > 1 else ' prevents'} the scan."]

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from measureapp.cli.plan.options import NominalOption, PlanArgument, RigOption
+from measureapp.cli.plan.options import NominalOption, PlanArgument, RigOption, read_part
 from measureapp.cli.reply import JsonOption, UnitOption, reply
 from measureapp.data.length_unit import LengthUnit
 
@@ -32,18 +32,17 @@ def register(group: typer.Typer) -> None:
         as_json: JsonOption = False,
     ) -> None:
         """Print the viewpoints of a plan, and draw them with the rig and the part."""
-        from measureapp.pipeline.plan_check import check_plan_on_rig
-        from measureapp.project.geometry.files import read_mesh
+        from measureapp.pipeline.plan_check import PlanChecker
         from measureapp.project.geometry.robot_file import arm_of
         from measureapp.project.plan_file import read_plan
         from measureapp.project.rig_file import read_rig
         from measureapp.report.plan_picture import write_plan_picture
 
         scan_plan, description = read_plan(plan), read_rig(rig)
-        part = None if nominal is None else read_mesh(nominal, unit=unit)
+        part = None if nominal is None else read_part(nominal, unit)
         rows = [_row(scan_plan, viewpoint, description) for viewpoint in scan_plan]
         if out is not None:
-            found = check_plan_on_rig(scan_plan, description, arm_of(description))
+            found = PlanChecker(description, arm_of(description)).check(scan_plan)
             write_plan_picture(out, scan_plan, description, part, frozenset(problem.viewpoint_id for problem in found.problems))
         groups = [{"name": group.id, "poses": len(group.poses), "table_deg": group.table_deg} for group in scan_plan.groups]
         document = {"name": scan_plan.name, "viewpoints": rows, "groups": groups, "files": {} if out is None else {"picture": out}}
