@@ -15,11 +15,13 @@ DRIVEN_MARGINS = SingularityMargins(shoulder_mm=5.0, elbow_rad=float(np.deg2rad(
 """What even a goal without a better configuration keeps from singularities."""
 
 
-def by_preference(model: ArmModel, base_from_flange: RigidTransform, present_rad: npt.ArrayLike) -> tuple[JointSolution, ...]:
+def by_preference(
+    model: ArmModel, base_from_flange: RigidTransform, present_rad: npt.ArrayLike, margins: SingularityMargins = DRIVEN_MARGINS
+) -> tuple[JointSolution, ...]:
     """Return the solutions that may be driven to, the one to drive first: away from singularities, and then reached soonest.
 
-    The order depends on the arguments only. Solutions within `GOAL_MARGINS` of a singularity come last, those within `DRIVEN_MARGINS` are
-    left out; among the others the time counts in which all joints, moving at once, get there from ``present_rad`` (6,).
+    The order depends on the arguments only. Solutions within `GOAL_MARGINS` of a singularity come last, those within ``margins`` are left
+    out; among the others the time counts in which all joints, moving at once, get there from ``present_rad`` (6,).
 
     Raises
     ------
@@ -28,7 +30,7 @@ def by_preference(model: ArmModel, base_from_flange: RigidTransform, present_rad
     """
     present = np.asarray(present_rad, float)
     solutions = inverse(model, base_from_flange, present)
-    near = [singularity_near(solution, DRIVEN_MARGINS) for solution in solutions]
+    near = [singularity_near(solution, margins) for solution in solutions]
     drivable = [solution for solution, problem in zip(solutions, near, strict=True) if not problem]
     if not drivable:
         raise LimitError(f"{model.name}: the pose has {near[0]}.", "Shift the pose by 10 mm or tilt it by a degree.")

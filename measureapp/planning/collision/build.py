@@ -22,6 +22,7 @@ PROJECTOR_HALF_MM = (90.0, 75.0)
 BEHIND_MM, AHEAD_MM = 90.0, 30.0  # of the entrance pupil: end of the housing, front of the lens
 CELL_HALF_MM, FLOOR_THICKNESS_MM = 4000.0, 500.0
 LEAST_TABLE_MM = 20.0  # thickness of a table whose top lies on the floor
+BOARD_RADIUS_MM, BOARD_HEIGHT_MM = 150.0, 190.0  # of the largest usual board, tilted by 45° with its centre 90 mm above the table
 CAPSULE_SHARES = (
     0.13,
     0.13,
@@ -40,17 +41,21 @@ class PartSolid:
     name: str
     solid: Solid
     radius_mm: float  # about the table's axis
-    table_from_solid: FloatArray
 
     @classmethod
     def of_points(cls, points_mm: FloatArray, name: str = "part", margin_mm: float = PART_MARGIN_MM) -> PartSolid:
         """Return the convex hull of points (N, 3), such as the vertices of the nominal in its place on the table."""
-        return cls(name, hull(points_mm, margin_mm), float(np.linalg.norm(points_mm[:, :2], axis=1).max()), np.eye(4))
+        return cls(name, hull(points_mm, margin_mm), float(np.linalg.norm(points_mm[:, :2], axis=1).max()))
 
     @classmethod
     def enclosing(cls, radius_mm: float, height_mm: float, name: str = "part") -> PartSolid:
         """Return the enclosing cylinder of a part of which no more is known."""
-        return cls(name, cylinder((0.0, 0.0, 0.0), radius_mm, height_mm, PART_MARGIN_MM), radius_mm, np.eye(4))
+        return cls(name, cylinder((0.0, 0.0, 0.0), radius_mm, height_mm, PART_MARGIN_MM), radius_mm)
+
+    @classmethod
+    def board_on_stand(cls) -> PartSolid:
+        """Return an upright cylinder around a calibration board on its stand, as `calibration_views` has it."""
+        return cls("board", cylinder((0.0, 0.0, 0.0), BOARD_RADIUS_MM, BOARD_HEIGHT_MM, PART_MARGIN_MM), BOARD_RADIUS_MM)
 
 
 def check_part_fits(part: PartSolid, rig: RigDescription) -> None:
@@ -76,7 +81,7 @@ def cell_bodies(rig: RigDescription, arm: ArmModel | None, part: PartSolid | Non
     if arm is not None:
         bodies += _arm_bodies(arm)
     if part is not None:
-        bodies.append(Body(part.name, Kind.OBSTACLE, TABLE, part.solid, part.table_from_solid))
+        bodies.append(Body(part.name, Kind.OBSTACLE, TABLE, part.solid, np.eye(4)))
     return tuple(bodies)
 
 

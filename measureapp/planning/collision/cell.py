@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -12,6 +12,7 @@ from measureapp.data.rig import RigDescription
 from measureapp.errors import LimitError
 from measureapp.geometry.kinematics.arm import ArmModel
 from measureapp.geometry.kinematics.choice import by_preference
+from measureapp.geometry.kinematics.singularity import GOAL_MARGINS
 from measureapp.planning.collision.build import PartSolid, cell_bodies, check_part_fits
 from measureapp.planning.collision.clearance import Encounter, Scene, Sweep
 from measureapp.planning.collision.motion import Axis, Mechanism, Placement
@@ -85,7 +86,7 @@ class Cell:
         """Return where the axes can be at a viewpoint, the configuration that is driven first; raises LimitError as `by_preference`."""
         if self.arm is None:
             return (Placement.at(viewpoint, None),)
-        solutions = by_preference(self.arm, viewpoint.flange.transform(), REST_RAD if present_rad is None else present_rad)
+        solutions = by_preference(self.arm, viewpoint.flange.transform(), REST_RAD if present_rad is None else present_rad, GOAL_MARGINS)
         return tuple(Placement.at(viewpoint, solution.joints_rad) for solution in solutions)
 
     def encounter_at(self, placement: Placement) -> Encounter | None:
@@ -109,17 +110,19 @@ class Cell:
             return self.problem_at(second)
         return "" if (found := self.encounter_between(starts[0], ends[0])) is None else found.words()
 
-    def encounter_between(
-        self, start: Placement, end: Placement, order: tuple[Axis, ...] = ORDER, *, leaving: bool = False
-    ) -> Encounter | None:
+    def encounter_between(self, start: Placement, end: Placement, *, leaving: bool = False) -> Encounter | None:
         """Return what comes too close first when the axes move one after the other from one placement to another; None: nothing."""
         here = start
-        for axis in order:
+        for axis in ORDER:
             there = here.moved(axis, end)
-            if found := self._sweep(here, there).first_encounter(leaving=leaving):
-                return found
+            if found := self.encounter_on(here, there, leaving=leaving):
+                return replace(found, axis=axis)
             here = there
         return None
+
+    def encounter_on(self, start: Placement, end: Placement, *, leaving: bool = False) -> Encounter | None:
+        """Return what comes too close first when everything moves from one placement to another at once; None if nothing does."""
+        return self._sweep(start, end).first_encounter(leaving=leaving)
 
     def _sweep(self, start: Placement, end: Placement) -> Sweep:
         return Sweep(self.scene, start, end)

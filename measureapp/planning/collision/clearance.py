@@ -9,10 +9,11 @@ from typing import Any
 import numpy as np
 
 from measureapp.arrays import FloatArray
-from measureapp.planning.collision.bodies import Body, BodyTable, Pair, pairs_of
+from measureapp.planning.collision.bodies import Body, BodyTable, Kind, Pair, pairs_of
 from measureapp.planning.collision.motion import CHANGES, Mechanism, Placement, samples
 
 STEP_MM = 2.0  # nothing travels further between two samples of a move: a clearance may be less than found by as much
+SUBJECTS = (Kind.HEAD, Kind.ARM, Kind.OBSTACLE, Kind.GROUND, Kind.KEEP_OUT)  # which of two bodies is said to meet the other
 LEAVING_MM = 0.5  # rounding, by which a pair that is too close already may come closer
 
 
@@ -25,12 +26,14 @@ class Encounter:
     distance_mm: float  # 0: they touch or overlap
     share: float  # of the move, where it happens first
     kept_mm: float  # what they have to keep
+    enters: bool = False  # the second is a keep-out box
+    axis: str = "robot"  # that moves
 
     def words(self) -> str:
         """Describe it, as part of a sentence."""
         if self.distance_mm > 0.0:
-            return f"{self.first} would come within {self.distance_mm:.0f} mm of the {self.second} (at least {self.kept_mm:.0f} mm)"
-        return f"{self.first} would {'enter' if self.kept_mm == 0.0 else 'collide with'} the {self.second}"
+            return f"the {self.first} would come within {self.distance_mm:.0f} mm of the {self.second} (at least {self.kept_mm:g} mm)"
+        return f"the {self.first} would {'enter' if self.enters else 'collide with'} the {self.second}"
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -81,8 +84,9 @@ class Sweep:
         if found is None:
             return None
         index, distance_mm, pair = found
-        names = (self._bodies[pair.second].name, self._bodies[pair.first].name)
-        return Encounter(*names, max(0.0, distance_mm), float(self.shares[index]), pair.apart_mm)
+        moving, other = sorted((self._bodies[pair.second], self._bodies[pair.first]), key=lambda body: SUBJECTS.index(body.kind))
+        share = float(self.shares[index])
+        return Encounter(moving.name, other.name, max(0.0, distance_mm), share, pair.apart_mm, other.kind is Kind.KEEP_OUT)
 
     def least_mm(self) -> float:
         """Return the least distance at the start of the move; 0 where bodies touch or overlap."""

@@ -19,6 +19,7 @@ from measureapp.planning.collision.bodies import BASE, FIXED, FLANGE, TABLE, Bod
 CARRIERS = 9  # FIXED last, so that it is also index -1
 GUIDE, ROTARY, SHIFT, TURN = range(JOINTS, JOINTS + 4)  # after the joints
 CHANGES = JOINTS + 4
+SAME = 1e-9  # rad or mm
 Axis = Literal["table", "guide", "robot"]
 
 
@@ -38,6 +39,12 @@ class Placement:
         if axis == "guide":
             return replace(self, guide_mm=goal.guide_mm)
         return replace(self, base_from_flange=goal.base_from_flange, joints_rad=goal.joints_rad)
+
+    def is_at(self, other: Placement) -> bool:
+        """Whether no axis has to move to another placement."""
+        joints = (self.joints_rad, other.joints_rad)
+        same = (self.base_from_flange, other.base_from_flange) if joints[0] is None or joints[1] is None else joints
+        return self.guide_mm == other.guide_mm and self.table_rad == other.table_rad and np.allclose(*same, rtol=0.0, atol=SAME)
 
     @classmethod
     def at(cls, viewpoint: Viewpoint, joints_rad: FloatArray | None) -> Placement:
