@@ -16,13 +16,13 @@ from ui.session import Session
 if TYPE_CHECKING:
     from measureapp.data.mesh import Mesh
     from measureapp.data.rig import RigDescription
+    from measureapp.planning.collision.build import PartSolid
     from measureapp.planning.coverage.samples import SurfaceSamples
     from measureapp.planning.coverage.scene import PartScene
     from ui.workers.job import Job
 
 DRAWN_TRIANGLES = 120_000
-SAMPLES = 5000
-OTHER_SIDE_MM = 1e3  # how much farther away a sample counts whose normal is opposite
+SAME_SIDE = 0.5  # cosine of normals
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,6 +31,7 @@ class PreparedPart:
 
     path: Path
     mesh: Mesh
+    solid: PartSolid
     scene: PartScene
     samples: SurfaceSamples
     corners_mm: np.ndarray  # (T, 3, 3) float32, triangles that are drawn
@@ -95,12 +96,14 @@ def nominal_of(session: Session) -> Path | None:
 
 def prepare(path: Path, unit: LengthUnit, rig: RigDescription, job: Job) -> PreparedPart:
     """Read and sample a nominal; runs on a job's thread."""
+    from measureapp.pipeline.plan_coverage import SAMPLES, place_on_table
+    from measureapp.planning.collision.build import PartSolid
     from measureapp.planning.coverage.samples import sample_surface
     from measureapp.planning.coverage.scene import PartScene
     from measureapp.project.geometry.files import read_mesh
 
     job.report(0, 3, path.name)
-    mesh = read_mesh(path, unit=unit)
+    mesh = place_on_table(read_mesh(path, unit=unit))
     job.report(1, 3, path.name)
     scene = PartScene.of(mesh, rig)
     samples = sample_surface(scene, SAMPLES)
@@ -108,7 +111,8 @@ def prepare(path: Path, unit: LengthUnit, rig: RigDescription, job: Job) -> Prep
     corners = _drawn(mesh)
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-12)
-    return PreparedPart(path, mesh, scene, samples, corners, normals.astype(np.float32), _nearest_sample(corners, normals, samples))
+    nearest = _nearest_sample(corners, normals, samples)
+    return PreparedPart(path, mesh, PartSolid.of_points(mesh.vertices_mm), scene, samples, corners, normals.astype(np.float32), nearest)
 
 
 def _drawn(mesh: Mesh) -> np.ndarray:
@@ -130,6 +134,5 @@ def _nearest_sample(corners: np.ndarray, normals: np.ndarray, samples: SurfaceSa
 
     _, near = cKDTree(samples.points_mm).query(corners.mean(axis=1), k=min(8, len(samples)))
     near = near.reshape(len(corners), -1)
-    same = np.abs(np.einsum("nki,ni->nk", samples.normals[near], normals)) > 0.5
-    outward = np.einsum("nki,ni->nk", samples.normals[near], normals) > 0.0
-    return np.take_along_axis(near, (same & outward).argmax(axis=1)[:, None], axis=1)[:, 0]
+    facing = np.einsum("nki,ni->nk", samples.normals[near], normals) > SAME_SIDE
+    return np.take_along_axis(near, facing.argmax(axis=1)[:, None], axis=1)[:, 0]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import OrderedDict
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -18,7 +18,8 @@ if TYPE_CHECKING:
     from measureapp.data.plan import FlangePose, ScanPlan, Viewpoint
     from measureapp.data.rig import RigDescription
     from measureapp.geometry.kinematics.arm import ArmModel
-    from measureapp.pipeline.plan_check import PlanCheck
+    from measureapp.pipeline.plan_check import PlanCheck, PlanChecker
+    from measureapp.pipeline.plan_coverage import PlanCoverage
 
 AFTER_EDIT_MS = 120  # so that held-down arrows do not start a check each
 MOST_VIEWPOINTS = 500  # whose coverage is predicted
@@ -32,10 +33,9 @@ class Prediction:
 
     plan: ScanPlan
     check: PlanCheck
-    seen: np.ndarray | None = None  # (V, N) bool, which samples of the part each viewpoint measures; None: no nominal, or too many
-    reason: np.ndarray | None = None  # (V, N) uint8, `Unseen`
-    coverage: float | None = None  # share of the surface
-    twice: float | None = None  # share that two viewpoints or more see
+    checker: PlanChecker  # with the bodies of the cell
+    part: PreparedPart | None
+    coverage: PlanCoverage | None = None
     note: str = ""  # why there is no coverage
 
     def row(self, viewpoint_id: str) -> int:
@@ -52,10 +52,9 @@ class PlanPrediction(QObject):
         super().__init__(parent)
         self._session, self._runner, self._part = session, runner, part
         self.now: Prediction | None = None
-        self.share_done = 1.0
         self._plan: ScanPlan | None = None
         self._job: Job | None = None
-        self._seen = SeenCache()
+        self._known = Known()
         self._arm: tuple[RigDescription, ArmModel | None] | None = None
         self._timer = QTimer(self)
         self._timer.setSingleShot(True)
@@ -102,10 +101,10 @@ class PlanPrediction(QObject):
         if self._job is not None:
             self._timer.start()  # the cancelled one has not ended yet
             return
-        arm, cache = self.arm(), self._seen
+        arm, known = self.arm(), self._known
         self._job = self._runner.run(
             "Checking the plan",
-            lambda job: _predict(plan, rig, arm, part, cache, job),
+            lambda job: _predict(plan, Cell(rig, arm, part), known, job),
             self._show,
             on_event=self._show_check,
             on_stopped=self._end,
@@ -133,32 +132,48 @@ class PlanPrediction(QObject):
         self.changed.emit()
 
 
-class SeenCache:
-    """What single viewpoints see, so that an edit of one does not compute the others again. Used by one job at a time."""
+@dataclass(frozen=True, eq=False)
+class Cell:
+    """The rig and the part for which a plan is checked."""
+
+    rig: RigDescription
+    arm: ArmModel | None
+    part: PreparedPart | None
+
+    def is_same(self, other: Cell) -> bool:
+        """Whether what was found for one is valid for the other."""
+        return self.rig is other.rig and self.part is other.part
+
+
+class Known:
+    """What was found about single viewpoints and moves, so that an edit of one does not check the others again. Used by one job at a time."""
 
     def __init__(self) -> None:
-        self._of: tuple[PreparedPart, RigDescription] | None = None
-        self._kept: OrderedDict[Key, np.ndarray] = OrderedDict()
+        self._cell: Cell | None = None
+        self._checker: PlanChecker | None = None
+        self._seen: OrderedDict[Key, np.ndarray] = OrderedDict()
 
-    def begin(self, part: PreparedPart, rig: RigDescription) -> None:
-        """Forget what belongs to another part or rig."""
-        if self._of is None or self._of[0] is not part or self._of[1] is not rig:
-            self._of = (part, rig)
-            self._kept.clear()
+    def checker(self, cell: Cell) -> PlanChecker:
+        """Return the checker of a cell; what belongs to another rig or part is forgotten."""
+        from measureapp.pipeline.plan_check import PlanChecker
 
-    def reasons(self, viewpoints: tuple[Viewpoint, ...], job: Job) -> np.ndarray:
+        if self._checker is None or self._cell is None or not self._cell.is_same(cell):
+            self._checker = PlanChecker(cell.rig, cell.arm, None if cell.part is None else cell.part.solid)
+            self._cell = cell
+            self._seen.clear()
+        return self._checker
+
+    def reasons(self, part: PreparedPart, rig: RigDescription, viewpoints: tuple[Viewpoint, ...], job: Job) -> np.ndarray:
         """Return the reasons (V, N) of all viewpoints, an `Unseen` each."""
         from measureapp.planning.coverage.visibility import seen_by
 
-        assert self._of is not None
-        part, rig = self._of
-        missing = {key: viewpoint for viewpoint in viewpoints if (key := _key(viewpoint)) not in self._kept}
+        missing = {key: viewpoint for viewpoint in viewpoints if (key := _key(viewpoint)) not in self._seen}
         if missing:
             found = seen_by(tuple(missing.values()), part.samples, rig, part.scene, progress=job)
-            self._kept |= dict(zip(missing, found.reason, strict=True))
-        rows = [self._kept[_key(viewpoint)] for viewpoint in viewpoints]
-        while len(self._kept) > max(KEPT_VIEWS, len(viewpoints)):
-            self._kept.popitem(last=False)
+            self._seen |= dict(zip(missing, found.reason, strict=True))
+        rows = [self._seen[_key(viewpoint)] for viewpoint in viewpoints]
+        while len(self._seen) > max(KEPT_VIEWS, len(viewpoints)):
+            self._seen.popitem(last=False)
         return np.stack(rows)
 
 
@@ -166,22 +181,18 @@ def _key(viewpoint: Viewpoint) -> Key:
     return viewpoint.flange, viewpoint.guide_mm, viewpoint.table_deg
 
 
-def _predict(plan: ScanPlan, rig: RigDescription, arm: ArmModel | None, part: PreparedPart | None, cache: SeenCache, job: Job) -> Prediction:
+def _predict(plan: ScanPlan, cell: Cell, known: Known, job: Job) -> Prediction:
     """Check a plan and predict its coverage; runs on a job's thread."""
-    from measureapp.pipeline.plan_check import check_plan_on_rig
+    from measureapp.pipeline.plan_coverage import PlanCoverage
 
-    check = check_plan_on_rig(plan, rig, arm, job)
+    checker, part = known.checker(cell), cell.part
+    found = Prediction(plan, checker.check(plan, job), checker, part)
     if part is None:
-        return Prediction(plan, check, note="Choose the nominal of the part to see the predicted coverage.")
+        return replace(found, note="Choose the nominal of the part to see the predicted coverage.")
     if len(plan) > MOST_VIEWPOINTS:
-        return Prediction(plan, check, note=f"Coverage is predicted for up to {MOST_VIEWPOINTS} viewpoints.")
-    job.emit_event(Prediction(plan, check, note="The coverage is being predicted…"))
-    cache.begin(part, rig)
+        return replace(found, note=f"Coverage is predicted for up to {MOST_VIEWPOINTS} viewpoints.")
+    job.emit_event(replace(found, note="The coverage is being predicted…"))
     viewpoints = tuple(plan)
-    reason = cache.reasons(viewpoints, job)
-    blocked = np.array([bool(check.of(viewpoint.id)) for viewpoint in viewpoints])
-    counts = np.count_nonzero(reason[~blocked] == 0, axis=0)  # what cannot be reached measures nothing
-    areas = part.samples.areas_mm2
-    return Prediction(
-        plan, check, reason == 0, reason, float(areas[counts > 0].sum() / areas.sum()), float(areas[counts > 1].sum() / areas.sum())
-    )
+    sentences = found.check.sentences()
+    blocked = np.array([viewpoint.id in sentences for viewpoint in viewpoints])
+    return replace(found, coverage=PlanCoverage.of(known.reasons(part, cell.rig, viewpoints, job), part.samples, blocked))

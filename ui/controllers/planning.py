@@ -11,6 +11,7 @@ from PySide6.QtGui import QUndoCommand, QUndoStack
 
 from measureapp.errors import MeasureError
 from ui.controllers.jobs import JobRunner
+from ui.controllers.plan_generation import Wanted, generate, order
 from ui.controllers.plan_part import PlanPart
 from ui.controllers.plan_prediction import PlanPrediction
 from ui.session import Session
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
     import numpy as np
 
     from measureapp.data.plan import ScanPlan, Viewpoint
+    from measureapp.planning.coverage.result import GeneratedPlan
     from ui.workers.job import Job
 
 NO_RIG = ("No rig is chosen.", "Choose a rig on the page Rig first.")
@@ -53,9 +55,19 @@ class PlanningController(QObject):
         """Whether the session scans with this plan."""
         return self.plan is not None and self._session.plan == self.plan
 
-    def show(self, plan: ScanPlan | None) -> None:
-        """Show a plan; called by the undo stack."""
-        self.plan = plan
+    @Slot()
+    def undo(self) -> None:
+        """Undo the last step."""
+        self.stack.undo()
+        self._show()
+
+    @Slot()
+    def redo(self) -> None:
+        """Redo the step undone last."""
+        self.stack.redo()
+        self._show()
+
+    def _show(self) -> None:
         self.changed.emit()
         self._predict()
 
@@ -72,8 +84,7 @@ class PlanningController(QObject):
         try:
             changed = change(self.plan)
         except MeasureError as error:
-            self._session.tell(error.message, error.hint, "warning")
-            self.changed.emit()  # editors show the former value again
+            self.refuse(error)
             return False
         if changed == self.plan:
             return False
@@ -81,6 +92,20 @@ class PlanningController(QObject):
         if select:
             self.selectAsked.emit(tuple(select))
         return True
+
+    @property
+    def can_add_here(self) -> bool:
+        """Whether the position of the rig is known."""
+        return self._session.cell.readback is not None
+
+    def say(self, text: str, hint: str) -> None:
+        """Tell why an entry cannot be used."""
+        self._session.tell(text, hint, "warning")
+
+    def refuse(self, error: MeasureError) -> None:
+        """Tell why an entry cannot be taken over; editors show the former value again."""
+        self._session.tell(error.message, error.hint, "warning")
+        self.changed.emit()
 
     def duplicate(self, names: Sequence[str]) -> None:
         """Copy viewpoints or groups."""
@@ -151,6 +176,41 @@ class PlanningController(QObject):
 
     def _push(self, words: str, plan: ScanPlan | None) -> None:
         self.stack.push(PlanStep(self, words, self.plan, plan))
+        self._show()
+
+    # the generator
+
+    def generate(self, viewpoints: int | None, coverage: float) -> None:
+        """Replace the plan by a generated one: of a number of viewpoints, or as many as the coverage needs."""
+        rig, part = self._session.rig, self.part.prepared
+        if rig is None or part is None:
+            self._session.tell(*NO_RIG, "warning")
+            return
+        asked = Wanted(self.plan, viewpoints, coverage)
+        self._runner.run("Generating a plan", lambda job: generate(asked, rig, self.prediction.arm(), part, job), self._show_generated)
+
+    @Slot(object)
+    def _show_generated(self, made: GeneratedPlan) -> None:
+        self._push("Generate", made.plan)
+        self._session.tell(
+            f"{len(made.plan)} viewpoints measure {made.planned_share:.1%} of the surface, {made.planned_of_allowed:.1%} of what the rig can.",
+            " ".join(made.problems),
+            "warning" if made.problems else "done",
+        )
+
+    @Slot()
+    def shorten(self) -> None:
+        """Order the viewpoints so that the axes move least."""
+        plan, rig = self.plan, self._session.rig
+        if plan is not None and rig is not None:
+            arm = self.prediction.arm()
+            self._runner.run("Ordering the viewpoints", lambda job: order(plan, rig, arm, job), self._show_ordered)
+
+    @Slot(object)
+    def _show_ordered(self, names: list[str]) -> None:
+        from measureapp.planning import edit
+
+        self.edit("Order", lambda plan: edit.reorder(plan, names))
 
     # files and the project
 
@@ -239,8 +299,8 @@ class PlanStep(QUndoCommand):
 
     def undo(self) -> None:
         """Show the plan before the change."""
-        self._planning.show(self._before)
+        self._planning.plan = self._before
 
     def redo(self) -> None:
         """Show the plan after the change."""
-        self._planning.show(self._after)
+        self._planning.plan = self._after

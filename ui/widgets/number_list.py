@@ -41,6 +41,10 @@ class NumberList(QWidget):
         self.line.setText(", ".join(f"{number:.10g}" for number in self._shown))
         self._mark(is_invalid=False)
 
+    def set_default(self, words: str) -> None:
+        """Show what applies while the line is empty."""
+        self.line.setPlaceholderText(words)
+
     def _take(self) -> None:
         entered = self.value()
         self._mark(is_invalid=entered is None)

@@ -6,12 +6,12 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QLineEdit, QStackedWidget, QWidget
+from PySide6.QtWidgets import QLineEdit, QWidget
 
 from measureapp.errors import MeasureError
 from ui.look.wording import several
 from ui.pages.plan.plan_aims import PlanAims
-from ui.widgets.basic import Form, column, label
+from ui.widgets.basic import Form, column, label, row
 from ui.widgets.field_editors import CalmComboBox
 from ui.widgets.number_fields import NumberFields
 from ui.widgets.number_list import NumberList
@@ -51,15 +51,13 @@ class ViewpointForm(QWidget):
         self.exposures = NumberList("Exposures", EXPOSURES_TIP, "ms")
         self.settle = NumberList("Waiting time", SETTLE_TIP, "s", most=1)
         self.note = label("", "small", wrap=True)
-        self._stack = QStackedWidget()
-        for page in (self._aim_page(), self._pose_page(), self._plan_page()):
-            self._stack.addWidget(page)
+        self._pages = {"aim": self._aim_page(), "pose": self._pose_page(), "plan": self._plan_page()}
         self._common = QWidget()
         common = Form(self._common)
         common.setVerticalSpacing(4)
-        for name, editor in (("Guide", self.guide), ("Table", self.table), ("Exposures", self.exposures), ("Wait", self.settle)):
-            common.add(name, editor)
-        self.setLayout(column(self.section, self.note, self._stack, self._common, 0, spacing=4))
+        common.add("Guide, table", _beside(self.guide, self.table))
+        common.add("Exposures, wait", _beside(self.exposures, self.settle))
+        self.setLayout(column(self.section, self.note, *self._pages.values(), self._common, 0, spacing=4))
         self._connect()
         self._show_section()
 
@@ -67,8 +65,9 @@ class ViewpointForm(QWidget):
         page = QWidget()
         form = Form(page)
         form.setVerticalSpacing(4)
-        for name, editor in (("Target x, y, z", self.target), ("Azimuth, elevation, roll", self.direction), ("Stand-off", self.distance)):
-            form.add(name, editor)
+        form.add("Target x, y, z", self.target)
+        form.add("Azimuth, elevation, roll", self.direction)
+        form.add("Stand-off", self.distance)
         return page
 
     def _pose_page(self) -> QWidget:
@@ -144,6 +143,8 @@ class ViewpointForm(QWidget):
         self.plan_name.setText(plan.name)
         self.plan_exposures.setValue([exposure_us / 1000 for exposure_us in plan.bracket.exposures_us])
         self.plan_settle.setValue(None if plan.settle_s is None else [plan.settle_s])
+        self.exposures.set_default(", ".join(f"{exposure_us / 1000:g}" for exposure_us in plan.bracket.exposures_us))
+        self.settle.set_default("plan" if plan.settle_s is not None else "rig")
         chosen = self._aims.pattern_name(plan.patterns)
         self.patterns.clear()
         for name in self._aims.pattern_sets():
@@ -154,7 +155,8 @@ class ViewpointForm(QWidget):
 
     def _show_section(self) -> None:
         section = self.section.value()
-        self._stack.setCurrentIndex(list(SECTIONS).index(section))
+        for name, page in self._pages.items():
+            page.setVisible(name == section)
         self._common.setVisible(section != "plan")
         self._show_note()
 
@@ -171,9 +173,7 @@ class ViewpointForm(QWidget):
         from measureapp.planning import edit
 
         names = self._names
-        self._planning.edit(
-            f"Set the {'guide' if axis == 'guide_mm' else 'table'}", lambda plan: edit.change(plan, names, **{axis: value})
-        )
+        self._planning.edit(f"Set the {'guide' if axis == 'guide_mm' else 'table'}", lambda plan: edit.change(plan, names, **{axis: value}))
 
     def _aim(self) -> None:
         target, direction, distance = self.target.value(), self.direction.value(), self.distance.value()
@@ -231,3 +231,12 @@ class ViewpointForm(QWidget):
         from measureapp.planning import edit
 
         self._planning.edit(words, lambda plan: edit.set_plan(plan, **fields))
+
+
+def _beside(one: QWidget, other: QWidget) -> QWidget:
+    pair = QWidget()
+    layout = row(one, other, spacing=8)
+    layout.setStretch(0, 2)
+    layout.setStretch(1, 1)
+    pair.setLayout(layout)
+    return pair
