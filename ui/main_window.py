@@ -20,7 +20,7 @@ from ui.pages.calibration_chip import calibration_state
 from ui.pages.clouds.clouds import CloudsPage
 from ui.pages.inspection.inspection import InspectionPage
 from ui.pages.page import Page
-from ui.pages.plan import PlanPage
+from ui.pages.plan.page import PlanPage
 from ui.pages.report import ReportPage
 from ui.pages.rig.page import RigPage
 from ui.pages.scan import ScanPage
