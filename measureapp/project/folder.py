@@ -18,7 +18,7 @@ import shutil
 from collections.abc import Mapping
 from contextlib import AbstractContextManager
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal, TypeVar
+from typing import TYPE_CHECKING, Any, Literal, TypeVar, get_args
 
 from pydantic import BaseModel, ValidationError
 
@@ -50,7 +50,6 @@ if TYPE_CHECKING:
     from measureapp.progress import Progress
     from measureapp.register.clouds.filter_chain import FilterChain
 
-FORMAT = 1  # of the project's own files
 DEFAULT_BOARD = CheckerboardDescription(columns=14, rows=11, square_mm=15.0)
 ModelT = TypeVar("ModelT", bound=BaseModel)
 PROGRAM, NOMINAL, FORMER = "program.toml", "nominal", "former"
@@ -337,10 +336,11 @@ def _read_json(path: Path) -> Any:
 
 def _read_model(path: Path, kind: type[ModelT]) -> ModelT:
     document = _read_json(path)
-    version = document.get("schema_version", FORMAT) if isinstance(document, dict) else FORMAT
-    if version != FORMAT:
+    newest = get_args(kind.model_fields["schema_version"].annotation)[0]
+    version = document.get("schema_version", newest) if isinstance(document, dict) else newest
+    if version not in range(1, newest + 1):
         raise StorageError(
-            f"{path} has format {version}; this version reads format {FORMAT}.", "Use the version of MeasureApp that wrote it."
+            f"{path} has format {version}; this version reads formats up to {newest}.", "Use the version of MeasureApp that wrote it."
         )
     try:
         return kind.model_validate(document)
