@@ -15,20 +15,32 @@ from ui.look.painting import set_letters, write_elided
 WORDS = {
     "waiting": "Waiting",
     "moving": "Moving",
+    "settling": "Settling",
     "capturing": "Capturing",
+    "checking": "Checking",
+    "storing": "Storing",
     "stored": "Stored",
     "processed": "Processed",
+    "skipped": "Skipped",
     "failed": "Failed",
 }
+ACTIVE = ("moving", "settling", "capturing", "checking", "storing")
 COLOURS = {
     "waiting": "faint",
-    "moving": "verdict_not_proven",
-    "capturing": "verdict_not_proven",
+    **dict.fromkeys(ACTIVE, "verdict_not_proven"),
     "stored": "accent",
     "processed": "verdict_pass",
+    "skipped": "faint",
     "failed": "verdict_fail",
 }
-SIGNS = {"stored": "disk", "processed": "pass", "failed": "fail", "moving": "again", "capturing": "scan"}
+SIGNS = {
+    **dict.fromkeys(ACTIVE, "scan"),
+    "stored": "disk",
+    "processed": "pass",
+    "skipped": "skip",
+    "failed": "fail",
+    "moving": "again",
+}
 TILE_WIDTH, TILE_HEIGHT, GAP = 152, 56, 8  # wide enough for "34–37 % decoded"
 
 
