@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from measureapp.acquire.control import RunControl
 from measureapp.arrays import FloatArray
 from measureapp.data.calibration import RigCalibration
 from measureapp.data.cloud import StitchedCloud
@@ -66,10 +67,11 @@ class DemoRequest:
         return SampleScan(self.part, self.resolution, self.viewpoints, self.seed, self.patterns, self.unit, self.bracket_s)
 
 
-def run_demo(request: DemoRequest, on_event: OnEvent, progress: Progress) -> Outcome:
+def run_demo(request: DemoRequest, on_event: OnEvent, progress: Progress, control: RunControl | None = None) -> Outcome:
     """Calibrate, scan, stitch, measure and report, then compare the results with the ground truth.
 
-    A folder with the same demo is continued: stored images are not taken again.
+    A folder with the same demo is continued: stored images are not taken again. ``control`` is that of the scan, which begins after the
+    calibration.
 
     Raises
     ------
@@ -84,7 +86,7 @@ def run_demo(request: DemoRequest, on_event: OnEvent, progress: Progress) -> Out
     scan = sample_request(request.sample, request.folder)
     world = World(scan.rig, part, request.seed)
     with _connected(world, request.through_drivers) as rig:
-        outcome = scan_into_project(scan, on_event, progress, replace(rig, description=scan.rig))
+        outcome = scan_into_project(scan, on_event, progress, control, replace(rig, description=scan.rig))
     assert outcome is not None  # the rig was calibrated
     return _add_truth(outcome, world, ProjectFolder.open(request.folder))
 

@@ -49,10 +49,7 @@ _LEFT = {ViewpointState.WAITING, ViewpointState.SKIPPED, ViewpointState.FAILED, 
 
 VIEWPOINT_TRANSITIONS: Mapping[ViewpointState, frozenset[ViewpointState]] = {
     ViewpointState.WAITING: frozenset({ViewpointState.MOVING, ViewpointState.SKIPPED, ViewpointState.KEPT}),
-    **{
-        state: frozenset({following, *_LEFT})
-        for state, following in zip(ACTIVE, (*ACTIVE[1:], ViewpointState.STORED), strict=True)
-    },
+    **{state: frozenset({following, *_LEFT}) for state, following in zip(ACTIVE, (*ACTIVE[1:], ViewpointState.STORED), strict=True)},
     **{state: frozenset({ViewpointState.WAITING}) for state in CLOSED},
 }
 

@@ -6,10 +6,9 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 
+from measureapp.acquire.control import RunControl
 from measureapp.acquire.engine import Engine
-from measureapp.acquire.events import AcquisitionEvent, ImageTaken, ViewpointFailed
-from measureapp.acquire.session import RigSession
-from measureapp.acquire.task import Visit
+from measureapp.acquire.events import ImageTaken, ViewpointFailed
 from measureapp.acquire.tasks.board import BoardTask
 from measureapp.calibrate.boards.find import find_board
 from measureapp.calibrate.rig.stitch_uncertainty import uncertainty_of
@@ -62,12 +61,13 @@ class CalibratedRig:
 
 
 def calibrate_into_project(
-    request: CalibrationRequest, on_event: OnEvent, progress: Progress, held: Rig | None = None
+    request: CalibrationRequest, on_event: OnEvent, progress: Progress, control: RunControl | None = None, held: Rig | None = None
 ) -> tuple[CalibratedRig, ProjectFolder]:
     """Take the missing calibration views with the rig, store them in the project, and calibrate the rig from all of them.
 
     Parameters
     ----------
+    control : pauses, resumes and skips from other threads
     held : the connected rig; it stays connected. None: it is connected for the run, and released after it
 
     Raises
@@ -86,16 +86,14 @@ def calibrate_into_project(
         with project.lock():
             if request.plan is not None and not project.stored_viewpoints():
                 project.save_plan(request.plan)
-            return calibrate_rig(rig, project, on_event, progress, watch), project
+            return calibrate_rig(rig, project, on_event, progress, watch, control), project
 
 
 def _project_of(request: CalibrationRequest) -> ProjectFolder:
     """Open the project, or prepare a new one without writing anything."""
     if not (request.folder / "project.json").exists():
         name = request.name or request.folder.name
-        return ProjectFolder(
-            request.folder, ProjectSettings(name=name, part=name, rig=request.rig, board=request.board or DEFAULT_BOARD)
-        )
+        return ProjectFolder(request.folder, ProjectSettings(name=name, part=name, rig=request.rig, board=request.board or DEFAULT_BOARD))
     project = ProjectFolder.open(request.folder)
     if project.rig() != request.rig:
         raise InputError(
@@ -103,13 +101,13 @@ def _project_of(request: CalibrationRequest) -> ProjectFolder:
             "Calibrate into a new project, or use the rig description with which this one was made.",
         )
     if request.board is not None and request.board != project.settings.board:
-        raise InputError(
-            f"{request.folder} was made with another board ({project.settings.board.label}).", "Calibrate into a new project."
-        )
+        raise InputError(f"{request.folder} was made with another board ({project.settings.board.label}).", "Calibrate into a new project.")
     return project
 
 
-def calibrate_rig(rig: Rig, project: ProjectFolder, on_event: OnEvent, progress: Progress, watch: Stopwatch) -> CalibratedRig:
+def calibrate_rig(
+    rig: Rig, project: ProjectFolder, on_event: OnEvent, progress: Progress, watch: Stopwatch, control: RunControl | None = None
+) -> CalibratedRig:
     """Take the missing images of the board from all sides, keep them, and solve the whole rig from all; raises as `calibrate_into_project`."""
     viewpoints = calibration_viewpoints(rig.description, project.plan(), arm=arm_of(rig.description))
     stored = {view.viewpoint_id for view in project.board_views()}
@@ -118,7 +116,7 @@ def calibrate_rig(rig: Rig, project: ProjectFolder, on_event: OnEvent, progress:
     with watch.stage("calibration images"):
         if waiting:
             task = _WatchedBoardTask(project, seen=bool(stored))
-            failed = Engine(rig).run("calibration", waiting, task, _of_images(on_event), PartOf(progress, 0.0, 0.6))
+            failed = Engine(rig).run("calibration", waiting, task, _of_images(on_event), PartOf(progress, 0.0, 0.6), control)
     missed = {failure.viewpoint_id for failure in failed}
     taken = tuple(viewpoint.id for viewpoint in waiting if viewpoint.id not in missed)
     solved = solve_calibration(project, on_event, PartOf(progress, 0.6, 1.0), watch)
@@ -134,12 +132,11 @@ class _WatchedBoardTask(BoardTask):
         self._seen = seen
         self._blind: list[str] = []
 
-    def take(self, session: RigSession, visit: Visit, on_event: Callable[[AcquisitionEvent], None], progress: Progress) -> BoardView:
-        """Take the images; until the board was seen once, refuse those without it. Raises DeviceError, CalibrationError."""
-        view = super().take(session, visit, on_event, progress)
+    def check(self, result: BoardView) -> None:
+        """Until the board was seen once, refuse images without it. Raises DeviceError, CalibrationError."""
+        super().check(result)
         if not self._seen:
-            self._require_board(view)
-        return view
+            self._require_board(result)
 
     def _require_board(self, view: BoardView) -> None:
         reasons = []

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from measureapp.acquire.control import RunControl
 from measureapp.data.board import AnyBoard
 from measureapp.data.calibration import RigCalibration
 from measureapp.data.measurement import Measurement
@@ -20,10 +21,11 @@ from measureapp.pipeline.calibrate_rig import calibrate_rig, solve_calibration
 from measureapp.pipeline.connecting import connected
 from measureapp.pipeline.documents import outcome_document, write_reports
 from measureapp.pipeline.events import CalibrationReady, Event
-from measureapp.pipeline.measure import compute_clouds, scan
+from measureapp.pipeline.measure import compute_clouds
 from measureapp.pipeline.preflight import Preflight, check_connected, check_plan
 from measureapp.pipeline.recording.learn import calibrate_recording
 from measureapp.pipeline.recording.stages import is_recording
+from measureapp.pipeline.scan import ScanOptions, scan
 from measureapp.pipeline.validity import check_stored_images
 from measureapp.pipeline.watch import Stopwatch
 from measureapp.progress import PartOf, Progress
@@ -65,15 +67,25 @@ class ScanRequest:
     resume: bool = False  # keep stored viewpoints
     calibrated: Path | None = None  # another project whose calibration is copied into a new one
     bracket_s: float | None = None  # time budget per viewpoint for exposures chosen by a probe; None: exposures of the plan
+    per_viewpoint: bool = False  # probe at every viewpoint, instead of once at the first
+    retake: tuple[str, ...] = ()  # viewpoints taken again although their images are stored
     created: NewProject | None = None  # an existing project must have been created with the same; None: after the plan, or as it is
     calibrate: bool = False  # calibrate first where there is no calibration; only a rig that places board and part itself can do both
 
+    def options(self, control: RunControl | None) -> ScanOptions:
+        """Return how the plan is run."""
+        return ScanOptions(self.bracket_s, self.per_viewpoint, self.retake, control)
 
-def scan_into_project(request: ScanRequest, on_event: OnEvent, progress: Progress, held: Rig | None = None) -> Outcome | None:
+
+def scan_into_project(
+    request: ScanRequest, on_event: OnEvent, progress: Progress, control: RunControl | None = None, held: Rig | None = None
+) -> Outcome | None:
     """Connect the rig, run the plan into the project and process the images.
 
     Parameters
     ----------
+    on_event : receives events one at a time, from several threads
+    control : pauses, resumes, skips and retakes from other threads; a calibration that comes first ignores it
     held : the connected rig; it stays connected. None: it is connected for the scan, and released after it
 
     Returns
@@ -99,8 +111,8 @@ def scan_into_project(request: ScanRequest, on_event: OnEvent, progress: Progres
             _fill(project, request, calibrated, calibration)
             if calibration is None and request.calibrate:
                 calibration = calibrate_rig(rig, project, on_event, PartOf(progress, 0.0, 0.3), watch).solved.solution.calibration
-            part = PartOf(progress, 0.3 if request.calibrate else 0.0, 0.8)
-            views = scan(rig, project, calibration, on_event, part, watch, request.bracket_s, registration_cache)
+            part, options = PartOf(progress, 0.3 if request.calibrate else 0.0, 0.8), request.options(control)
+            views = scan(rig, project, calibration, on_event, part, watch, options, registration_cache)
         if calibration is None:
             return None
         measurement = assemble(project, calibration, views, on_event, PartOf(progress, 0.8, 1.0), watch, registration_cache)
@@ -133,9 +145,7 @@ def _project_of(request: ScanRequest) -> ProjectFolder:
         return ProjectFolder(request.folder, settings)
     project = ProjectFolder.open(request.folder)
     if request.created is not None and project.settings != settings:
-        raise InputError(
-            f"{request.folder} contains another project ({project.name}).", "Choose another folder, or delete that one first."
-        )
+        raise InputError(f"{request.folder} contains another project ({project.name}).", "Choose another folder, or delete that one first.")
     if project.stored_viewpoints() and not request.resume:
         raise InputError(
             f"{request.folder} contains images already.", "Use --resume to take only the missing viewpoints, or scan into a new project."

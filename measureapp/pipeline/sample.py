@@ -59,7 +59,13 @@ def sample_request(chosen: SampleScan, folder: Path) -> ScanRequest:
     )
     title = f"Demo: {name}, {chosen.resolution} resolution, {len(plan)} views, seed {chosen.seed}"
     return ScanRequest(
-        plan, rig, folder, resume=True, bracket_s=chosen.bracket_s, created=NewProject(title, name, *_documents(chosen.part)), calibrate=True
+        plan,
+        rig,
+        folder,
+        resume=True,
+        bracket_s=chosen.bracket_s,
+        created=NewProject(title, name, *_documents(chosen.part)),
+        calibrate=True,
     )
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 import threading
 from types import SimpleNamespace
 
@@ -20,7 +19,7 @@ def demo(monkeypatch, measurement):
     """Replaces the real demo: sends its events, waits at the gate, reports on."""
     state = SimpleNamespace(gate=threading.Event(), requests=[], error=None)
 
-    def run_demo(request, on_event, progress):
+    def scan_into_project(request, on_event, progress, _control, _held):
         state.requests.append(request)
         progress.report(0, 4, "Calibrating")
         on_event(p.CalibrationReady(measurement.calibration))
@@ -38,8 +37,7 @@ def demo(monkeypatch, measurement):
         on_event(e.RunEnded("done"))
         return SimpleNamespace(measurement=measurement, document={}, files={}, filters=None)
 
-    fake = SimpleNamespace(DemoRequest=lambda *values: SimpleNamespace(values=values), run_demo=run_demo)
-    monkeypatch.setitem(sys.modules, "measureapp.demo", fake)
+    monkeypatch.setattr("measureapp.pipeline.run.scan_into_project", scan_into_project)
     yield state
     state.gate.set()
 
@@ -70,9 +68,10 @@ def test_the_demo_runs_from_its_button_and_ends_with_dimensions_shown(started, w
     assert [row[5] for row in window.pages["inspection"].side.table.texts()] == ["Pass", "Fail", "Not proven", "Not measured"]
     assert "demo is complete" in window.strip.words
     assert not window.strip.cancel.isVisible()
-    folder, part, resolution, viewpoints, seed, patterns, _unit = demo.requests[0].values
-    assert (part, resolution, viewpoints, seed, patterns) == ("gypsum", "half", 8, 1, "three-close")
-    assert "gypsum" in folder.name
+    request = demo.requests[0]
+    assert request.rig.driver_settings == {"part": "gypsum", "seed": 1} and request.rig.cameras[0].width_px == 1296
+    assert len(request.plan) == 8 and request.calibrate and request.resume
+    assert "gypsum" in request.folder.name and request.created.nominal.is_file()
 
 
 def test_cancel_stops_the_demo_and_keeps_what_is_known(started, window, demo, qtbot):

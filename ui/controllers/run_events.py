@@ -68,22 +68,28 @@ class RunEvents(QObject):
             case e.RunStarted():
                 session.await_viewpoints(event.viewpoint_ids)
                 session.tell("The scan started.")
-            case e.ViewpointStarted():
-                session.set_viewpoint(event.viewpoint_id, "moving")
-            case e.ViewpointEntered():
-                self._enter(event.viewpoint_id, str(event.state))
-            case e.ImageTaken():
-                self._show_capture(event)
-            case e.ViewpointSkipped():
-                session.tell(f"Viewpoint {event.viewpoint_id} was skipped.", "Retake it if you need it after all.")
-            case e.ViewpointQueued():
-                session.tell(f"Viewpoint {event.viewpoint_id}: {event.reason}")
             case e.RunPaused():
                 session.set_run(RunNow("paused", event.message, event.hint))
                 session.tell(event.message, event.hint, "warning")
             case e.RunResumed():
                 session.set_run(RunNow("running"))
                 session.tell("The scan continues.")
+            case e.RunEnded():
+                self._report_end(event)
+            case _:
+                self._apply_viewpoint(event)
+
+    def _apply_viewpoint(self, event: AcquisitionEvent) -> None:
+        from measureapp.acquire import events as e
+
+        session = self._session
+        match event:
+            case e.ViewpointStarted():
+                session.set_viewpoint(event.viewpoint_id, "moving")
+            case e.ViewpointEntered():
+                self._enter(event.viewpoint_id, str(event.state))
+            case e.ImageTaken():
+                self._show_capture(event)
             case e.ViewpointRetaken():
                 session.set_viewpoint(event.viewpoint_id, "moving", event.reason)
                 session.tell(f"Viewpoint {event.viewpoint_id} is taken again: {event.reason}", "", "warning")
@@ -93,8 +99,10 @@ class RunEvents(QObject):
                 if event.viewpoint_id in session.viewpoints:  # not one of a calibration
                     session.set_viewpoint(event.viewpoint_id, "failed", event.reason)
                 session.tell(f"Viewpoint {event.viewpoint_id} failed: {event.reason}", "The scan continues with the next one.", "warning")
-            case e.RunEnded():
-                self._report_end(event)
+            case e.ViewpointSkipped():
+                session.tell(f"Viewpoint {event.viewpoint_id} was skipped.", "Retake it if you need it after all.")
+            case e.ViewpointQueued():
+                session.tell(f"Viewpoint {event.viewpoint_id}: {event.reason}")
 
     def _apply_processing(self, event: ProcessingEvent) -> None:
         from measureapp.pipeline import events as e

@@ -85,9 +85,13 @@ def _request(choices: ScanChoices, rig: RigDescription | None, plan: ScanPlan | 
     created = None
     if not choices.is_existing:
         created = NewProject(choices.folder.name, choices.part or choices.folder.name, choices.program, choices.nominal)
-    return ScanRequest(plan, rig, choices.folder, True, choices.calibrated, probe_seconds(choices), created)
-
-
-def probe_seconds(choices: ScanChoices) -> float | None:
-    """Return the time for the exposures of a viewpoint that a probe chooses; None for those of the plan."""
-    return None if choices.exposures == "plan" else choices.seconds
+    return ScanRequest(
+        plan,
+        rig,
+        choices.folder,
+        resume=True,
+        calibrated=choices.calibrated,
+        bracket_s=None if choices.exposures == "plan" else choices.seconds,
+        per_viewpoint=choices.exposures == "each",
+        created=created,
+    )

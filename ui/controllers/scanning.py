@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal, Slot
 
-from measureapp.errors import DeviceError, InputError, MeasureError
+from measureapp.errors import InputError, MeasureError
 from ui.controllers.jobs import JobRunner
 from ui.controllers.rig_control import RigControl
 from ui.controllers.run_events import RunEvents
@@ -20,13 +20,14 @@ from ui.session import RunNow, Session
 
 if TYPE_CHECKING:
     from measureapp.acquire.control import RunControl
+    from measureapp.data.plan import ScanPlan
+    from measureapp.data.rig import RigDescription
     from measureapp.pipeline.events import Event
     from measureapp.pipeline.run import Outcome, ScanRequest
     from ui.workers.job import Job
 
 NOT_PROCESSED = "The images are stored. They are not processed, because the project has no calibration."
 CALIBRATE_IT = "Calibrate the rig, then press Recompute on the page Scan."
-BY_HAND = "Connect the rig on the page Rig; the message there names the device."
 
 
 @dataclass(frozen=True, eq=False)
@@ -105,7 +106,7 @@ class ScanController(QObject):
             job.report(0, 1, "Preparing the scan")
             request = make(job)
             job.emit_event(_prepared(request))
-            return scan_into_project(request, events.sink(job), job, session.connection, control)
+            return scan_into_project(request, events.sink(job), job, control, session.connection)
 
         job = self._runner.run(title, work, self._finish, on_event=self._apply, on_stopped=self._stopped, moves=True)
         job.finished.connect(self._ended)
@@ -180,6 +181,10 @@ class ScanController(QObject):
         control = self._control
         if control is not None:
             self._ask(lambda: control.retake(viewpoint_id))
+            return
+        folder, plan, rig = project_on_disk(self._session), self._session.plan, self._session.rig
+        if folder is not None and plan is not None and rig is not None:
+            self.run("Scan", lambda _job: _stored_request(plan, rig, folder, retake=(viewpoint_id,)))
 
     def _ask(self, request: Callable[[], None]) -> bool:
         """Make a request of the run; say why where it makes no sense."""
@@ -206,7 +211,8 @@ class ScanController(QObject):
         """Take the missing viewpoints of the open project."""
         folder, plan, rig = project_on_disk(self._session), self._session.plan, self._session.rig
         if folder is not None and plan is not None and rig is not None:
-            self.run("Scan", lambda _job: _resumed(folder, plan_of=(plan, rig)))
+            begun = not self._session.calibration and (folder / "calibration" / "views").is_dir()  # with its calibration
+            self.run("Scan", lambda _job: _stored_request(plan, rig, folder, calibrate=begun))
 
 
 def _prepared(request: ScanRequest) -> ScanPrepared:
@@ -217,3 +223,27 @@ def _prepared(request: ScanRequest) -> ScanPrepared:
         return ScanPrepared(request, request.created.name, request.created.part)
     project = ProjectFolder.open(request.folder)
     return ScanPrepared(request, project.name, project.settings.part)
+
+
+def _stored_request(
+    plan: ScanPlan, rig: RigDescription, folder: Path, *, calibrate: bool = False, retake: tuple[str, ...] = ()
+) -> ScanRequest:
+    """Return the request that takes the missing viewpoints of a stored project, and those of ``retake``; runs on a job's thread."""
+    from measureapp.pipeline.run import ScanRequest
+
+    return ScanRequest(plan, rig, folder, resume=True, retake=retake, calibrate=calibrate)
+
+
+def check_scan(job: Job, choices: ScanChoices, make: MakeRequest, session: Session) -> CheckedScan:
+    """Check a scan on the connected rig; runs on a job's thread."""
+    from measureapp.pipeline.run import rehearse
+    from measureapp.project.folder import ProjectFolder
+
+    job.report(0, 1, "Checking the scan")
+    try:
+        request = make(job)
+        found = rehearse(request, session.connection)
+        stored = len(ProjectFolder.open(request.folder).stored_viewpoints()) if choices.is_existing else 0
+    except MeasureError as error:
+        return CheckedScan(choices, problem=error)
+    return CheckedScan(choices, found, stored, len(request.plan))
