@@ -17,7 +17,7 @@ from measureapp.data.rig import RigDescription
 from measureapp.devices.rig import Rig
 from measureapp.errors import CalibrationError, InputError
 from measureapp.pipeline.assemble import assemble
-from measureapp.pipeline.calibrate_rig import calibrate_rig, solve_calibration
+from measureapp.pipeline.rig_calibration import calibrate_rig, solve_calibration
 from measureapp.pipeline.connecting import connected
 from measureapp.pipeline.documents import outcome_document, write_reports
 from measureapp.pipeline.events import CalibrationReady, Event
