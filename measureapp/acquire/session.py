@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import threading
 import time
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from datetime import UTC, datetime
 from math import radians
@@ -19,7 +19,7 @@ from measureapp.arrays import ImageArray
 from measureapp.data.conditions import Conditions
 from measureapp.data.fringe import AxisReadback
 from measureapp.data.plan import Viewpoint
-from measureapp.devices.camera import Camera
+from measureapp.devices.camera import Camera, RendersImages
 from measureapp.devices.head import HardwareHead, Head, Shot, SoftwareHead
 from measureapp.devices.head_timing import frame_timeout_s
 from measureapp.devices.projector import DARK, TriggeringProjector
@@ -173,9 +173,12 @@ class RigSession:
         Cancelled
             From the progress; every device was stopped.
         """
+        self.checkpoint()
         used = {name: camera for name, camera in self.rig.cameras.items() if cameras is None or name in cameras}
         head = self._head(min(patterns), used)
-        within_s = STEPS_OF_A_SHOT * max(frame_timeout_s(camera, max(exposures_us)) for camera in used.values())
+        within_s = STEPS_OF_A_SHOT * max(frame_timeout_s(camera, max(exposures_us)) for camera in used.values()) + rendering_s(
+            used.values()
+        )
         self.call("A camera", lambda: head.prepare(patterns, exposures_us), READ_TIMEOUT_S * len(exposures_us))
         waiting, missing = head.acquire(), len(patterns) * len(exposures_us)
         try:
@@ -232,6 +235,11 @@ class RigSession:
         """Make a call of a driver that may last ``within_s``; raises what it raises, DeviceLost, or Cancelled after stopping everything."""
         self.check()
         return call_device(what, function, within_s, self.check, lambda: self.abort(BY_USER))
+
+
+def rendering_s(cameras: Iterable[Camera]) -> float:
+    """Return how long cameras that compute their images may take for one each; 0 for real ones."""
+    return sum(camera.longest_rendering_s for camera in cameras if isinstance(camera, RendersImages))
 
 
 def read_conditions(rig: Rig) -> Conditions:
