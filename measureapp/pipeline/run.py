@@ -12,19 +12,21 @@ from measureapp.acquire.control import RunControl
 from measureapp.data.board import AnyBoard
 from measureapp.data.calibration import RigCalibration
 from measureapp.data.measurement import Measurement
+from measureapp.data.part_program import PartProgram
 from measureapp.data.plan import ScanPlan
 from measureapp.data.rig import RigDescription
 from measureapp.devices.rig import Rig
 from measureapp.errors import CalibrationError, InputError
 from measureapp.pipeline.assemble import assemble
-from measureapp.pipeline.rig_calibration import calibrate_rig, solve_calibration
 from measureapp.pipeline.connecting import connected
 from measureapp.pipeline.documents import outcome_document, write_reports
 from measureapp.pipeline.events import CalibrationReady, Event
 from measureapp.pipeline.measure import compute_clouds
+from measureapp.pipeline.part_program import store_part_program
 from measureapp.pipeline.preflight import Preflight, check_connected, check_plan
 from measureapp.pipeline.recording.learn import calibrate_recording
 from measureapp.pipeline.recording.stages import is_recording
+from measureapp.pipeline.rig_calibration import calibrate_rig, solve_calibration
 from measureapp.pipeline.scan import ScanOptions, scan
 from measureapp.pipeline.validity import check_stored_images
 from measureapp.pipeline.watch import Stopwatch
@@ -69,6 +71,7 @@ class ScanRequest:
     bracket_s: float | None = None  # time budget per viewpoint for exposures chosen by a probe; None: exposures of the plan
     per_viewpoint: bool = False  # probe at every viewpoint, instead of once at the first
     retake: tuple[str, ...] = ()  # viewpoints taken again although their images are stored
+    part_program: PartProgram | None = None  # whose inspection program, nominal and report template become the project's
     created: NewProject | None = None  # an existing project must have been created with the same; None: after the plan, or as it is
     calibrate: bool = False  # calibrate first where there is no calibration; only a rig that places board and part itself can do both
 
@@ -120,13 +123,15 @@ def scan_into_project(
 
 
 def _fill(project: ProjectFolder, request: ScanRequest, calibrated: ProjectFolder, calibration: RigCalibration | None) -> None:
-    """Store plan, inspection program, nominal and a calibration of another project in the project."""
+    """Store plan, inspection program, nominal, part program and a calibration of another project in the project."""
     if calibration is not None and project.calibration() is None:
         project.save_calibration(calibration, calibrated.rig_uncertainty())
         project.copy_noise_from(calibrated)
     project.save_plan(request.plan)
     if request.created is not None and project.program is None and project.nominal is None:
         project.save_inspection(request.created.program, request.created.nominal)
+    if request.part_program is not None:
+        store_part_program(project, request.part_program)
 
 
 def rehearse(request: ScanRequest, held: Rig | None = None) -> Preflight:
@@ -139,7 +144,8 @@ def rehearse(request: ScanRequest, held: Rig | None = None) -> Preflight:
 
 def _project_of(request: ScanRequest) -> ProjectFolder:
     """Open the project, or prepare a new one without writing anything."""
-    new = request.created or NewProject(request.plan.name, request.plan.name)
+    part = request.plan.name if request.part_program is None else request.part_program.facts.name
+    new = request.created or NewProject(request.plan.name, part)
     settings = ProjectSettings(name=new.name, part=new.part, rig=request.rig, board=new.board)
     if not (request.folder / "project.json").exists():
         return ProjectFolder(request.folder, settings)

@@ -5,7 +5,7 @@ plan.json           scan plan
 calibration/        views/ (images of the board and read-backs), cameras.json, rig.json, rig_uncertainty.npz,
                     noise.json (measured camera noise), former/, checks/, history.jsonl
 stacks/             raw fringe images: permanent
-inspection/         program.toml and its nominal, in mm; former/: replaced nominals
+inspection/         program.toml and its nominal, in mm; former/: replaced nominals; report.typ: template of the report
 view_choices.json   views accepted or refused by hand
 results/            clouds, stitched cloud, mesh, measurement.json: recomputed by `process`; filters.npz, filtered_cloud.ply
 report/             reports
@@ -52,7 +52,7 @@ if TYPE_CHECKING:
 
 DEFAULT_BOARD = CheckerboardDescription(columns=14, rows=11, square_mm=15.0)
 ModelT = TypeVar("ModelT", bound=BaseModel)
-PROGRAM, NOMINAL, FORMER = "program.toml", "nominal", "former"
+PROGRAM, NOMINAL, FORMER, REPORT_TEMPLATE = "program.toml", "nominal", "former", "report.typ"
 VIEW_CHOICES = "view_choices.json"
 
 
@@ -263,6 +263,17 @@ class ProjectFolder:
                 shutil.copyfile(source, temporary)
         for other in set(folder.glob(f"{NOMINAL}.*")) - {kept}:
             other.unlink()
+
+    def save_report_template(self, template: bytes) -> None:
+        """Store a template (Typst) that the PDF report uses from then on. Raises StorageError."""
+        with replacing(self.path / "inspection" / REPORT_TEMPLATE) as temporary:
+            temporary.write_bytes(template)
+
+    @property
+    def report_template(self) -> Path | None:
+        """File of the report's template, if the project has its own."""
+        path = self.path / "inspection" / REPORT_TEMPLATE
+        return path if path.exists() else None
 
     def former_nominals(self) -> tuple[Path, ...]:
         """Return the archived nominals, oldest first."""

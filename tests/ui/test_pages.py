@@ -123,7 +123,7 @@ def test_the_plan_page_lists_viewpoints_and_a_click_on_the_drawing_selects(fille
 def test_the_station_of_a_viewpoint_turns_against_the_table(rig, plan):
     import numpy as np
 
-    from ui.pages.plan import station
+    from ui.pages.plan.page import station
 
     first, last = (station(rig, plan.viewpoints[index], "waiting") for index in (0, 3))
     assert np.linalg.norm(first.direction) == pytest.approx(1.0)

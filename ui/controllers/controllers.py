@@ -15,6 +15,7 @@ from ui.controllers.filtering import FilteringController
 from ui.controllers.growing import GrowingController
 from ui.controllers.holes import HolesController
 from ui.controllers.jobs import JobRunner
+from ui.controllers.planning import PlanningController
 from ui.controllers.programming import ProgrammingController
 from ui.controllers.project import ProjectController
 from ui.controllers.recent_calibration import RecentCalibrationController
@@ -41,6 +42,7 @@ class Controllers(QObject):
         self.explaining = JobRunner(session, self)
         self.solving = JobRunner(session, self)
         self.editing = JobRunner(session, self)
+        self.predicting = JobRunner(session, self)
         self.rig = RigControl(session, self.jobs, self)
         self.rig_editing = RigEditing(session, self.editing, self.rig, self)
         self.scanning = ScanController(session, self.jobs, self.rig, self)
@@ -55,6 +57,7 @@ class Controllers(QObject):
         self.filtering = FilteringController(session, self.jobs, self)
         self.growing = GrowingController(session, self.jobs, self)
         self.programming = ProgrammingController(session, self.jobs, self)
+        self.planning = PlanningController(session, self.jobs, self.predicting, self)
         self._session, self._calibrating = session, dict[str, CalibratingController]()
         self.recent_calibration = RecentCalibrationController(session, self.background, self)
         self.startup = StartupController(session, self.background, self)
@@ -68,8 +71,8 @@ class Controllers(QObject):
 
     @property
     def runners(self) -> tuple[JobRunner, ...]:
-        """All queues: foreground jobs, background jobs, drawing, explanation of views, solving of calibrations, editing of rigs."""
-        return self.jobs, self.background, self.drawing, self.explaining, self.solving, self.editing
+        """All queues: foreground jobs, background jobs, drawing, explanation of views, solving of calibrations, editing of rigs, plans."""
+        return self.jobs, self.background, self.drawing, self.explaining, self.solving, self.editing, self.predicting
 
     def end(self, timeout_ms: int) -> bool:
         """Cancel all jobs and wait for their threads; return whether all have ended. The compilation of a kernel cannot be interrupted."""

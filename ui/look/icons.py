@@ -59,6 +59,10 @@ NAMES = {
     "hand-eye": "link",
     "axis": "arrows-clockwise",
     "guide": "arrows-left-right",
+    "copy": "copy",
+    "ungroup": "arrows-out-simple",
+    "up": "arrow-up",
+    "down": "arrow-down",
     "camera": "camera",
 }
 

@@ -14,7 +14,7 @@ from ui.look.look import Look
 from ui.pages.page import Page
 from ui.session import Session
 from ui.viewport.cloud_view import CloudView
-from ui.viewport.layers import CloudLayer, SurfaceLayer
+from ui.viewport.layers import CloudLayer, Label, LineLayer, SurfaceLayer
 from ui.viewport.shuffled_cloud import ShuffledCloud, shuffle
 from ui.widgets.basic import Button
 from ui.widgets.empty_state import EmptyState
@@ -30,6 +30,8 @@ class Picture:
 
     clouds: tuple[CloudLayer, ...] = ()
     surface: SurfaceLayer | None = None
+    lines: tuple[LineLayer, ...] | None = None  # None: those shown stay
+    labels: tuple[Label, ...] | None = None
 
 
 Composer = Callable[[Job], Picture]
@@ -81,6 +83,10 @@ class ViewportPage(Page):
         picture, cloud = prepared
         self.view.set_surface(picture.surface)
         self.view.set_clouds(picture.clouds, cloud)
+        if picture.lines is not None:
+            self.view.set_lines(picture.lines)
+        if picture.labels is not None:
+            self.view.set_labels(picture.labels)
         self._stop_composing()
         if self._stale:
             self.redraw()
