@@ -6,7 +6,7 @@ import threading
 from types import SimpleNamespace
 
 import pytest
-from PySide6.QtWidgets import QMessageBox
+from PySide6.QtWidgets import QApplication
 
 from measureapp.acquire import events as e
 from measureapp.errors import InputError
@@ -103,16 +103,28 @@ def test_a_second_demo_waits_for_the_first(started, demo, qtbot):
     assert len(demo.requests) == 1
 
 
-def test_closing_during_a_job_asks_and_can_be_refused(started, window, demo, qtbot, monkeypatch):
-    monkeypatch.setattr(QMessageBox, "question", lambda *_: QMessageBox.StandardButton.Cancel)
+def test_closing_during_a_job_asks_once_without_blocking_and_can_be_refused(started, window, demo, qtbot):
     assert not window.close()
-    assert window.isVisible()
-    monkeypatch.setattr(QMessageBox, "question", lambda *_: QMessageBox.StandardButton.Close)
+    assert window.isVisible() and window.closing.isVisible()
+    assert "still running" in window.closing.words.text()
+    assert window.header.stop.isVisible() and window.header.stop.isEnabled()
+    assert QApplication.activeModalWidget() is None
+    window.closing.stay.click()
+    assert not window.closing.isVisible()
+    assert not window.close()
     demo.gate.set()
-    assert window.close()
+    window.closing.stop_and_close.click()
+    assert not window.isVisible()
     running = started.controllers.jobs.queue.running
     assert running is None or running.isFinished()
     qtbot.waitUntil(lambda: idle(started), timeout=10_000)
+
+
+def test_the_question_about_closing_goes_with_the_job(started, window, demo, qtbot):
+    window.close()
+    demo.gate.set()
+    qtbot.waitUntil(lambda: idle(started), timeout=10_000)
+    assert not window.closing.isVisible()
 
 
 def test_an_error_nobody_caught_is_shown_as_a_sentence(application, window):
