@@ -134,11 +134,13 @@ def _cell(
     for station, pose in zip(stations, poses, strict=True):
         base = shoulder + np.array([0.0, station.viewpoint.guide_mm, 0.0])
         panel.line([base[pick], pose.translation_mm[pick]], GREY, 2.0)
+    words: dict[tuple[int, int], list[Station]] = {}
     for station, pose in zip(stations, poses, strict=True):
-        x, y = pose.translation_mm[pick]
-        is_bad = station.viewpoint.id in bad
-        panel.text((float(x), float(y)), station.words, colour=RED if is_bad else TEAL, shift=(0.0, -8.0))
-        panel.circle((float(x), float(y)), 5.0 / panel.scale, RED if is_bad else TEAL, "#ffffff")
+        x, y = panel.at((float(pose.translation_mm[pick[0]]), float(pose.translation_mm[pick[1]])))
+        words.setdefault((round(x), round(y)), []).append(station)  # stations that hide each other share their words
+    for place, here in words.items():
+        colour = RED if any(station.viewpoint.id in bad for station in here) else TEAL
+        panel.mark(place, ", ".join(station.words for station in here), colour)
     return panel
 
 

@@ -50,6 +50,12 @@ class Panel:
         self.parts.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="9" fill="{fill}" stroke="#ffffff"/>')
         self.parts.append(_text(x, y + 3.2, text, 9, "#ffffff", "middle"))
 
+    def mark(self, page_point: Point, text: str, colour: str) -> None:
+        """Draw a small dot with a text above it, at a point of the page."""
+        x, y = page_point
+        self.parts.append(f'<circle cx="{x:.1f}" cy="{y:.1f}" r="5" fill="{colour}" stroke="#ffffff"/>')
+        self.parts.append(_text(x, y - 8.0, text, 11, colour, "middle"))
+
     def text(self, at: Point, text: str, *, colour: str = "#55636b", shift: Point = (0.0, 0.0), anchor: str = "middle") -> None:
         """Write a text at a world point, shifted on the page."""
         x, y = self.at(at)

@@ -111,27 +111,14 @@ def test_a_poor_solution_is_named(filled, application, calibration):
     assert "✗" in filled.header.calibration.text()
 
 
-def test_the_plan_page_lists_viewpoints_and_a_click_on_the_drawing_selects(filled, plan):
+def test_the_plan_page_lists_the_viewpoints_of_the_project(filled, plan):
     page = filled.pages["plan"]
     filled.show_page("plan")
-    rows = page.table.texts()
-    assert [row[1] for row in rows] == [viewpoint.id for viewpoint in plan]
-    assert plain(rows[1][3]) == "20.0 mm"
-    page.drawing.stationClicked.emit(2)
+    rows = page.tree.rows
+    assert [rows.name_at(rows.index(row, 0)) for row in range(rows.rowCount())] == [viewpoint.id for viewpoint in plan]
+    assert plain(rows.data(rows.index(1, 3))) == "20.0 mm"
+    page.tree.select((plan.viewpoints[2].id,))
     assert page.properties.title == plan.viewpoints[2].id
-
-
-def test_the_station_of_a_viewpoint_turns_against_the_table(rig, plan):
-    import numpy as np
-
-    from ui.pages.plan.page import station
-
-    first, last = (station(rig, plan.viewpoints[index], "waiting") for index in (0, 3))
-    assert np.linalg.norm(first.direction) == pytest.approx(1.0)
-    straight = plan.viewpoints[3].model_copy(update={"guide_mm": plan.viewpoints[0].guide_mm})
-    opposite = station(rig, straight, "waiting")
-    assert opposite.position_mm[:2] == pytest.approx([-first.position_mm[0], -first.position_mm[1]], abs=1e-6)
-    assert last.id == plan.viewpoints[3].id
 
 
 def test_the_scan_page_shows_each_viewpoint_in_its_state(filled):

@@ -119,6 +119,7 @@ class PlanPage(ViewportPage):
         planning.part.changed.connect(self.redraw)
         session.rigChanged.connect(self._show)
         session.busyChanged.connect(self._show_actions)
+        session.busyChanged.connect(self._show_busy)
         session.cellChanged.connect(self.tools.show_state)
         keys = ((QKeySequence.StandardKey.Redo, planning.redo), (QKeySequence.StandardKey.Open, self._choose_file))
         for key, action in keys:
@@ -137,6 +138,13 @@ class PlanPage(ViewportPage):
         self._show_selection()
         self._show_prediction()
         self._show_actions()
+
+    @Slot()
+    def _show_busy(self) -> None:
+        if self.session.busy_with and self.planning.plan is None:
+            self.empty.say("Planning…", "The plan is being made.", offer=False)
+        else:
+            self.empty.say(*EMPTY)
 
     @Slot()
     def _show_actions(self) -> None:

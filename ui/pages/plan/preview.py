@@ -82,14 +82,14 @@ def _cell(scenery: Scenery, theme: Theme) -> list[Triangles]:
     found = placed(cell, scenery)
     if found is None:
         return []
-    shown, placement, reachable = found
-    if not reachable:
-        colours["head"] = colours["arm"] = rgb(theme, "verdict_fail")
+    shown, placement = found
+    if scenery.viewpoint is not None and scenery.viewpoint.id in scenery.prediction.check.sentences():
+        colours["head"] = rgb(theme, "verdict_fail")
     return list(cell_triangles(shown, placement, colours, rgb(theme, "verdict_fail")))
 
 
-def placed(cell: Cell, scenery: Scenery) -> tuple[Cell, Placement, bool] | None:
-    """Return the cell and where its axes are, and whether the viewpoint can be reached; out of reach, only the head is drawn."""
+def placed(cell: Cell, scenery: Scenery) -> tuple[Cell, Placement] | None:
+    """Return the cell and where its axes are; out of the robot's reach, a cell in which only the head is drawn."""
     from measureapp.errors import LimitError
     from measureapp.planning.collision.cell import Cell
     from measureapp.planning.collision.motion import Placement
@@ -98,11 +98,11 @@ def placed(cell: Cell, scenery: Scenery) -> tuple[Cell, Placement, bool] | None:
     if viewpoint is None:
         return None
     if free := cell.free_at(viewpoint):
-        return cell, free[0], True
+        return cell, free[0]
     try:
-        return cell, cell.placements(viewpoint)[0], True
+        return cell, cell.placements(viewpoint)[0]
     except LimitError:
-        return Cell.of(scenery.rig, None), Placement.at(viewpoint, None), False
+        return Cell.of(scenery.rig, None), Placement.at(viewpoint, None)
 
 
 def _part(scenery: Scenery, theme: Theme) -> list[Triangles]:
