@@ -113,4 +113,5 @@ def rig_of(world: World, clock: Clock | None = None, follow: Callable[[], None] 
         guide=VirtualGuide(world, time),
         table=VirtualTable(world, time),
         place_on_table=place_on_table,
+        truth=lambda: world.truth().with_projector(),
     )
