@@ -48,7 +48,7 @@ class Scene:
         world = World(rig, part, self.seed, options=WorldOptions(light=light))
         world.table_holds = "part"
         plan = plan_around_part(rig, part.name, radius_mm=part.radius_mm, height_mm=part.height_mm, count=VIEWS, arm=arm_of(rig))
-        viewpoint = plan.viewpoints[self.view % VIEWS]
+        viewpoint = plan[self.view % VIEWS]
         world.turn_table(radians(viewpoint.table_deg))
         world.move_guide(viewpoint.guide_mm)
         world.move_robot(viewpoint.flange.transform())

@@ -138,6 +138,8 @@ class MainWindow(QMainWindow):
         self.properties.actionClicked.connect(self._act)
         self.properties.decisionClicked.connect(self._decide)
         self.header.openClicked.connect(self._choose_project)
+        self.header.recentAsked.connect(lambda: self.header.show_recent(controllers.project.recent()))
+        self.header.recentClicked.connect(controllers.project.open)
         self.header.fileClicked.connect(self._choose_files)
         controllers.files.unitAsked.connect(self._ask_unit)
         controllers.files.measured.connect(lambda: self.show_page("inspection"))

@@ -99,7 +99,7 @@ def _of_rig(rig: str, plan: Path | None) -> dict[str, NoiseEstimate]:
     from measureapp.project.plan_file import read_plan
     from measureapp.project.rig_file import read_rig
 
-    viewpoint = None if plan is None else read_plan(plan).viewpoints[0]
+    viewpoint = None if plan is None else read_plan(plan)[0]
     connected = connect_rig(read_rig(rig))
     try:
         if viewpoint is not None:

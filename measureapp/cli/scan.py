@@ -25,7 +25,7 @@ def register(app: typer.Typer) -> None:
 
     @app.command()
     def scan(
-        plan: Annotated[Path, typer.Argument(help="Scan plan (JSON or TOML).")],
+        plan: Annotated[Path, typer.Argument(help="Scan plan (JSON or TOML), or a part program (.mpart).")],
         rig: Annotated[str, typer.Option("--rig", help="Rig description: a TOML file, or a name in resources/rigs.")],
         project: Annotated[Path, typer.Option("--project", help="Project folder, new or with a calibration of this rig.")],
         calibration: Annotated[
@@ -45,10 +45,13 @@ def register(app: typer.Typer) -> None:
         from measureapp.cli.scan_log import ScanLog
         from measureapp.devices.recorded_rig import require_devices
         from measureapp.pipeline import ScanRequest, scan_into_project
+        from measureapp.project.part_program_file import is_part_program, read_part_program
         from measureapp.project.plan_file import read_plan
         from measureapp.project.rig_file import read_rig
 
-        request = ScanRequest(read_plan(plan), read_rig(rig), project, resume, calibration, auto_bracket)
+        program = read_part_program(plan) if is_part_program(plan) else None
+        wanted = read_plan(plan) if program is None else program.plan
+        request = ScanRequest(wanted, read_rig(rig), project, resume, calibration, auto_bracket, part_program=program)
         require_devices(request.rig)
         if dry_run:
             raise typer.Exit(_rehearse(request, as_json))

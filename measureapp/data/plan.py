@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Literal
+from typing import Annotated, Literal
 
 import numpy as np
-from pydantic import Field, field_validator
+from pydantic import AfterValidator, Field, field_validator, model_validator
 
 from measureapp.data.fringe import PatternSet
 from measureapp.data.model import Model
@@ -42,6 +42,18 @@ class FlangePose(Model):
         return RigidTransform.from_quaternion(self.quaternion_wxyz, self.position_mm, "base", "flange")
 
 
+def _descending(exposures_us: tuple[int, ...]) -> tuple[int, ...]:
+    if any(exposure <= 0 for exposure in exposures_us) or list(exposures_us) != sorted(set(exposures_us), reverse=True):
+        raise ValueError("exposures must be positive and run from long to short without repeats")
+    return exposures_us
+
+
+Exposures = Annotated[tuple[int, ...], Field(min_length=1), AfterValidator(_descending)]
+"""Exposures from long to short, in µs."""
+Settle = Annotated[float, Field(ge=0, le=60)]
+"""Wait after the last axis has settled, in s."""
+
+
 class Viewpoint(Model):
     """Planned pose of the sensor and angle of the table."""
 
@@ -49,29 +61,70 @@ class Viewpoint(Model):
     flange: FlangePose
     guide_mm: float
     table_deg: float
+    exposures_us: Exposures | None = Field(default=None, description="exposure bracket of this viewpoint; none: that of the plan")
+    settle_s: Settle | None = Field(default=None, description="wait before images are taken; none: that of the plan")
+
+
+class StationPose(Model):
+    """A pose of the robot with a place of the guide, as a group of viewpoints repeats it."""
+
+    flange: FlangePose
+    guide_mm: float = 0.0
+
+
+class ViewpointGroup(Model):
+    """Viewpoints by repetition: every pose at every table angle, all angles of one pose before the next.
+
+    The viewpoints are called ``ID-POSE-ANGLE``, counted from 1, or ``ID-ANGLE`` where there is one pose.
+    """
+
+    id: str = Field(pattern=r"^[A-Za-z0-9_][A-Za-z0-9_.-]{0,79}$", description="beginning of the names of its viewpoints")
+    poses: tuple[StationPose, ...] = Field(min_length=1)
+    table_deg: tuple[float, ...] = Field(min_length=1)
+    exposures_us: Exposures | None = None
+    settle_s: Settle | None = None
+
+    def viewpoints(self) -> tuple[Viewpoint, ...]:
+        """Return the viewpoints, pose by pose."""
+        one = len(self.poses) == 1
+        return tuple(
+            Viewpoint(
+                id=f"{self.id}-{angle:02d}" if one else f"{self.id}-{number:02d}-{angle:02d}",
+                flange=pose.flange,
+                guide_mm=pose.guide_mm,
+                table_deg=table_deg,
+                exposures_us=self.exposures_us,
+                settle_s=self.settle_s,
+            )
+            for number, pose in enumerate(self.poses, 1)
+            for angle, table_deg in enumerate(self.table_deg, 1)
+        )
 
 
 class ExposureBracket(Model):
     """Exposure bracket: the exposures of every pattern, from long to short."""
 
-    exposures_us: tuple[int, ...] = Field(default=(100_000, 80_000, 60_000, 40_000, 20_000), min_length=1)
-
-    @field_validator("exposures_us")
-    @classmethod
-    def _descends(cls, value: tuple[int, ...]) -> tuple[int, ...]:
-        if any(exposure <= 0 for exposure in value) or list(value) != sorted(set(value), reverse=True):
-            raise ValueError("exposures must be positive and run from long to short without repeats")
-        return value
+    exposures_us: Exposures = (100_000, 80_000, 60_000, 40_000, 20_000)
 
 
 class ScanPlan(Model):
-    """Viewpoints, pattern set and exposures of a scan."""
+    """Viewpoints, pattern set and exposures of a scan; iterates into its viewpoints, single ones before groups, in scan order.
 
-    schema_version: Literal[1] = 1
+    Version 2 added groups, and exposures and settling times of single viewpoints; plans of version 1 are read as they are.
+    """
+
+    schema_version: Literal[2] = 2
     name: str
-    viewpoints: tuple[Viewpoint, ...] = Field(min_length=1)
+    viewpoints: tuple[Viewpoint, ...] = Field(default=(), description="single ones; iterate over the plan for all")
+    groups: tuple[ViewpointGroup, ...] = ()
     patterns: PatternSet = DEFAULT_PATTERNS  # a file may name a predefined set, for a projector of 1024 × 768 px
     bracket: ExposureBracket = ExposureBracket()
+    settle_s: Settle | None = Field(default=None, description="wait before images are taken; none: that of the rig")
+
+    @field_validator("schema_version", mode="before")
+    @classmethod
+    def _migrate(cls, value: object) -> object:
+        return 2 if value == 1 else value  # what was added has defaults that mean what version 1 did
 
     @field_validator("patterns", mode="before")
     @classmethod
@@ -80,15 +133,31 @@ class ScanPlan(Model):
             raise ValueError(f"there is no pattern set {value!r}, only {', '.join(PATTERN_SETS)}")
         return PATTERN_SETS[value] if isinstance(value, str) else value
 
-    @field_validator("viewpoints")
-    @classmethod
-    def _ids_differ(cls, value: tuple[Viewpoint, ...]) -> tuple[Viewpoint, ...]:
-        if len({viewpoint.id for viewpoint in value}) != len(value):
-            raise ValueError("two viewpoints have the same id")
-        return value
+    @model_validator(mode="after")
+    def _ids_differ(self) -> ScanPlan:
+        ids = [viewpoint.id for viewpoint in self]
+        if not ids:
+            raise ValueError("the plan has no viewpoints")
+        if len(set(ids)) != len(ids):
+            twice = next(name for place, name in enumerate(ids) if name in ids[:place])
+            raise ValueError(f"two viewpoints have the same id {twice!r}")
+        return self
 
     def __iter__(self) -> Iterator[Viewpoint]:  # type: ignore[override]
-        return iter(self.viewpoints)
+        yield from self.viewpoints
+        for group in self.groups:
+            yield from group.viewpoints()
 
     def __len__(self) -> int:
-        return len(self.viewpoints)
+        return len(self.viewpoints) + sum(len(group.poses) * len(group.table_deg) for group in self.groups)
+
+    def __getitem__(self, place: int) -> Viewpoint:
+        return tuple(self)[place]
+
+    def exposures_of(self, viewpoint: Viewpoint) -> tuple[int, ...]:
+        """Return the exposures of a viewpoint, from long to short, in µs."""
+        return viewpoint.exposures_us or self.bracket.exposures_us
+
+    def settle_of(self, viewpoint: Viewpoint) -> float | None:
+        """Return how long to wait at a viewpoint before images are taken, in s; None: as long as the rig states."""
+        return self.settle_s if viewpoint.settle_s is None else viewpoint.settle_s

@@ -168,7 +168,7 @@ def _choose_exposures(rig: Rig, project: ProjectFolder, plan: ScanPlan, bracket_
     """Choose the exposures by a probe at the first viewpoint, and store the plan with them."""
     planned = plan.bracket.exposures_us
     limits = BracketLimits(bracket_s, len(planned), longest_us=max(rig.description.exposures_us))
-    proposal = propose_bracket(rig, plan.patterns, limits, plan.viewpoints[0], project.noise(), compare={"plan": planned})
+    proposal = propose_bracket(rig, plan.patterns, limits, plan[0], project.noise(), compare={"plan": planned})
     chosen = plan.model_copy(update={"bracket": proposal.bracket})
     project.save_plan(chosen)
     planned_share = proposal.compared["plan"].decodable_share

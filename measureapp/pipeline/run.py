@@ -15,6 +15,7 @@ from measureapp.calibrate.rig.joint_solution import RigSolution
 from measureapp.calibrate.rig.stitch_uncertainty import uncertainty_of
 from measureapp.data.calibration import RigCalibration
 from measureapp.data.measurement import Measurement
+from measureapp.data.part_program import PartProgram
 from measureapp.data.plan import ScanPlan
 from measureapp.data.rig import RigDescription
 from measureapp.devices.connect import connect_rig
@@ -25,6 +26,7 @@ from measureapp.pipeline.calibrate import calibrate_from_views
 from measureapp.pipeline.documents import outcome_document, write_reports
 from measureapp.pipeline.events import CalibrationReady, Event
 from measureapp.pipeline.measure import compute_clouds, scan
+from measureapp.pipeline.part_program import store_part_program
 from measureapp.pipeline.preflight import Preflight, check_connected, check_plan
 from measureapp.pipeline.recording.learn import calibrate_recording
 from measureapp.pipeline.recording.stages import is_recording
@@ -60,6 +62,7 @@ class ScanRequest:
     resume: bool = False  # keep stored viewpoints
     calibrated: Path | None = None  # another project whose calibration is copied into a new one
     bracket_s: float | None = None  # time budget per viewpoint for exposures chosen by a probe; None: exposures of the plan
+    part_program: PartProgram | None = None  # whose inspection program, nominal and report template become the project's
 
 
 def calibrate_rig(rig: Rig, project: ProjectFolder, on_event: OnEvent, progress: Progress, watch: Stopwatch) -> RigSolution:
@@ -120,6 +123,8 @@ def scan_into_project(request: ScanRequest, on_event: OnEvent, progress: Progres
                 project.save_calibration(calibration, calibrated.rig_uncertainty())
                 project.copy_noise_from(calibrated)
             project.save_plan(request.plan)
+            if request.part_program is not None:
+                store_part_program(project, request.part_program)
             views = scan(rig, project, calibration, on_event, PartOf(progress, 0.0, 0.8), watch, request.bracket_s, registration_cache)
         finally:
             rig.close()
@@ -143,7 +148,8 @@ def rehearse(request: ScanRequest) -> Preflight:
 def _project_of(request: ScanRequest) -> ProjectFolder:
     """Open the project, or prepare a new one without writing anything."""
     if not (request.folder / "project.json").exists():
-        return ProjectFolder(request.folder, ProjectSettings(name=request.plan.name, part=request.plan.name, rig=request.rig))
+        part = request.plan.name if request.part_program is None else request.part_program.facts.name
+        return ProjectFolder(request.folder, ProjectSettings(name=request.plan.name, part=part, rig=request.rig))
     project = ProjectFolder.open(request.folder)
     if project.stored_viewpoints() and not request.resume:
         raise InputError(

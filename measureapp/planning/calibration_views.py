@@ -14,6 +14,8 @@ from measureapp.data.plan import FlangePose, Motion, ScanPlan, Viewpoint
 from measureapp.data.rig import RigDescription
 from measureapp.geometry.kinematics.arm import ArmModel
 from measureapp.geometry.transform import RigidTransform, rotation_about
+from measureapp.planning.collision.build import PartSolid
+from measureapp.planning.collision.cell import Cell
 from measureapp.planning.reach import limit_violations
 from measureapp.planning.viewpoints import LookAt, viewpoint_looking_at
 
@@ -54,44 +56,45 @@ def calibration_viewpoints(
     all four sides. Turning it in the image meanwhile also gives hand-eye what Tsai and Lenz ask for (IEEE Trans. Robotics and
     Automation 5(3), 1989): large rotations about axes that are not parallel. From the stations of ``plan`` the board is viewed at several
     table angles: a part appears enlarged by twice the robot's error towards the table unless that error is known where the scan is made.
-    Viewpoints that the rig cannot reach are omitted. With ``arm``, a pose that its joints do not reach is replaced by the first of its
-    neighbours that they do: the same view from another place of the guide, then a lesser tilt of the board.
+    Viewpoints that the rig cannot reach are omitted. With ``arm``, a pose that its joints do not reach, or in which head, arm, board or table
+    would touch, is replaced by the first of its neighbours that is free: the same view from another place of the guide, then a lesser tilt of
+    the board.
 
     Parameters
     ----------
     motions : which of these groups
     guide_at_zero : reach the same views with the guide at 0, as far as possible: the robot's base then stays where it is
-    arm : of the rig's robot, whose joint limits are then kept; None: its reach only
+    arm : of the rig's robot, whose joint limits and clearances are then kept; None: its reach only
     """
     centre = board_middle_mm(rig)
+    cell = None if arm is None else Cell.of(rig, arm, PartSolid.board_on_stand())
     slides_mm = (0.0,) if guide_at_zero else NEIGHBOUR_SLIDES_MM  # whatever the slide, with the guide at 0 the robot is at one pose
     groups: dict[Motion, Callable[[], list[Viewpoint]]] = {
-        "robot": lambda: [_reachable(neighbours, rig, arm, guide_at_zero) for neighbours in _poses(rig, centre, slides_mm)],
+        "robot": lambda: [_reachable(neighbours, rig, cell, guide_at_zero) for neighbours in _poses(rig, centre, slides_mm)],
         "table": lambda: _axis(rig, centre),
         "guide": lambda: _passes(rig, centre, ("guide",)),
         "passes": lambda: _passes(rig, centre, ("below", "above")),
         "stations": lambda: _stations(plan),
     }
     candidates = (viewpoint for motion in groups if motion in motions for viewpoint in groups[motion]())
-    return tuple(seen for one in candidates if (seen := _seen(one, rig, arm, guide_at_zero)) is not None)
+    return tuple(seen for one in candidates if (seen := _seen(one, rig, cell, guide_at_zero)) is not None)
 
 
-def _seen(viewpoint: Viewpoint, rig: RigDescription, arm: ArmModel | None, guide_at_zero: bool) -> Viewpoint | None:
+def _seen(viewpoint: Viewpoint, rig: RigDescription, cell: Cell | None, guide_at_zero: bool) -> Viewpoint | None:
     """Return the viewpoint, with the guide at 0 if that is wanted; None if it, or the one it is made of, is out of reach."""
-    if limit_violations(viewpoint, rig, None if guide_at_zero else arm):
+    if limit_violations(viewpoint, rig):
         return None
-    if not guide_at_zero:
-        return viewpoint
-    slid = _with_guide_at_zero(viewpoint)
-    return None if limit_violations(slid, rig, arm) else slid
+    wanted = _with_guide_at_zero(viewpoint) if guide_at_zero else viewpoint
+    problem = limit_violations(wanted, rig) or (cell is not None and cell.problem_at(wanted))
+    return None if problem else wanted
 
 
-def _reachable(neighbours: Iterator[Viewpoint], rig: RigDescription, arm: ArmModel | None, guide_at_zero: bool) -> Viewpoint:
+def _reachable(neighbours: Iterator[Viewpoint], rig: RigDescription, cell: Cell | None, guide_at_zero: bool) -> Viewpoint:
     """Return the first viewpoint of ``neighbours`` within reach, or the very first; without an arm it is always the latter."""
     first = next(neighbours)
-    if arm is None:
+    if cell is None:
         return first
-    return next((one for one in chain([first], neighbours) if _seen(one, rig, arm, guide_at_zero) is not None), first)
+    return next((one for one in chain([first], neighbours) if _seen(one, rig, cell, guide_at_zero) is not None), first)
 
 
 def _with_guide_at_zero(viewpoint: Viewpoint) -> Viewpoint:

@@ -5,7 +5,7 @@ plan.json           scan plan
 calibration/        views/ (images of the board and read-backs), cameras.json, rig.json, rig_uncertainty.npz,
                     noise.json (measured camera noise), former/, checks/, history.jsonl
 stacks/             raw fringe images: permanent
-inspection/         program.toml and its nominal, in mm; former/: replaced nominals
+inspection/         program.toml and its nominal, in mm; former/: replaced nominals; report.typ: template of the report
 view_choices.json   views accepted or refused by hand
 results/            clouds, stitched cloud, mesh, measurement.json: recomputed by `process`; filters.npz, filtered_cloud.ply
 report/             reports
@@ -18,7 +18,7 @@ import shutil
 from collections.abc import Mapping
 from contextlib import AbstractContextManager
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal, TypeVar
+from typing import TYPE_CHECKING, Any, Literal, TypeVar, get_args
 
 from pydantic import BaseModel, ValidationError
 
@@ -50,10 +50,9 @@ if TYPE_CHECKING:
     from measureapp.progress import Progress
     from measureapp.register.clouds.filter_chain import FilterChain
 
-FORMAT = 1  # of the project's own files
 DEFAULT_BOARD = CheckerboardDescription(columns=14, rows=11, square_mm=15.0)
 ModelT = TypeVar("ModelT", bound=BaseModel)
-PROGRAM, NOMINAL, FORMER = "program.toml", "nominal", "former"
+PROGRAM, NOMINAL, FORMER, REPORT_TEMPLATE = "program.toml", "nominal", "former", "report.typ"
 VIEW_CHOICES = "view_choices.json"
 
 
@@ -265,6 +264,17 @@ class ProjectFolder:
         for other in set(folder.glob(f"{NOMINAL}.*")) - {kept}:
             other.unlink()
 
+    def save_report_template(self, template: bytes) -> None:
+        """Store a template (Typst) that the PDF report uses from then on. Raises StorageError."""
+        with replacing(self.path / "inspection" / REPORT_TEMPLATE) as temporary:
+            temporary.write_bytes(template)
+
+    @property
+    def report_template(self) -> Path | None:
+        """File of the report's template, if the project has its own."""
+        path = self.path / "inspection" / REPORT_TEMPLATE
+        return path if path.exists() else None
+
     def former_nominals(self) -> tuple[Path, ...]:
         """Return the archived nominals, oldest first."""
         return tuple(sorted((self.path / "inspection" / FORMER).glob("[0-9]*")))
@@ -337,10 +347,11 @@ def _read_json(path: Path) -> Any:
 
 def _read_model(path: Path, kind: type[ModelT]) -> ModelT:
     document = _read_json(path)
-    version = document.get("schema_version", FORMAT) if isinstance(document, dict) else FORMAT
-    if version != FORMAT:
+    newest = get_args(kind.model_fields["schema_version"].annotation)[0]
+    version = document.get("schema_version", newest) if isinstance(document, dict) else newest
+    if version not in range(1, newest + 1):
         raise StorageError(
-            f"{path} has format {version}; this version reads format {FORMAT}.", "Use the version of MeasureApp that wrote it."
+            f"{path} has format {version}; this version reads formats up to {newest}.", "Use the version of MeasureApp that wrote it."
         )
     try:
         return kind.model_validate(document)

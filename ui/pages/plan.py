@@ -89,7 +89,7 @@ class PlanPage(Page):
         if plan is None or rig is None or not 0 <= place < len(plan):
             return
         self.drawing.choose(place)
-        self.show_properties(viewpoint_properties(plan, plan.viewpoints[place], rig))
+        self.show_properties(viewpoint_properties(plan, plan[place], rig))
 
 
 def viewpoint_properties(plan: ScanPlan, viewpoint: Viewpoint, rig: RigDescription) -> Properties:
