@@ -155,10 +155,10 @@ def pose_prior(rig: RigUncertainty | None, views: Sequence[ViewResult], approach
     stations = number_stations(readbacks)
     if rig is None:
         return PosePrior(stations)
-    return PosePrior(stations, view_uncertainty(rig, readbacks, approaches).pose_covariance, _camera_errors(rig, views))
+    return PosePrior(stations, view_uncertainty(rig, readbacks, approaches).pose_covariance, camera_errors(rig, views))
 
 
-def _camera_errors(rig: RigUncertainty, views: Sequence[ViewResult]) -> CalibrationErrors | None:
+def camera_errors(rig: RigUncertainty, views: Sequence[ViewResult]) -> CalibrationErrors | None:
     """Propagate the uncertainty of the camera calibration to clouds and poses; None where it is not known, or there are no points."""
     clouds = [np.asarray(view.cloud.points_mm) for view in views if len(view.cloud)]
     if not clouds:

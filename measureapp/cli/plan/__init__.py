@@ -7,9 +7,9 @@ import typer
 
 def register(app: typer.Typer) -> None:
     """Add the command group."""
-    from measureapp.cli.plan import make
+    from measureapp.cli.plan import make, predict
 
     group = typer.Typer(help="Scan plans: make, check, show and edit them.", no_args_is_help=True)
-    for command in (make,):
+    for command in (make, predict):
         command.register(group)
     app.add_typer(group, name="plan")

@@ -27,8 +27,12 @@ class PartLight(Model):
     """
 
     white: float = Field(default=1.0, gt=0, le=100, description="grey level under white light at the longest exposure, over saturation")
-    contrast: float = Field(default=0.95, gt=0, le=1, description="modulation of the fringes over their mean grey level, without ambient light")
-    ambient: float = Field(default=0.03, ge=0, le=1, description="grey level without the projector at the longest exposure, over saturation")
+    contrast: float = Field(
+        default=0.95, gt=0, le=1, description="modulation of the fringes over their mean grey level, without ambient light"
+    )
+    ambient: float = Field(
+        default=0.03, ge=0, le=1, description="grey level without the projector at the longest exposure, over saturation"
+    )
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import tau
 
 import cv2
 import numpy as np
 
-from measureapp.arrays import BoolArray, FloatArray
+from measureapp.arrays import BoolArray, FloatArray, IntArray
 from measureapp.data.fringe import PatternSet
 from measureapp.data.phase import PhaseMap, PixelState
 from measureapp.fringe.settings import DecodeSettings
@@ -43,11 +43,7 @@ def predict_phase_map(seen: SeenPixels, light: PartLight, taking: Taking, settin
     rng : of the noise
     """
     maps = [_predict_direction(seen, light, taking, settings, rng, number) for number in range(len(taking.patterns.directions))]
-    if len(maps) == 1:
-        return maps[0]
-    from dataclasses import replace
-
-    return replace(maps[0], orthogonal=maps[1])
+    return maps[0] if len(maps) == 1 else replace(maps[0], orthogonal=maps[1])
 
 
 def _predict_direction(
@@ -94,7 +90,7 @@ class _Image:
     seen: SeenPixels
     shape: tuple[int, int]
 
-    def of(self, values: FloatArray, empty: float, kind: type[np.generic]) -> np.ndarray:
+    def of(self, values: FloatArray | IntArray, empty: float, kind: type[np.generic]) -> np.ndarray:
         image = np.full(self.shape, empty, kind)
         image[self.seen.row, self.seen.column] = values
         return image
@@ -109,7 +105,9 @@ def _blur_fringes(
     image, here = _Image(seen, taking.shape), (seen.row, seen.column)
 
     def blurred(values: FloatArray) -> FloatArray:
-        return np.asarray(cv2.GaussianBlur(image.of(values, 0.0, np.float64), (0, 0), taking.blur_px, borderType=cv2.BORDER_REPLICATE)[here])
+        return np.asarray(
+            cv2.GaussianBlur(image.of(values, 0.0, np.float64), (0, 0), taking.blur_px, borderType=cv2.BORDER_REPLICATE)[here]
+        )
 
     waves = blurred(modulation * np.cos(phase)) + 1j * blurred(modulation * np.sin(phase))
     bend = np.angle(waves * np.exp(-1j * phase))

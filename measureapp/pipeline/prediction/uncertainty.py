@@ -14,7 +14,8 @@ from measureapp.data.plan import ScanPlan, Viewpoint
 from measureapp.errors import PlanError
 from measureapp.inspection.dimensions import inspect
 from measureapp.pipeline.assemble import inspection_settings, pose_prior, stitch_settings
-from measureapp.pipeline.prediction.views import Exposing, PredictedScene, longest_exposure
+from measureapp.pipeline.prediction.calibration_draw import with_calibration_error
+from measureapp.pipeline.prediction.views import Exposing, PredictedScene
 from measureapp.progress import NoProgress, PartOf, Progress
 from measureapp.register.joint.registration_cache import RegistrationCache
 from measureapp.register.stitch import stitch
@@ -59,7 +60,7 @@ def predict_uncertainty(plan: ScanPlan, scene: PredictedScene, job: Job, progres
     """
     progress = progress or NoProgress()
     views = predict_views(plan, scene, PartOf(progress, 0.0, VIEWS_SHARE))
-    return evaluate(views, scene, job, PartOf(progress, VIEWS_SHARE, 1.0))
+    return evaluate(with_calibration_error(views, scene.rig), scene, job, PartOf(progress, VIEWS_SHARE, 1.0))
 
 
 def predict_views(plan: ScanPlan, scene: PredictedScene, progress: Progress) -> tuple[ViewResult, ...]:
@@ -81,9 +82,8 @@ def predict_views(plan: ScanPlan, scene: PredictedScene, progress: Progress) -> 
 
 def exposing_of(plan: ScanPlan) -> Callable[[Viewpoint], Exposing]:
     """Return the patterns and exposures of every viewpoint."""
-    bracket = plan.bracket.exposures_us
-    longest_us = longest_exposure([bracket])
-    return lambda viewpoint: Exposing(plan.patterns, bracket, longest_us)
+    longest_us = max(plan.exposures_of(viewpoint)[0] for viewpoint in plan)
+    return lambda viewpoint: Exposing(plan.patterns, plan.exposures_of(viewpoint), longest_us)
 
 
 def evaluate(

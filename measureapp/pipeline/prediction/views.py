@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from zlib import crc32
 
 import numpy as np
@@ -51,9 +50,14 @@ class PredictedScene:
     def of(
         cls, rig: RigModel, surface: NominalSurface, part_from_nominal: RigidTransform | None = None, light: PartLight | None = None
     ) -> PredictedScene:
-        """Prepare a scene; without ``part_from_nominal`` the nominal's origin is in the middle of the table's top, its z axis the table's."""
-        place = part_from_nominal or middle_of_table(rig)
+        """Prepare a scene; without ``part_from_nominal`` the part stands in the middle of the table as its nominal is oriented."""
+        place = part_from_nominal or standing_on_table(surface, rig)
         return cls(rig, surface, place, light or PartLight(), Rectifier(rig.calibration.cameras))
+
+    def with_brightness(self, factor: float) -> PredictedScene:
+        """Return the same scene in ``factor`` times the light."""
+        light = PartLight(white=self.light.white * factor, contrast=self.light.contrast, ambient=min(1.0, self.light.ambient * factor))
+        return replace(self, light=light)
 
     def look(self, viewpoint: Viewpoint) -> dict[str, SeenPixels]:
         """Return what each camera sees of the nominal, and what of it is lit."""
@@ -112,17 +116,18 @@ class PredictedScene:
         )
 
 
-def middle_of_table(rig: RigModel) -> RigidTransform:
-    """Return part_from_nominal of a part whose origin is on the table's axis, at the nominal height of its top."""
-    top_mm = rig.calibration.table_from_guide.apply(np.array(rig.description.table.centre_in_guide_mm))
-    return RigidTransform.from_parts(np.eye(3), [0.0, 0.0, float(top_mm[2])], "part", "nominal")
+def standing_on_table(surface: NominalSurface, rig: RigModel) -> RigidTransform:
+    """Return part_from_nominal of a part in the middle of the table's top, as its nominal is oriented."""
+    middle = (surface.low_mm + surface.high_mm) / 2
+    shift = [-middle[0], -middle[1], table_top_mm(rig) - surface.low_mm[2]]
+    return RigidTransform.from_parts(np.eye(3), shift, "part", "nominal")
+
+
+def table_top_mm(rig: RigModel) -> float:
+    """Return the height of the table's top in the frame `part` of the calibration."""
+    return float(rig.calibration.table_from_guide.apply(np.array(rig.description.table.centre_in_guide_mm))[2])
 
 
 def readback_of(viewpoint: Viewpoint) -> AxisReadback:
     """Return the axis positions that a viewpoint asks for."""
     return AxisReadback(viewpoint.flange.transform(), viewpoint.guide_mm, float(np.deg2rad(viewpoint.table_deg)))
-
-
-def longest_exposure(brackets: Sequence[tuple[int, ...]]) -> int:
-    """Return the longest exposure of several brackets."""
-    return max(exposure for bracket in brackets for exposure in bracket)
