@@ -3,8 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
+from dataclasses import dataclass
 from itertools import pairwise
 
+import numpy as np
+
+from measureapp.arrays import FloatArray
 from measureapp.data.plan import FlangePose, Viewpoint
 from measureapp.data.rig import RigDescription
 from measureapp.geometry.kinematics.arm import ArmModel
@@ -49,3 +53,46 @@ def _within(angle_deg: float, limits_deg: tuple[float, float]) -> float:
     """Return the same angle, by whole turns, within the limits where that is possible."""
     low, high = limits_deg
     return next((turned for turned in (angle_deg, angle_deg - TURN_DEG, angle_deg + TURN_DEG) if low <= turned <= high), angle_deg)
+
+
+@dataclass(frozen=True, slots=True)
+class Gain:
+    """A chosen candidate with the area it is expected to add when it is taken in this order."""
+
+    candidate: int
+    area_mm2: float
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Holes:
+    """What is missing of N samples, and what C candidates are expected to measure of it."""
+
+    areas_mm2: FloatArray  # (N,)
+    missing: FloatArray  # (N,), 1 where nothing is measured, down to 0 where enough is
+    chance: FloatArray  # (C, N), that a candidate measures a sample; 0 where it does not see it
+    overlap: FloatArray  # (C,), share of what a candidate sees that is measured already
+    seconds: FloatArray  # (C,)
+
+
+def choose_by_gain(holes: Holes, most: int, least_mm2: float, least_overlap: float) -> tuple[Gain, ...]:
+    """Choose candidates greedily by the area they are expected to add for their time, each given those before it.
+
+    Parameters
+    ----------
+    most : number of candidates
+    least_mm2 : the choice ends when no candidate adds more
+    least_overlap : candidates with less in common with what is measured could not be registered
+    """
+    left = holes.missing.copy()
+    free = holes.overlap >= least_overlap
+    chosen: list[Gain] = []
+    while len(chosen) < most:
+        gains = holes.chance @ (holes.areas_mm2 * left)
+        rates = np.where(free & (gains > least_mm2), gains / holes.seconds, -1.0)
+        best = int(np.argmax(rates)) if len(rates) else -1
+        if best < 0 or rates[best] <= 0.0:
+            break
+        chosen.append(Gain(best, float(gains[best])))
+        left *= 1.0 - holes.chance[best]
+        free[best] = False
+    return tuple(chosen)
