@@ -73,7 +73,7 @@ def dimension(name: str, uncertainty: float, budget: dict[str, float]) -> Dimens
 
 def test_the_predicted_uncertainty_is_that_of_a_scan_of_another_part_elsewhere_in_other_light() -> None:
     rig = nominal_rig()
-    plan, job = plan_for(rig.description, 5), Job(parse_program(PROGRAM), box(SIZE_MM))
+    plan, job = plan_for(rig.description, 4), Job(parse_program(PROGRAM), box(SIZE_MM))
     predicted = predict_uncertainty(plan, PredictedScene.of(rig, NominalSurface(job.nominal)), job)
     assert {one.name: one.uncertainty is not None for one in predicted.dimensions} == {"length": True, "width": True}
 
