@@ -108,7 +108,7 @@ def test_a_required_standard_deviation_makes_noisy_points_a_hole() -> None:
 
 def test_points_that_were_too_dark_get_another_exposure_rather_than_another_viewpoint() -> None:
     plan = plan_of(2)
-    part, samples = scene()
+    _, samples = scene()
     top = np.asarray((samples.normals[:, 2] > 0.9) & (samples.points_mm[:, 2] > 80.0))
     coverage = scanned(plan, dead=top)
     dark = coverage.visible & top

@@ -101,9 +101,7 @@ def test_a_plan_that_sees_nothing_is_refused_in_words() -> None:
 def test_what_halves_an_uncertainty_is_named_with_its_time() -> None:
     one = dimension("a", 0.02, {"noise": 0.0199, "calibration": 0.001})
     trials = [Trial("repeating view01", 10.0, None, {"a": 0.015}), Trial("all exposures 2 times as long", 30.0, None, {"a": 0.009})]
-    assert answer_for(one, trials) == (
-        "a: Most for its time: all exposures 2 times as long, U = 0.0090 mm instead of 0.0200, for 30 s."
-    )
+    assert answer_for(one, trials) == ("a: Most for its time: all exposures 2 times as long, U = 0.0090 mm instead of 0.0200, for 30 s.")
     assert answer_for(one, trials[:1]).startswith("a: none of the changes tried halves U. Most for its time: repeating view01")
 
 

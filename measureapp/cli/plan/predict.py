@@ -56,7 +56,8 @@ def _setup(plan: Path, rig: str | None, program: Path | None, calibration: Path 
     light, progress = PartLight(white=brightness), TerminalProgress()
     if plan.is_dir():
         if rig is not None or program is not None or calibration is not None:
-            raise InputError("A project has its own rig, program and calibration.", "Omit --rig, --program and --calibration.")
+            hint = "Name the plan's file, or omit --rig, --program and --calibration for a project."
+            raise InputError(f"{plan} is a folder; a project has its own rig, program and calibration.", hint)
         return setup_of_project(ProjectFolder.open(plan), progress, light)
     if rig is None or program is None:
         missing = "--rig" if rig is None else "--program"
