@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from demo_fixture import Demo
 
 from measureapp.data.dimension import Dimension, Verdict
 from measureapp.errors import PlanError
@@ -21,7 +22,6 @@ from measureapp.pipeline.prediction.views import PredictedScene
 from measureapp.progress import NoProgress
 from measureapp.project.folder import ProjectFolder
 from measureapp.project.program_file import parse_program
-from tests.demo_fixture import Demo
 from tests.pipeline.predicted_rig import box, nominal_rig, plan_for
 
 BOUND = 0.3  # of U after the scan
