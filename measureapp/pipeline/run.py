@@ -127,7 +127,7 @@ def _fill(project: ProjectFolder, request: ScanRequest, calibrated: ProjectFolde
     if calibration is not None and project.calibration() is None:
         project.save_calibration(calibration, calibrated.rig_uncertainty())
         project.copy_noise_from(calibrated)
-    project.save_plan(request.plan)
+    project.save_plan(_plan_of(request, project))
     if request.created is not None and project.program is None and project.nominal is None:
         project.save_inspection(request.created.program, request.created.nominal)
     if request.part_program is not None:
