@@ -44,6 +44,7 @@ from measureapp.register.settings import StitchSettings
 from measureapp.register.stitch import stitch
 from measureapp.resources import resource
 from measureapp.simulate.parts import SAMPLES, make_part
+from measureapp.simulate.placing import UPRIGHT_DEG, place_part
 from measureapp.simulate.truth import Truth
 from measureapp.simulate.world import World
 
@@ -68,6 +69,7 @@ class DemoRequest:
     unit: LengthUnit = LengthUnit.MM  # of a mesh file
     bracket_s: float | None = None  # time budget per viewpoint for exposures chosen by a probe; None: default exposures
     through_drivers: bool = False  # robot, guide and table through their drivers and virtual peers
+    part_turn_deg: tuple[float, float, float] = UPRIGHT_DEG  # rotation about x, then y, then z, before it is put on the table
 
 
 def run_demo(request: DemoRequest, on_event: OnEvent, progress: Progress) -> Outcome:
@@ -84,10 +86,9 @@ def run_demo(request: DemoRequest, on_event: OnEvent, progress: Progress) -> Out
     Cancelled
         From ``progress``.
     """
-    part = make_part(request.part, request.unit)
+    part = place_part(make_part(request.part, request.unit), request.part_turn_deg)
     description = read_rig("paper").at_resolution(request.resolution)
-    unit = {} if request.unit is LengthUnit.MM else {"unit": str(request.unit)}
-    description = description.model_copy(update={"driver_settings": {"part": request.part, "seed": request.seed, **unit}})
+    description = description.model_copy(update={"driver_settings": _rig_settings(request)})
     plan = plan_around_part(
         description,
         part.name,
@@ -97,7 +98,8 @@ def run_demo(request: DemoRequest, on_event: OnEvent, progress: Progress) -> Out
         patterns=request.patterns,
         arm=arm_of(description),
     )
-    name = f"Demo: {part.name}, {request.resolution} resolution, {len(plan)} views, seed {request.seed}"
+    turned = "" if request.part_turn_deg == UPRIGHT_DEG else f", turned by {'/'.join(f'{angle:g}' for angle in request.part_turn_deg)}°"
+    name = f"Demo: {part.name}{turned}, {request.resolution} resolution, {len(plan)} views, seed {request.seed}"
     settings = ProjectSettings(name=name, part=part.name, rig=description)
     check_space(ProjectFolder(request.folder, settings), description, plan)
     project = ProjectFolder.create(request.folder, settings)
@@ -111,6 +113,13 @@ def run_demo(request: DemoRequest, on_event: OnEvent, progress: Progress) -> Out
             views = scan(rig, project, calibration, on_event, PartOf(progress, 0.3, 0.8), watch, request.bracket_s, registration_cache)
             measurement = assemble(project, calibration, views, on_event, PartOf(progress, 0.8, 1.0), watch, registration_cache)
         return _add_truth(finish(project, measurement, watch), world, project)
+
+
+def _rig_settings(request: DemoRequest) -> dict[str, Any]:
+    """Return the settings of the virtual rig; those with their default value are omitted."""
+    unit = {} if request.unit is LengthUnit.MM else {"unit": str(request.unit)}
+    turn = {} if request.part_turn_deg == UPRIGHT_DEG else {"part_turn_deg": request.part_turn_deg}
+    return {"part": request.part, "seed": request.seed, **unit, **turn}
 
 
 @contextmanager
