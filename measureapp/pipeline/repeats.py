@@ -8,8 +8,9 @@ from pathlib import Path
 from measureapp.data.repeats import RepeatedMeasurement, RepeatStudy
 from measureapp.errors import InputError
 from measureapp.inspection.repeats import InspectedPart, evaluate_repeats
-from measureapp.project.folder import ProjectFolder
 from measureapp.pipeline.inspected import InspectedProject, read_inspected
+from measureapp.pipeline.project_names import unique_names
+from measureapp.project.folder import ProjectFolder
 
 
 def compare_repeats(folders: Sequence[Path], *, one_part: bool = False) -> RepeatStudy:
@@ -28,23 +29,11 @@ def compare_repeats(folders: Sequence[Path], *, one_part: bool = False) -> Repea
     StorageError
         The results of a project are damaged.
     """
-    names = _unique_names(folders)
+    names = unique_names(folders, "Name each project once; a spread needs independent scans.")
     projects = {name: read_inspected(ProjectFolder.open(path)) for name, path in zip(names, folders, strict=True)}
     _require_one_part(projects, one_part)
     parts = [InspectedPart(RepeatedMeasurement(name, one.measured_at, one.calibrated_at), one.inspection) for name, one in projects.items()]
     return evaluate_repeats(next((one.part for one in projects.values()), ""), parts)
-
-
-def _unique_names(folders: Sequence[Path]) -> list[str]:
-    """Return the names of the folders, with their parents where names occur twice; raises InputError for a folder given twice."""
-    resolved = [Path(folder).resolve() for folder in folders]
-    twice = [path for number, path in enumerate(resolved) if path in resolved[:number]]
-    if twice:
-        raise InputError(f"{twice[0]} is named twice.", "Name each project once; a spread needs independent scans.")
-    depth = 1
-    while len({path.parts[-depth:] for path in resolved}) < len(resolved):
-        depth += 1
-    return ["/".join(path.parts[-depth:]) for path in resolved]
 
 
 def _require_one_part(projects: dict[str, InspectedProject], one_part: bool) -> None:

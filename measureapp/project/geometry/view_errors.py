@@ -72,9 +72,7 @@ def errors_from(path: Path, ply: Ply, frame: str) -> ViewErrors | None:
             nodes = _table(ply.elements[COMMON], (*CENTRE, "size"))
             common = SystematicErrors(nodes[:, :3], float(nodes[0, 3]), _numbers(ply, COMMON_FOLLOWING).reshape(rows, len(nodes)))
         setups = _numbers(ply, SETUPS).reshape(rows, -1) if SETUPS in ply.elements else None
-        made = ViewErrors(
-            poses, table[:, 16:], stitching_motions, calibration_motions, distortion, form, common, setup_motions=setups
-        )
+        made = ViewErrors(poses, table[:, 16:], stitching_motions, calibration_motions, distortion, form, common, setup_motions=setups)
     except (LookupError, ValueError, FrameMismatch) as error:
         raise InputError(
             f"{path} is damaged: what it says of its views' errors is not whole.", "Stitch again, or copy the file again."
