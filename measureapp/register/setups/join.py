@@ -54,6 +54,7 @@ class JoinedCloud:
 
     stitched: StitchedCloud  # of all set-ups, in the part frame of the first one
     setups: tuple[JoinedSetUp, ...]
+    joint: Joint
 
 
 def join_setups(
@@ -83,7 +84,7 @@ def join_setups(
     errors = join_errors([one.stitched.errors for one in setups if one.stitched.errors is not None], calibrations, joint)
     stitched = _merge(setups, joint, settings, PartOf(progress, 0.7, 1.0))
     joined = tuple(_describe(number, prepared, joint, positions, request.method) for number in range(len(setups)))
-    return JoinedCloud(replace(stitched, errors=errors), joined)
+    return JoinedCloud(replace(stitched, errors=errors), joined, joint)
 
 
 def _by_surface(setups: Sequence[PreparedSetUp], request: JoinRequest, progress: Progress) -> tuple[Joint, dict[int, Position]]:

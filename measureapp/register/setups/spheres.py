@@ -100,7 +100,7 @@ def _correlation_factor(points_mm: FloatArray, residuals_mm: FloatArray) -> floa
     """Return the variance factor by the correlation of neighbouring points: from the scatter of sums over patches, at least 1."""
     cells = np.unique(np.floor(points_mm / BLOCK_MM).astype(np.int64), axis=0, return_inverse=True)[1].ravel()
     sums = np.bincount(cells, residuals_mm)
-    return max(1.0, float(np.sum(sums**2) / max(np.sum(residuals_mm**2), 1e-30)))
+    return max(1.0, float(sums @ sums) / max(float(residuals_mm @ residuals_mm), 1e-30))
 
 
 def match_spheres(target: list[Sphere], source: list[Sphere], names: tuple[str, str]) -> list[SphereMatch]:
