@@ -82,6 +82,7 @@ INPUTS: list[tuple[str, str]] = [
     ("process IN", ""),
     ("verify IN", ""),
     ("report IN --out OUT", ""),
+    ("repeat IN IN --out OUT", ""),
     ("scan PLAN --rig paper --project OUT --calibration IN", ""),
 ]
 
