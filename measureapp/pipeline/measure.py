@@ -20,7 +20,7 @@ from measureapp.data.phase import PhaseMap, PixelState
 from measureapp.data.plan import ScanPlan
 from measureapp.data.rig import RigDescription
 from measureapp.devices.rig import Rig
-from measureapp.errors import CalibrationError, DecodeError, InputError, ReconstructError
+from measureapp.errors import CalibrationError, DecodeError, InputError, ReconstructError, StorageError
 from measureapp.fringe.checks.stack import check_stack
 from measureapp.fringe.decode import decode
 from measureapp.fringe.exposures.bracket import BracketLimits
@@ -94,6 +94,17 @@ class _Processing:
         with self._watch.stage("storing"):
             self._project.frames.store(stack)
 
+    def process_stored(self, viewpoint_id: str, progress: Progress) -> None:
+        """Compute the cloud of a stored stack; one that is damaged is reported by an event, and yields no view."""
+        if self._calibration is None:
+            return
+        try:
+            stack = self._project.frames.load(viewpoint_id)
+        except StorageError as error:
+            self._on_event(ViewFailed(viewpoint_id, str(error), damaged=True))
+            return
+        self.process(stack, progress)
+
     def process(self, stack: FringeStack, progress: Progress) -> None:
         """Compute the cloud of a stack; a view without points is reported by an event."""
         if self._calibration is None or self._rectifier is None:
@@ -152,7 +163,7 @@ def scan(
     with LiveDecoding(settings) as live:
         sink = _Processing(project, calibration, on_event, watch, settings, live, registration_cache)
         for viewpoint_id in stored:
-            sink.process(project.frames.load(viewpoint_id), NoProgress())
+            sink.process_stored(viewpoint_id, NoProgress())
         images = pattern_images(plan.patterns, rig.projector.width_px, rig.projector.height_px)
         rig.place_on_table("part")
         if bracket_s is not None and not stored:
@@ -188,7 +199,7 @@ def compute_clouds(
         )
     for index, viewpoint_id in enumerate(stored):
         part = PartOf(progress, index / len(stored), (index + 1) / len(stored), f"{viewpoint_id}: ")
-        sink.process(project.frames.load(viewpoint_id), part)
+        sink.process_stored(viewpoint_id, part)
     return tuple(sink.views.values())
 
 
