@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 
+from measureapp.acquire.control import RunControl
 from measureapp.arrays import FloatArray
 from measureapp.data.calibration import RigCalibration
 from measureapp.data.cloud import StitchedCloud
@@ -30,8 +31,9 @@ from measureapp.inspection.surface.nominal import NominalSurface
 from measureapp.peers.cell import rig_at, virtual_cell
 from measureapp.pipeline.assemble import assemble
 from measureapp.pipeline.events import Event
-from measureapp.pipeline.measure import check_space, scan
+from measureapp.pipeline.measure import check_space
 from measureapp.pipeline.run import Outcome, calibrate_rig, finish
+from measureapp.pipeline.scan import ScanOptions, scan
 from measureapp.pipeline.watch import Stopwatch
 from measureapp.planning.viewpoints import plan_around_part
 from measureapp.progress import PartOf, Progress
@@ -70,10 +72,11 @@ class DemoRequest:
     through_drivers: bool = False  # robot, guide and table through their drivers and virtual peers
 
 
-def run_demo(request: DemoRequest, on_event: OnEvent, progress: Progress) -> Outcome:
+def run_demo(request: DemoRequest, on_event: OnEvent, progress: Progress, control: RunControl | None = None) -> Outcome:
     """Calibrate, scan, stitch, measure and report, then compare the results with the ground truth.
 
-    A folder with the same demo is continued: stored images are not taken again.
+    A folder with the same demo is continued: stored images are not taken again. ``control`` is that of the scan, which begins after the
+    calibration.
 
     Raises
     ------
@@ -108,7 +111,8 @@ def run_demo(request: DemoRequest, on_event: OnEvent, progress: Progress) -> Out
         _copy_nominal(project, request.part)
         with watch.stage("total"), RegistrationCache() as registration_cache:
             calibration = calibrate_rig(rig, project, on_event, PartOf(progress, 0.0, 0.3), watch).calibration
-            views = scan(rig, project, calibration, on_event, PartOf(progress, 0.3, 0.8), watch, request.bracket_s, registration_cache)
+            options = ScanOptions(request.bracket_s, control=control)
+            views = scan(rig, project, calibration, on_event, PartOf(progress, 0.3, 0.8), watch, options, registration_cache)
             measurement = assemble(project, calibration, views, on_event, PartOf(progress, 0.8, 1.0), watch, registration_cache)
         return _add_truth(finish(project, measurement, watch), world, project)
 

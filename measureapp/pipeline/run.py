@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from measureapp.acquire.control import RunControl
 from measureapp.acquire.engine import Engine
 from measureapp.acquire.events import ImageTaken, ViewpointFailed
 from measureapp.acquire.tasks.board import BoardTask
@@ -24,10 +25,11 @@ from measureapp.pipeline.assemble import assemble
 from measureapp.pipeline.calibrate import calibrate_from_views
 from measureapp.pipeline.documents import outcome_document, write_reports
 from measureapp.pipeline.events import CalibrationReady, Event
-from measureapp.pipeline.measure import compute_clouds, scan
+from measureapp.pipeline.measure import compute_clouds
 from measureapp.pipeline.preflight import Preflight, check_connected, check_plan
 from measureapp.pipeline.recording.learn import calibrate_recording
 from measureapp.pipeline.recording.stages import is_recording
+from measureapp.pipeline.scan import ScanOptions, scan
 from measureapp.pipeline.validity import check_stored_images
 from measureapp.pipeline.watch import Stopwatch
 from measureapp.planning.calibration_views import calibration_viewpoints
@@ -60,6 +62,8 @@ class ScanRequest:
     resume: bool = False  # keep stored viewpoints
     calibrated: Path | None = None  # another project whose calibration is copied into a new one
     bracket_s: float | None = None  # time budget per viewpoint for exposures chosen by a probe; None: exposures of the plan
+    per_viewpoint: bool = False  # probe at every viewpoint, instead of once at the first
+    retake: tuple[str, ...] = ()  # viewpoints taken again although their images are stored
 
 
 def calibrate_rig(rig: Rig, project: ProjectFolder, on_event: OnEvent, progress: Progress, watch: Stopwatch) -> RigSolution:
@@ -91,8 +95,13 @@ def solve_calibration(project: ProjectFolder, on_event: OnEvent, progress: Progr
     return calibrated
 
 
-def scan_into_project(request: ScanRequest, on_event: OnEvent, progress: Progress) -> Outcome | None:
+def scan_into_project(request: ScanRequest, on_event: OnEvent, progress: Progress, control: RunControl | None = None) -> Outcome | None:
     """Connect the rig, run the plan into the project and process the images.
+
+    Parameters
+    ----------
+    on_event : receives events one at a time, from several threads
+    control : pauses, resumes, skips and retakes from other threads
 
     Returns
     -------
@@ -119,8 +128,9 @@ def scan_into_project(request: ScanRequest, on_event: OnEvent, progress: Progres
             if calibration is not None and project.calibration() is None:
                 project.save_calibration(calibration, calibrated.rig_uncertainty())
                 project.copy_noise_from(calibrated)
-            project.save_plan(request.plan)
-            views = scan(rig, project, calibration, on_event, PartOf(progress, 0.0, 0.8), watch, request.bracket_s, registration_cache)
+            project.save_plan(_plan_of(request, project))
+            options = ScanOptions(request.bracket_s, request.per_viewpoint, request.retake, control)
+            views = scan(rig, project, calibration, on_event, PartOf(progress, 0.0, 0.8), watch, options, registration_cache)
         finally:
             rig.close()
         if calibration is None:
@@ -145,11 +155,19 @@ def _project_of(request: ScanRequest) -> ProjectFolder:
     if not (request.folder / "project.json").exists():
         return ProjectFolder(request.folder, ProjectSettings(name=request.plan.name, part=request.plan.name, rig=request.rig))
     project = ProjectFolder.open(request.folder)
-    if project.stored_viewpoints() and not request.resume:
+    if project.stored_viewpoints() and not request.resume and not request.retake:
         raise InputError(
             f"{request.folder} contains images already.", "Use --resume to take only the missing viewpoints, or scan into a new project."
         )
     return project
+
+
+def _plan_of(request: ScanRequest, project: ProjectFolder) -> ScanPlan:
+    """Return the plan requested; that of the project where a scan with chosen exposures is continued, which differs in these only."""
+    found = project.plan()
+    if request.bracket_s is None or found is None or not project.stored_viewpoints():
+        return request.plan
+    return found if found.model_copy(update={"bracket": request.plan.bracket}) == request.plan else request.plan
 
 
 def _calibrated_for(request: ScanRequest, project: ProjectFolder) -> ProjectFolder:

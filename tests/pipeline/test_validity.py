@@ -17,8 +17,8 @@ from measureapp.devices.connect import connect_rig
 from measureapp.errors import CalibrationError, DeviceError
 from measureapp.pipeline.board_check import check_with_board
 from measureapp.pipeline.events import Event, ValidityKnown
-from measureapp.pipeline.measure import scan
 from measureapp.pipeline.run import calibrate_rig
+from measureapp.pipeline.scan import scan
 from measureapp.pipeline.validity import check_before_scan, validity_of
 from measureapp.pipeline.watch import Stopwatch
 from measureapp.planning.viewpoints import plan_around_part

@@ -53,12 +53,19 @@ def found_of(template: ProjectFolder, place: Path, count: int, seed: int) -> Non
         else:
             silent.append(name)
         path.write_bytes(before)
-    read_again = ("report/", "calibration/sessions/", "calibration/history.jsonl", "journal.")  # written by this program, or read on their own
+    read_again = (
+        "report/",
+        "calibration/sessions/",
+        "calibration/history.jsonl",
+        "journal.",
+    )  # written by this program, or read on their own
     assert not [name for name in silent if not name.startswith(read_again)]
     assert upkeep.verify(project).whole
 
 
-def test_sixty_flipped_bits_are_found_with_file_and_viewpoint_and_what_is_damaged_is_not_used(template: ProjectFolder, tmp_path: Path) -> None:
+def test_sixty_flipped_bits_are_found_with_file_and_viewpoint_and_what_is_damaged_is_not_used(
+    template: ProjectFolder, tmp_path: Path
+) -> None:
     found_of(template, tmp_path / "project", 60, seed=1)
 
 
