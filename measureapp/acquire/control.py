@@ -132,7 +132,6 @@ class RunControl:
             if state is ViewpointState.WAITING:
                 self._queue.remove(chosen)
                 self._close(chosen, ViewpointState.SKIPPED)
-                self._notices.append(ViewpointSkipped(chosen))
             elif state in ACTIVE and (state is not ViewpointState.STORING or self._state is RunState.PAUSED):
                 self._skip_present = True
             else:
@@ -200,21 +199,25 @@ class RunControl:
                 self._present = None
 
     def close(self, viewpoint_id: str, state: ViewpointState) -> bool:
-        """End a viewpoint without new images; return whether earlier ones remain."""
+        """End the present viewpoint without new images; return whether earlier ones remain."""
         with self._changed:
-            self._present = None
+            self._present, self._skip_present = None, False
             return self._close(viewpoint_id, state)
 
-    def again(self, viewpoint_id: str, *, at_the_end: bool) -> None:
-        """Queue the present viewpoint again: next, or at the end of the run for one last try."""
+    def again(self, viewpoint_id: str, *, at_the_end: bool) -> bool:
+        """Queue the present viewpoint again: next, or at the end of the run for one last try; return False where it is skipped instead."""
         with self._changed:
+            skips, self._present, self._skip_present = self._skip_present, None, False
+            if skips:
+                self._close(viewpoint_id, ViewpointState.SKIPPED)
+                return False
             self._enter(viewpoint_id, ViewpointState.WAITING)
-            self._present = None
             if at_the_end:
                 self._last_try.add(viewpoint_id)
                 self._queue.append(viewpoint_id)
             else:
                 self._queue.appendleft(viewpoint_id)
+            return True
 
     def is_last_try(self, viewpoint_id: str) -> bool:
         """Whether a viewpoint was put at the end because it failed."""
@@ -282,6 +285,8 @@ class RunControl:
     def _close(self, viewpoint_id: str, state: ViewpointState) -> bool:
         has_images = viewpoint_id in self._with_images
         self._enter(viewpoint_id, ViewpointState.KEPT if has_images else state)
+        if state is ViewpointState.SKIPPED:
+            self._notices.append(ViewpointSkipped(viewpoint_id))
         return has_images
 
     def _state_of(self, viewpoint_id: str) -> ViewpointState:

@@ -16,7 +16,6 @@ from measureapp.acquire.events import (
     ViewpointFailed,
     ViewpointQueued,
     ViewpointRetaken,
-    ViewpointSkipped,
     ViewpointStarted,
     ViewpointStored,
 )
@@ -79,11 +78,9 @@ class Run(Generic[T]):
         except Skipped:
             self._task.drop(viewpoint.id)
             self._close(viewpoint.id, ViewpointState.SKIPPED)
-            self._on_event(ViewpointSkipped(viewpoint.id))
         except PauseWanted:
             self._task.drop(viewpoint.id)
-            self._control.again(viewpoint.id, at_the_end=False)
-            self.tell()
+            self._again(viewpoint.id, at_the_end=False)
         except (MotionError, DeviceLost):
             self._task.drop(viewpoint.id)
             raise
@@ -129,8 +126,8 @@ class Run(Generic[T]):
                 self._wait_while_paused()
         self._enter(viewpoint.id, ViewpointState.STORED)
         self.failures.pop(viewpoint.id, None)
-        self._tries.pop(viewpoint.id, None)
-        self._on_event(ViewpointStored(viewpoint.id, time.monotonic() - self._started.pop(viewpoint.id)))
+        self._on_event(ViewpointStored(viewpoint.id, time.monotonic() - self._started[viewpoint.id]))
+        self._forget(viewpoint.id)
 
     def _refuse(self, viewpoint: Viewpoint, error: DeviceError) -> None:
         """Take a viewpoint again whose images or settings were refused: at once, then once at the end of the run; then it failed."""
@@ -139,14 +136,11 @@ class Run(Generic[T]):
         if self._control.is_last_try(name) or isinstance(error, LimitError):
             self._fail(name, error)
         elif of_images and self._tries[name] < TRIES:
-            self._control.again(name, at_the_end=False)
-            self.tell()
-            self._on_event(ViewpointRetaken(name, str(error)))
+            if self._again(name, at_the_end=False):
+                self._on_event(ViewpointRetaken(name, str(error)))
         elif isinstance(error, DeviceTimeout):
             raise DeviceLost(f"{name}: {error.message} It was tried {TRIES} times.", error.hint) from error
-        else:
-            self._control.again(name, at_the_end=True)
-            self.tell()
+        elif self._again(name, at_the_end=True):
             self._on_event(ViewpointQueued(name, f"{error} It is tried once more at the end of the run."))
 
     def _fail(self, name: str, error: DeviceError) -> None:
@@ -158,12 +152,22 @@ class Run(Generic[T]):
         self._control.enter(name, state)
         self.tell()
 
+    def _again(self, name: str, *, at_the_end: bool) -> bool:
+        is_queued = self._control.again(name, at_the_end=at_the_end)
+        if not is_queued:
+            self._forget(name)
+        self.tell()
+        return is_queued
+
     def _close(self, name: str, state: ViewpointState) -> bool:
         has_images = self._control.close(name, state)
-        self._started.pop(name, None)
-        self._tries.pop(name, None)
+        self._forget(name)
         self.tell()
         return has_images
+
+    def _forget(self, name: str) -> None:
+        self._started.pop(name, None)
+        self._tries.pop(name, None)
 
     def _approach(self, viewpoint: Viewpoint) -> str:
         """Return the time at which robot and guide were sent to ``viewpoint``; an unchanged goal does not move them."""

@@ -185,6 +185,7 @@ class RigSession:
         Cancelled
             From the progress; every device was stopped.
         """
+        self.checkpoint()
         used = {name: camera for name, camera in self.rig.cameras.items() if cameras is None or name in cameras}
         head = self._head(min(patterns), used)
         within_s = STEPS_OF_A_SHOT * max(frame_timeout_s(camera, max(exposures_us)) for camera in used.values()) + rendering_s(

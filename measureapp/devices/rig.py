@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 from statistics import median
 from typing import Protocol
 
+from measureapp.data.calibration import RigCalibration
 from measureapp.data.conditions import Conditions, LensSetting
 from measureapp.data.fringe import AxisReadback
 from measureapp.data.rig import RigDescription
@@ -57,6 +58,7 @@ class Rig:
     latch: StopLatch = field(default_factory=StopLatch)
     paths: Paths | None = None  # of checked moves; None: every viewpoint is approached directly, unchecked
     in_use: threading.Lock = field(default_factory=threading.Lock)  # held by the session that moves and triggers
+    truth: Callable[[], RigCalibration | None] = field(default=lambda: None)  # of a simulated rig, only to be shown beside results
 
     @property
     def axes(self) -> tuple[Device, ...]:
