@@ -101,7 +101,7 @@ def assemble(
         validity=validity,
     )
     with watch.stage("saving"):
-        project.save_measurement(measurement, PartOf(progress, 0.9, 1.0))
+        project.save_measurement(measurement, PartOf(progress, 0.9, 1.0), recomputed=revision is None)
     progress.report(1.0, 1.0, "measured")
     return measurement
 
