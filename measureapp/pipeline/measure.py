@@ -52,8 +52,11 @@ def compute_clouds(
             try:
                 stack = project.frames.load(viewpoint_id)
                 views.append(compute_cloud(stack, calibration, part, rectifier, None, memory, settings))
-            except (DecodeError, ReconstructError, StorageError) as error:
-                on_event(ViewFailed(viewpoint_id, str(error), damaged=isinstance(error, StorageError)))
+            except StorageError as error:  # damaged: the others are computed without it
+                on_event(ViewFailed(viewpoint_id, str(error), damaged=True))
+                continue
+            except (DecodeError, ReconstructError) as error:
+                on_event(ViewFailed(viewpoint_id, str(error)))
                 continue
         on_event(ViewReady(views[-1]))
     return tuple(views)

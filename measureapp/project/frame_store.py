@@ -84,12 +84,12 @@ class FrameStore:
                 folder.mkdir(parents=True, exist_ok=True)
                 disk.sync_folder(self._folder)
                 for camera, images in stack.images.items():
-                    part = publish.part_of(folder / f"{camera}.npy")
-                    staged[folder / f"{camera}.npy"] = publish.Staged(part, write_images(part, images))
+                    with publish.staging(folder / f"{camera}.npy") as part:
+                        staged[folder / f"{camera}.npy"] = publish.Staged(part, write_images(part, images))
                 checksums = {path.name: one.state.sha256 for path, one in staged.items()}
-                part = publish.part_of(folder / DESCRIPTION)
                 text = json.dumps(_document_of(stack, checksums), indent=2, allow_nan=False) + "\n"
-                staged[folder / DESCRIPTION] = publish.Staged(part, disk.write_hashed(part, b"", memoryview(text.encode())))
+                with publish.staging(folder / DESCRIPTION) as part:
+                    staged[folder / DESCRIPTION] = publish.Staged(part, disk.write_hashed(part, b"", memoryview(text.encode())))
         except BaseException:
             publish.discard(one.part for one in staged.values())
             raise

@@ -43,13 +43,14 @@ def compress(journal: Journal, viewpoint_id: str) -> None:
     def one(raw: Path, known: FileState) -> tuple[Path, publish.Staged]:
         images = read_images(raw)
         target = raw.with_name(f"{raw.name}{COMPRESSED}")
-        part = publish.part_of(target)
-        write_compressed(part, images, bytes.fromhex(known.head))
-        if not np.array_equal(read_compressed(part), images):
-            publish.discard([part])
-            raise StorageError(f"{raw} could not be compressed without loss, and stays as it is.", "Check memory and disk of the computer.")
-        disk.sync_file(part)
-        return target, publish.Staged(part, disk.state_of(part))
+        with publish.staging(target) as part:
+            write_compressed(part, images, bytes.fromhex(known.head))
+            if not np.array_equal(read_compressed(part), images):
+                raise StorageError(
+                    f"{raw} could not be compressed without loss, and stays as it is.", "Check memory and disk of the computer."
+                )
+            disk.sync_file(part)
+            return target, publish.Staged(part, disk.state_of(part))
 
     _replace(journal, viewpoint_id, RAW, COMPRESS, one)
 
@@ -60,9 +61,9 @@ def expand(journal: Journal, viewpoint_id: str) -> None:
     def one(compressed: Path, _: FileState) -> tuple[Path, publish.Staged]:
         images = read_compressed(compressed)
         target = compressed.with_name(compressed.name.removesuffix(COMPRESSED))
-        part = publish.part_of(target)
         head = head_of(compressed) or npy_head(images)
-        return target, publish.Staged(part, disk.write_hashed(part, head, images.reshape(-1).view(np.uint8).data))
+        with publish.staging(target) as part:
+            return target, publish.Staged(part, disk.write_hashed(part, head, images.reshape(-1).view(np.uint8).data))
 
     _replace(journal, viewpoint_id, COMPRESSED, EXPAND, one)
 

@@ -102,6 +102,17 @@ def accept(project: Path, path: Path) -> None:
     record(project, Entry(ACCEPTED, {relative_name(project, path): state}))
 
 
+@contextmanager
+def staging(path: Path) -> Iterator[Path]:
+    """Provide a temporary file beside ``path``, which is deleted if the body fails."""
+    part = part_of(path)
+    try:
+        yield part
+    except BaseException:
+        discard([part])
+        raise
+
+
 def discard(parts: Iterable[Path]) -> None:
     """Delete temporary files, as far as that is possible."""
     for part in parts:
@@ -169,6 +180,9 @@ def _take_places(project: Path, entry: Entry) -> None:
         if folder.is_dir():
             with disk.explained(folder):
                 disk.sync_folder(folder)
+    for name in {state.part.split("/")[0] for state in entry.files.values() if state is not None}:
+        if PART.match(name):  # a folder of staged files
+            shutil.rmtree(project / name, ignore_errors=True)
 
 
 @contextmanager
