@@ -46,7 +46,9 @@ class GeneratorSettings(Model):
     name: str = "generated"
     coverage: float = Field(default=0.98, gt=0, le=1, description="of what some feasible viewpoint measures")
     viewpoints: int | None = Field(default=None, ge=1, description="exactly that many, with the best coverage; none: as many as needed")
-    sigma_mm: float | None = Field(default=None, gt=0, description="standard deviation required of a point; none: that it is measured")
+    sigma_mm: float | None = Field(
+        default=None, gt=0, description="required of a point, coverage is then of information 1/σ²; none: it is measured"
+    )
     overlap: float = Field(default=0.2, ge=0, le=1, description="share of its area that a viewpoint has in common with others")
     samples: int = Field(default=5000, ge=50, le=50_000, description="of the surface")
     candidates: int = Field(default=MOST_CANDIDATES, ge=24, le=20_000)
