@@ -18,7 +18,7 @@ from measureapp.data.rig import RigDescription
 from measureapp.errors import PlanError
 from measureapp.geometry.transform import RigidTransform
 from measureapp.planning.coverage.aimed import aimed_candidates
-from measureapp.planning.coverage.candidates import MOST_CANDIDATES, Candidates, free_of_contact, grid_candidates
+from measureapp.planning.coverage.candidates import MOST_CANDIDATES, Candidates, checked_grid, free_of_contact
 from measureapp.planning.coverage.extent import extent_on_table, standing
 from measureapp.planning.coverage.greedy import Goal, choose
 from measureapp.planning.coverage.head import Head
@@ -94,7 +94,7 @@ def generate_plan(
     scene = PartScene.of(part, cell.rig, fixtures)
     samples = sample_surface(scene, settings.samples, settings.seed)
     search = _Search(cell, scene, samples, settings)
-    grid, free = grid_candidates(extent, cell.rig, cell.arm, cell.is_free, PartOf(progress, 0.0, 0.2), settings.candidates)
+    grid, free = checked_grid(extent, cell.rig, cell.arm, cell.is_free, PartOf(progress, 0.0, 0.2), settings.candidates)
     found = _with_aimed(search, grid, grid.subset(free), PartOf(progress, 0.2, 0.6))
     chosen, problem = _chosen(search, found, PartOf(progress, 0.6, 0.85))
     picked = found.free.subset(np.array(chosen))

@@ -9,7 +9,7 @@ from measureapp.data.mesh import Mesh
 from measureapp.errors import PlanError
 from measureapp.geometry.transform import RigidTransform, rotation_about
 from measureapp.planning import generate
-from measureapp.planning.coverage.candidates import grid_candidates
+from measureapp.planning.coverage.candidates import checked_grid
 from measureapp.planning.coverage.extent import extent_on_table, standing
 from measureapp.planning.coverage.result import GeneratedPlan
 from measureapp.planning.coverage.samples import sample_surface
@@ -54,7 +54,7 @@ def test_a_plan_sees_what_it_states_and_98_percent_of_what_is_measurable(made: G
 def test_a_plan_needs_no_more_viewpoints_than_a_greedy_cover_of_the_same_candidates(made: GeneratedPlan) -> None:
     scene = PartScene.of(placed(casting()), RIG)
     cell = checked(casting())
-    grid, free = grid_candidates(extent_on_table(scene.part, RIG), RIG, ARM, cell.is_free, NoProgress(), QUICK.candidates)
+    grid, free = checked_grid(extent_on_table(scene.part, RIG), RIG, ARM, cell.is_free, NoProgress(), QUICK.candidates)
     seen = seen_by(grid.subset(free).viewpoints, made.samples, RIG, scene).seen
     assert len(made.plan) <= 1.1 * greedy_cover(seen, made.samples.areas_mm2, 0.98)
 
