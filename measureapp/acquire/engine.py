@@ -114,7 +114,7 @@ class Engine:
         finally:
             remaining = left()
             message = " ".join(part for part in (ended.message, session.stop_report, remaining) if part)
-            on_event(RunEnded(ended.reason, message, stored()))
+            on_event(RunEnded(ended.reason, message, stored(), remaining))
 
 
 def _stored(control: RunControl) -> tuple[str, ...]:

@@ -103,7 +103,8 @@ class RunEnded:
 
     reason: Literal["done", "cancelled", "failed"]
     message: str = ""
-    stored: tuple[str, ...] = ()  # ids of the viewpoints stored in this run
+    stored: tuple[str, ...] = ()  # ids of the viewpoints that are stored
+    kept: str = ""  # the end of the message: what is kept, what is missing, how to go on; empty where nothing is missing
 
 
 AcquisitionEvent = (

@@ -213,7 +213,7 @@ def _settings(project: ProjectFolder) -> dict[str, Any]:
     return {
         "plan": plan.name,
         "patterns": plan.patterns.name,
-        "exposures_us": list(plan.bracket.exposures_us),
+        "exposures_us": sorted({exposure_us for viewpoint in plan for exposure_us in plan.exposures_of(viewpoint)}, reverse=True),
         "exposure rule": "all unsaturated exposures, weighted by inverse variance",
         "noise": describe_noise(project),
     }

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import asdict
 from typing import Any
 
@@ -13,7 +13,7 @@ from measureapp.data.calibration import RigCalibration
 from measureapp.data.fringe import FringeStack
 from measureapp.data.measurement import ViewResult
 from measureapp.data.phase import PhaseMap, PixelState
-from measureapp.data.plan import ScanPlan
+from measureapp.data.plan import ScanPlan, Viewpoint
 from measureapp.data.rig import RigDescription
 from measureapp.errors import DecodeError, InputError, ReconstructError
 from measureapp.fringe.checks.stack import check_stack
@@ -128,13 +128,13 @@ def _completeness(maps: Mapping[str, PhaseMap], pixels: np.typing.NDArray[Any]) 
     return min(1.0, len(pixels) / lit) if lit else 0.0
 
 
-def check_space(project: ProjectFolder, rig: RigDescription, plan: ScanPlan) -> None:
-    """Check that the missing images fit on the disk; the project need not exist yet. Raises StorageError."""
-    missing = len(plan) - len(project.stored_viewpoints())
-    project.frames.require_space(stack_bytes(rig, plan) * missing)
+def check_space(project: ProjectFolder, rig: RigDescription, plan: ScanPlan, retake: Collection[str] = ()) -> None:
+    """Check that the missing images fit on the disk, and those to be retaken; the project need not exist yet. Raises StorageError."""
+    stored = set(project.stored_viewpoints()).difference(retake)
+    project.frames.require_space(sum(stack_bytes(rig, plan, viewpoint) for viewpoint in plan if viewpoint.id not in stored))
 
 
-def stack_bytes(rig: RigDescription, plan: ScanPlan) -> int:
+def stack_bytes(rig: RigDescription, plan: ScanPlan, viewpoint: Viewpoint) -> int:
     """Return the size of the images of one viewpoint."""
-    images = plan.patterns.count * len(plan.bracket.exposures_us)
+    images = plan.patterns.count * len(plan.exposures_of(viewpoint))
     return sum(camera.width_px * camera.height_px * (1 if camera.bit_depth == 8 else 2) * images for camera in rig.cameras)

@@ -127,7 +127,7 @@ def _fill(project: ProjectFolder, request: ScanRequest, calibrated: ProjectFolde
     if calibration is not None and project.calibration() is None:
         project.save_calibration(calibration, calibrated.rig_uncertainty())
         project.copy_noise_from(calibrated)
-    project.save_plan(request.plan)
+    project.save_plan(_plan_of(request, project))
     if request.created is not None and project.program is None and project.nominal is None:
         project.save_inspection(request.created.program, request.created.nominal)
     if request.part_program is not None:
@@ -152,11 +152,19 @@ def _project_of(request: ScanRequest) -> ProjectFolder:
     project = ProjectFolder.open(request.folder)
     if request.created is not None and project.settings != settings:
         raise InputError(f"{request.folder} contains another project ({project.name}).", "Choose another folder, or delete that one first.")
-    if project.stored_viewpoints() and not request.resume:
+    if project.stored_viewpoints() and not request.resume and not request.retake:
         raise InputError(
             f"{request.folder} contains images already.", "Use --resume to take only the missing viewpoints, or scan into a new project."
         )
     return project
+
+
+def _plan_of(request: ScanRequest, project: ProjectFolder) -> ScanPlan:
+    """Return the plan requested; that of the project where a scan with chosen exposures is continued, which differs in these only."""
+    found = project.plan()
+    if request.bracket_s is None or found is None or not project.stored_viewpoints():
+        return request.plan
+    return found if found.model_copy(update={"bracket": request.plan.bracket}) == request.plan else request.plan
 
 
 def _calibrated_for(request: ScanRequest, project: ProjectFolder) -> ProjectFolder:

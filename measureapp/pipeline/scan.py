@@ -88,7 +88,7 @@ def scan(
     if calibration is not None:
         on_event(ValidityKnown(check_before_scan(rig, calibration)))
     before = set(project.stored_viewpoints())
-    check_space(project, rig.description, plan)
+    check_space(project, rig.description, plan, options.retake)
     with Processing(project, calibration, on_event, watch, registration_cache) as sink:
         for viewpoint_id in before.difference(options.retake):
             sink.compute_stored(viewpoint_id)

@@ -44,7 +44,7 @@ def standing_still(monkeypatch: pytest.MonkeyPatch) -> None:
     def moved(*_: object) -> None:
         pytest.fail("the rig was set in motion")
 
-    monkeypatch.setattr("measureapp.pipeline.measure.Engine", moved)
+    monkeypatch.setattr("measureapp.pipeline.scan.Engine", moved)
 
 
 def answer(capsys: pytest.CaptureFixture[str], *arguments: object) -> tuple[int, dict]:
