@@ -38,6 +38,7 @@ from measureapp.project.geometry.files import write_mesh
 from measureapp.register.settings import StitchSettings
 from measureapp.register.stitch import stitch
 from measureapp.simulate.parts import make_part
+from measureapp.simulate.placing import UPRIGHT_DEG, place_part
 from measureapp.simulate.truth import Truth
 from measureapp.simulate.world import World
 
@@ -60,11 +61,14 @@ class DemoRequest:
     unit: LengthUnit = LengthUnit.MM  # of a mesh file
     bracket_s: float | None = None  # time budget per viewpoint for exposures chosen by a probe; None: default exposures
     through_drivers: bool = False  # robot, guide and table through their drivers and virtual peers
+    part_turn_deg: tuple[float, float, float] = UPRIGHT_DEG  # rotation about x, then y, then z, before it is put on the table
 
     @property
     def sample(self) -> SampleScan:
         """The scan on the virtual rig."""
-        return SampleScan(self.part, self.resolution, self.viewpoints, self.seed, self.patterns, self.unit, self.bracket_s)
+        return SampleScan(
+            self.part, self.resolution, self.viewpoints, self.seed, self.patterns, self.unit, self.bracket_s, self.part_turn_deg
+        )
 
 
 def run_demo(request: DemoRequest, on_event: OnEvent, progress: Progress, control: RunControl | None = None) -> Outcome:
@@ -82,7 +86,7 @@ def run_demo(request: DemoRequest, on_event: OnEvent, progress: Progress, contro
     Cancelled
         From ``progress``.
     """
-    part = make_part(request.part, request.unit)
+    part = place_part(make_part(request.part, request.unit), request.part_turn_deg)
     scan = sample_request(request.sample, request.folder)
     world = World(scan.rig, part, request.seed)
     with _connected(world, request.through_drivers) as rig:

@@ -42,6 +42,7 @@ class ViewFailed:
 
     viewpoint_id: str
     reason: str
+    damaged: bool = False  # they are not what was stored
 
 
 @dataclass(frozen=True, slots=True, eq=False)

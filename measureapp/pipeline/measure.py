@@ -15,7 +15,7 @@ from measureapp.data.measurement import ViewResult
 from measureapp.data.phase import PhaseMap, PixelState
 from measureapp.data.plan import ScanPlan, Viewpoint
 from measureapp.data.rig import RigDescription
-from measureapp.errors import DecodeError, InputError, ReconstructError
+from measureapp.errors import DecodeError, InputError, ReconstructError, StorageError
 from measureapp.fringe.checks.stack import check_stack
 from measureapp.fringe.decode import decode
 from measureapp.fringe.settings import DecodeSettings
@@ -48,10 +48,13 @@ def compute_clouds(
     views = []
     for index, viewpoint_id in enumerate(stored):
         part = PartOf(progress, index / len(stored), (index + 1) / len(stored), f"{viewpoint_id}: ")
-        stack = project.frames.load(viewpoint_id)
         with watch.stage("clouds"):
             try:
+                stack = project.frames.load(viewpoint_id)
                 views.append(compute_cloud(stack, calibration, part, rectifier, None, memory, settings))
+            except StorageError as error:  # damaged: the others are computed without it
+                on_event(ViewFailed(viewpoint_id, str(error), damaged=True))
+                continue
             except (DecodeError, ReconstructError) as error:
                 on_event(ViewFailed(viewpoint_id, str(error)))
                 continue

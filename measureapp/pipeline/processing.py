@@ -114,8 +114,8 @@ class Processing:
         with self._watch.stage("clouds"):
             try:
                 view = self._view(viewpoint_id, stack, live)
-            except (DecodeError, ReconstructError) as error:
-                self._on_event(ViewFailed(viewpoint_id, str(error)))
+            except (DecodeError, ReconstructError, StorageError) as error:
+                self._on_event(ViewFailed(viewpoint_id, str(error), damaged=isinstance(error, StorageError)))
                 return
         self.views[viewpoint_id] = view
         if self._registration_cache is not None and view.quality.accepted:

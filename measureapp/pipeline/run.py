@@ -177,7 +177,14 @@ def _calibrated_for(request: ScanRequest, project: ProjectFolder) -> ProjectFold
 
 
 def process_project(project: ProjectFolder, on_event: OnEvent, progress: Progress) -> Outcome:
-    """Recompute everything from the stored images: calibration (if its images are stored), clouds, stitching, dimensions, report."""
+    """Recompute everything from the stored images: calibration (if its images are stored), clouds, stitching, dimensions, report.
+
+    A project that is joined from several set-ups is joined again from their stored clouds.
+    """
+    from measureapp.pipeline.setups import is_joined, process_joined  # they finish a measurement as all runs do
+
+    if is_joined(project):
+        return process_joined(project, on_event, progress)
     watch = Stopwatch()
     with project.lock():
         calibration = _calibration_of(project, on_event, PartOf(progress, 0.0, 0.2), watch)

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 
 from measureapp.data.length_unit import LengthUnit
 from measureapp.data.pattern_sets import DEFAULT_NAME
@@ -21,6 +22,7 @@ VIRTUAL_RIG = "paper"  # description in resources/rigs
 DEFAULT_VIEWPOINTS = {"impeller": 26}
 OTHER_VIEWPOINTS = 8
 EXTENT_DIGITS = 3
+UPRIGHT_DEG = (0.0, 0.0, 0.0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -34,6 +36,7 @@ class SampleScan:
     patterns: str = DEFAULT_NAME
     unit: LengthUnit = LengthUnit.MM  # of a mesh file
     bracket_s: float | None = None  # time budget per viewpoint for exposures chosen by a probe; None: default exposures
+    part_turn_deg: tuple[float, float, float] = UPRIGHT_DEG  # rotation about x, then y, then z, before it is put on the table
 
 
 def sample_request(chosen: SampleScan, folder: Path) -> ScanRequest:
@@ -57,7 +60,8 @@ def sample_request(chosen: SampleScan, folder: Path) -> ScanRequest:
         patterns=chosen.patterns,
         arm=arm_of(rig),
     )
-    title = f"Demo: {name}, {chosen.resolution} resolution, {len(plan)} views, seed {chosen.seed}"
+    turned = "" if chosen.part_turn_deg == UPRIGHT_DEG else f", turned by {'/'.join(f'{angle:g}' for angle in chosen.part_turn_deg)}°"
+    title = f"Demo: {name}{turned}, {chosen.resolution} resolution, {len(plan)} views, seed {chosen.seed}"
     return ScanRequest(
         plan,
         rig,
@@ -72,8 +76,9 @@ def sample_request(chosen: SampleScan, folder: Path) -> ScanRequest:
 def virtual_rig(chosen: SampleScan) -> RigDescription:
     """Return the description of the virtual rig with the part on its table."""
     unit = {} if chosen.unit is LengthUnit.MM else {"unit": str(chosen.unit)}
+    turn = {} if chosen.part_turn_deg == UPRIGHT_DEG else {"part_turn_deg": chosen.part_turn_deg}
     description = read_rig(VIRTUAL_RIG).at_resolution(chosen.resolution)
-    return description.model_copy(update={"driver_settings": {"part": chosen.part, "seed": chosen.seed, **unit}})
+    return description.model_copy(update={"driver_settings": {"part": chosen.part, "seed": chosen.seed, **unit, **turn}})
 
 
 def is_sample(part: str) -> bool:
@@ -94,6 +99,8 @@ def _extent(chosen: SampleScan) -> tuple[float, float]:
         vertices_mm = read_mesh(resource(f"parts/{chosen.part}/nominal.stl")).vertices_mm
     else:
         vertices_mm = read_mesh(Path(chosen.part), unit=chosen.unit).vertices_mm
+    if not is_sample(chosen.part) or chosen.part_turn_deg != UPRIGHT_DEG:  # as the virtual rig puts it down
+        vertices_mm = vertices_mm @ Rotation.from_euler("xyz", chosen.part_turn_deg, degrees=True).as_matrix().T
         low, high = vertices_mm.min(axis=0), vertices_mm.max(axis=0)
         vertices_mm = vertices_mm - [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, low[2]]
     radius_mm = float(np.linalg.norm(vertices_mm[:, :2], axis=1).max())
