@@ -14,13 +14,13 @@ from ui.controllers.stored_sessions import project_on_disk
 from ui.look.look import Look
 from ui.look.wording import counted, percent, rough_duration, several
 from ui.pages.layers import PlacedClouds, placements_of, view_layer
-from ui.pages.scan.pictures import Pictures
 from ui.pages.scan.run_bar import RunBar
 from ui.pages.scan.setup import ScanSetup
 from ui.pages.viewport_page import Composer, Picture, ViewportPage
 from ui.session import Session
 from ui.widgets.basic import Button, card, column, label, row
 from ui.widgets.empty_state import EmptyState
+from ui.widgets.pictures import Pictures
 from ui.widgets.properties_panel import Group, Properties
 from ui.widgets.viewpoint_tiles import Tile, TileList
 from ui.workers.job import Job
