@@ -47,8 +47,8 @@ class Storing:
         self._project.frames.store(stack)
 
 
-def scan(place: Path, reported: Path) -> None:
-    """Take what is missing, then store results and a report; ``reported`` gets every viewpoint that was said to be stored."""
+def scan(place: Path, reported: Path, golden: Path) -> None:
+    """Take what is missing, then store the results of ``golden``; ``reported`` gets every viewpoint that was said to be stored."""
     project, plan = ProjectFolder.open(place), fake_plan(VIEWPOINTS, exposures_us=(100_000, 50_000))
     with project.lock(), reported.open("a", encoding="utf-8") as report:
 
@@ -65,7 +65,7 @@ def scan(place: Path, reported: Path) -> None:
             Engine(rig).run(plan.name, waiting, task, note, NoProgress())
         finally:
             rig.close()
-        measured = project.measurement()
+        measured = ProjectFolder.open(golden).measurement()
         assert measured is not None
         project.save_measurement(measured)
         project.save_program(project.program_text(has_nominal=True))
@@ -75,12 +75,12 @@ def main() -> None:
     """Fork one scan per line of input, kill it after the time that the line names, and answer how it ended."""
     _answer("ready")
     for line in sys.stdin:
-        place, reported, kill_after_s = line.rstrip("\n").split("\t")
+        place, reported, golden, kill_after_s = line.rstrip("\n").split("\t")
         child = os.fork()
         if child == 0:
             code = 1
             try:
-                scan(Path(place), Path(reported))
+                scan(Path(place), Path(reported), Path(golden))
                 code = 0
             finally:
                 os._exit(code)

@@ -25,7 +25,8 @@ pytestmark = pytest.mark.skipif(not hasattr(os, "fork"), reason="needs fork, as 
 class Scans:
     """The program that forks scans."""
 
-    def __init__(self) -> None:
+    def __init__(self, golden: Path) -> None:
+        self._golden = golden
         command = [sys.executable, "-m", "tests.project.journal.killed_scan"]
         environment = os.environ | {"PYTHONPATH": str(ROOT)}
         self._process = subprocess.Popen(command, cwd=ROOT, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True, env=environment)
@@ -34,7 +35,7 @@ class Scans:
     def run(self, project: Path, reported: Path, kill_after_s: float = 600.0) -> str:
         """Run one scan, kill it after a time, and return how it ended."""
         assert self._process.stdin is not None
-        self._process.stdin.write(f"{project}\t{reported}\t{kill_after_s}\n")
+        self._process.stdin.write(f"{project}\t{reported}\t{self._golden}\t{kill_after_s}\n")
         self._process.stdin.flush()
         return self._line()
 
@@ -47,8 +48,8 @@ class Scans:
 
 
 @pytest.fixture
-def scans() -> Iterator[Scans]:
-    program = Scans()
+def scans(template: ProjectFolder) -> Iterator[Scans]:
+    program = Scans(template.path)
     yield program
     program.close()
 
