@@ -71,6 +71,7 @@ INPUTS: list[tuple[str, str]] = [
     ("verify IN", ""),
     ("report IN --out OUT", ""),
     ("repeat IN IN --out OUT", ""),
+    ("join IN PROJECT --out OUT", ""),
     ("scan PLAN --rig paper --project OUT --calibration IN", ""),
 ]
 
