@@ -28,6 +28,7 @@ from measureapp.errors import InputError, StorageError
 from measureapp.geometry.transform import RigidTransform
 from measureapp.inspection.alignment.best_fit import best_fit
 from measureapp.inspection.measured_points import sample_mesh
+from measureapp.inspection.settings import AlignmentSettings
 from measureapp.pipeline.assemble import compute_surface, inspect_stitched, inspection_settings
 from measureapp.pipeline.events import Event, InspectionReady, StitchReady
 from measureapp.pipeline.project_names import unique_names
@@ -256,10 +257,11 @@ def _fit_nominal(members: Sequence[_Member], nominal: Mesh, progress: Progress) 
     surface = StitchedCloud(
         sampled.points_mm, sampled.normals, np.full(count, NOMINAL_SIGMA_MM), np.zeros(count), np.zeros(count, np.int16), (), "nominal"
     )
+    settings = AlignmentSettings(upright=False)  # a part on its head may fit the upright nominal fairly well
     fits = {}
     for number, member in enumerate(members):
         part = PartOf(progress, number / len(members), (number + 1) / len(members), f"{member.name}: ")
-        fits[member.name] = best_fit(member.measurement.stitched, nominal, progress=part).nominal_from_part
+        fits[member.name] = best_fit(member.measurement.stitched, nominal, settings, progress=part).nominal_from_part
     return NominalFit(surface, fits)
 
 
