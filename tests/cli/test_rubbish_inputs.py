@@ -85,6 +85,7 @@ INPUTS: list[tuple[str, str]] = [
     ("discard IN view01", ""),
     ("report IN --out OUT", ""),
     ("repeat IN IN --out OUT", ""),
+    ("join IN PROJECT --out OUT", ""),
     ("scan PLAN --rig paper --project OUT --calibration IN", ""),
 ]
 
