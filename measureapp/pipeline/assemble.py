@@ -80,9 +80,9 @@ def assemble(
         stitched = add_refused(stitched, views, choices)
     on_event(StitchReady(stitched))
     with watch.stage("surface"):
-        mesh = _compute_surface(stitched, on_event, PartOf(progress, 0.5, 0.7))
+        mesh = compute_surface(stitched, on_event, PartOf(progress, 0.5, 0.7))
     with watch.stage("inspection"):
-        inspection = _inspect(project, stitched, inspection_settings(calibrated, project.rig(), good), PartOf(progress, 0.7, 0.9))
+        inspection = inspect_stitched(project, stitched, inspection_settings(calibrated, project.rig(), good), PartOf(progress, 0.7, 0.9))
     if inspection is not None:
         on_event(InspectionReady(inspection))
     measurement = Measurement(
@@ -100,12 +100,12 @@ def assemble(
         validity=validity,
     )
     with watch.stage("saving"):
-        project.save_measurement(measurement, PartOf(progress, 0.9, 1.0))
+        project.save_measurement(measurement, PartOf(progress, 0.9, 1.0), recomputed=revision is None)
     progress.report(1.0, 1.0, "measured")
     return measurement
 
 
-def _compute_surface(stitched: StitchedCloud, on_event: Callable[[Event], None], progress: Progress) -> Mesh | None:
+def compute_surface(stitched: StitchedCloud, on_event: Callable[[Event], None], progress: Progress) -> Mesh | None:
     """Compute the surface; None if that fails, for example for lack of memory: no dimension depends on it."""
     try:
         return reconstruct_surface(stitched, progress=progress)
@@ -198,7 +198,10 @@ def inspection_settings(calibration: RigCalibration, rig: RigDescription, views:
     )
 
 
-def _inspect(project: ProjectFolder, stitched: StitchedCloud, settings: InspectionSettings, progress: Progress) -> Inspection | None:
+def inspect_stitched(
+    project: ProjectFolder, stitched: StitchedCloud, settings: InspectionSettings, progress: Progress
+) -> Inspection | None:
+    """Inspect a stitched cloud with the project's program and nominal; None without a program."""
     if project.program is None:
         return None
     from measureapp.inspection.dimensions import inspect
@@ -216,7 +219,7 @@ def _settings(project: ProjectFolder) -> dict[str, Any]:
     return {
         "plan": plan.name,
         "patterns": plan.patterns.name,
-        "exposures_us": list(plan.bracket.exposures_us),
+        "exposures_us": sorted({exposure_us for viewpoint in plan for exposure_us in plan.exposures_of(viewpoint)}, reverse=True),
         "exposure rule": "all unsaturated exposures, weighted by inverse variance",
         "noise": describe_noise(project),
     }

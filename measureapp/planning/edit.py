@@ -16,8 +16,15 @@ from measureapp.errors import PlanError
 from measureapp.planning.plan_index import PlanIndex
 
 COPY = "copy"
+UNFIT = "string_pattern_mismatch"
+LETTERS = "A name begins with a letter or digit, and has letters, digits, '.', '_' and '-' only."
 T = TypeVar("T")
 ItemT = TypeVar("ItemT", Viewpoint, ViewpointGroup)
+
+
+def make_viewpoint(name: str, flange: FlangePose, guide_mm: float, table_deg: float) -> Viewpoint:
+    """Return a viewpoint. Raises PlanError for a name that cannot be part of a file name."""
+    return _checked(lambda: Viewpoint(id=name, flange=flange, guide_mm=guide_mm, table_deg=table_deg))
 
 
 def add(plan: ScanPlan | None, viewpoint: Viewpoint, after: str | None = None, *, name: str = "plan") -> ScanPlan:
@@ -132,12 +139,14 @@ def repeat(plan: ScanPlan, names: Sequence[str], table_deg: Sequence[float], gro
     if not numbers or None in numbers:
         raise PlanError("Only single viewpoints can be made a group.", "Select single viewpoints, or ungroup first.")
     chosen = [plan.viewpoints[number] for number in numbers if number is not None]
-    group = ViewpointGroup(
-        id=group_id,
-        poses=tuple(StationPose(flange=viewpoint.flange, guide_mm=viewpoint.guide_mm) for viewpoint in chosen),
-        table_deg=tuple(table_deg) or tuple(dict.fromkeys(viewpoint.table_deg for viewpoint in chosen)),
-        exposures_us=chosen[0].exposures_us,
-        settle_s=chosen[0].settle_s,
+    group = _checked(
+        lambda: ViewpointGroup(
+            id=group_id,
+            poses=tuple(StationPose(flange=viewpoint.flange, guide_mm=viewpoint.guide_mm) for viewpoint in chosen),
+            table_deg=tuple(table_deg) or tuple(dict.fromkeys(viewpoint.table_deg for viewpoint in chosen)),
+            exposures_us=chosen[0].exposures_us,
+            settle_s=chosen[0].settle_s,
+        )
     )
     rest = tuple(viewpoint for number, viewpoint in enumerate(plan.viewpoints) if number not in numbers)
     return _with(plan, viewpoints=rest, groups=(*plan.groups, group))
@@ -243,4 +252,6 @@ def _checked(make: Callable[[], T]) -> T:
     try:
         return make()
     except ValidationError as error:
+        if error.errors()[0]["type"] == UNFIT:
+            raise PlanError(f"{error.errors()[0]['input']!r} cannot be a name.", LETTERS) from error
         raise PlanError(f"This is impossible: {first_problem(error, 'the plan')}.", "Nothing was changed.") from error

@@ -81,7 +81,10 @@ INPUTS: list[tuple[str, str]] = [
     ("rig check paper --calibration IN", ""),
     ("process IN", ""),
     ("verify IN", ""),
+    ("raw IN", ""),
+    ("discard IN view01", ""),
     ("report IN --out OUT", ""),
+    ("repeat IN IN --out OUT", ""),
     ("scan PLAN --rig paper --project OUT --calibration IN", ""),
 ]
 

@@ -300,7 +300,9 @@ def test_test_runs_every_check_and_returns_the_worst(installer, called, capsys) 
     assert "failed (2)" in capsys.readouterr().out
 
 
-@pytest.mark.parametrize(("workers", "shared"), [(1, []), (3, ["-n", "3", "--dist", "loadfile", "--no-loadscope-reorder", "-m", "not slow and not timed"])])
+@pytest.mark.parametrize(
+    ("workers", "shared"), [(1, []), (3, ["-n", "3", "--dist", "loadfile", "--no-loadscope-reorder", "-m", "not slow and not timed"])]
+)
 def test_the_whole_suite_compiles_first_and_runs_in_as_many_processes_as_there_is_room_for(
     installer, called, monkeypatch, capsys, workers, shared
 ) -> None:
