@@ -150,10 +150,8 @@ class ProjectFolder:
 
     def save_plan(self, plan: ScanPlan) -> None:
         """Store the scan plan; where images are stored already, it may only add viewpoints. Raises InputError for any other change."""
-        former = self.plan() if self.frames.list_stored() else None
-        if self.frames.list_stored() and (former is None or not plan.extends(former)):
-            hint = "Scan into a new project, or keep all viewpoints of its plan unchanged and only add some."
-            raise InputError(f"{self.path} contains images of another plan.", hint)
+        if self.frames.list_stored() and not ((former := self.plan()) and plan.extends(former)):
+            raise InputError(f"{self.path} contains images of another plan.", "Scan into a new project, or only add viewpoints to its plan.")
         write_text(self.path / "plan.json", plan.model_dump_json(indent=2))
 
     def stored_viewpoints(self) -> tuple[str, ...]:

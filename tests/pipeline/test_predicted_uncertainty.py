@@ -108,7 +108,7 @@ def test_what_halves_an_uncertainty_is_named_with_its_time() -> None:
 def test_an_uncertainty_of_the_calibration_is_not_promised_to_shrink() -> None:
     one = dimension("a", 0.02, {"noise": 0.008, "calibration": 0.0183})
     sentence = answer_for(one, [Trial("repeating view01", 10.0, None, {"a": 0.0199})])
-    assert sentence == "a: no viewpoint or exposure can halve U; the calibration's share of it is 84%."
+    assert sentence == "a: no viewpoint or exposure can halve U; the calibration alone gives 92% of it."
 
 
 def test_a_gain_within_the_noise_of_the_prediction_is_none() -> None:

@@ -109,7 +109,7 @@ def answer_for(dimension: Dimension, trials: Sequence[Trial]) -> str:
     gains = [(trial, now - trial.uncertainties.get(dimension.name, now)) for trial in trials]
     helping = [(trial, gain) for trial, gain in gains if gain > LEAST_GAIN * now]
     if fixed > HALF * now:
-        words = f"{dimension.name}: no viewpoint or exposure can halve U; the calibration's share of it is {(fixed / now) ** 2:.0%}"
+        words = f"{dimension.name}: no viewpoint or exposure can halve U; the calibration alone gives {fixed / now:.0%} of it"
         return f"{words}. {_most(helping, dimension)}" if helping else f"{words}."
     halving = [(trial, gain) for trial, gain in helping if now - gain <= HALF * now]
     if halving:
