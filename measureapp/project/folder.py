@@ -151,7 +151,7 @@ class ProjectFolder:
     def save_plan(self, plan: ScanPlan) -> None:
         """Store the scan plan; where images are stored already, it may only add viewpoints. Raises InputError for any other change."""
         if self.frames.list_stored() and not ((former := self.plan()) and plan.extends(former)):
-            raise InputError(f"{self.path} contains images of another plan.", "Scan into a new project, or only add viewpoints to its plan.")
+            raise InputError(f"{self.path} contains images of another plan.", "Scan into a new project, or only add viewpoints.")
         write_text(self.path / "plan.json", plan.model_dump_json(indent=2))
 
     def stored_viewpoints(self) -> tuple[str, ...]:
