@@ -94,7 +94,14 @@ def setup_of_files(
         rig = typical_rig(description, plan, DEFAULT_BOARD, arm_of(description), progress)
     else:
         rig = rig_with(calibrated, calibrated.require_calibration())
+        if _sizes(rig.description) != _sizes(description):
+            message = f"{calibrated.path} was calibrated with other cameras than those of {description.name}, or at another resolution."
+            raise InputError(message, "Name a project of this rig, or omit the calibration.")
     return PredictionSetup(plan, PredictedScene.of(rig, NominalSurface(job.nominal), part_from_nominal, light), job)
+
+
+def _sizes(rig: RigDescription) -> dict[str, tuple[int, int]]:
+    return {camera.name: (camera.width_px, camera.height_px) for camera in rig.cameras}
 
 
 def rig_of_project(project: ProjectFolder) -> RigModel | None:
