@@ -94,7 +94,7 @@ def _dimension(one: Dimension) -> dict[str, Any]:
 
 
 def _lines(found: Prediction, advice: Advice | None) -> list[str]:
-    lines = [f"Predicted for {len(found.views)} views; {found.source}."]
+    lines = [f"Predicted for {len(found.views)} view{'s' * (len(found.views) > 1)}; {found.source}."]
     for one in found.dimensions:
         if one.uncertainty is None:
             lines.append(f"  {one.name}: not measured, {one.reason}")
