@@ -43,7 +43,9 @@ def test_an_empty_page_says_it_in_a_sentence_with_one_filled_button(window, name
     page = window.pages[name]
     assert page.is_empty
     assert page.empty.text.text().endswith(".")
-    assert plain(page.empty.button.text()) == {"calibration": "Calibrate the whole rig…", "plan": "Generate a plan…"}.get(name, "Run the demo")
+    assert plain(page.empty.button.text()) == {"calibration": "Calibrate the whole rig…", "plan": "Generate a plan…"}.get(
+        name, "Run the demo"
+    )
     visible = [
         button for button in page.findChildren(type(page.empty.button)) if button.isVisible() and button.property("role") == "primary"
     ]
