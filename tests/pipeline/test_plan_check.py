@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+
 import numpy as np
 import pytest
 
@@ -52,7 +54,7 @@ def test_the_sample_plan_uses_the_guide_over_hundreds_of_millimetres():
 def test_the_sample_plan_can_be_driven_and_visits_each_robot_pose_once(checker):
     assert checker.check(SAMPLE).problems == ()
     poses = [viewpoint.flange for viewpoint in SAMPLE]
-    visits = 1 + sum(one != other for one, other in zip(poses, poses[1:], strict=False))
+    visits = 1 + sum(one != other for one, other in itertools.pairwise(poses))
     assert visits == len(set(poses)) == 3
 
 

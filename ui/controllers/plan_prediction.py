@@ -94,6 +94,13 @@ class PlanPrediction(QObject):
             return
         self._timer.start()
 
+    def stop(self) -> None:
+        """Check nothing any more; the window is being closed."""
+        self._plan = None
+        self._timer.stop()
+        if self._job is not None:
+            self._job.cancel()
+
     @Slot()
     def _start(self) -> None:
         plan, rig, part = self._plan, self._session.rig, self._part.prepared
