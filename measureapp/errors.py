@@ -76,6 +76,18 @@ class StorageError(MeasureError):
     """A project cannot be read or written (disk full, damaged, not a project)."""
 
 
+class DiskFull(StorageError):
+    """There is no room, or the quota is exhausted; writing can be repeated when there is room again."""
+
+
+class DiskFailed(StorageError):
+    """The disk reported an error, or the folder vanished; writing can be repeated when it is back."""
+
+
+class Damaged(StorageError):
+    """A stored file is missing or is not what was stored; it must not be used."""
+
+
 class DeviceError(MeasureError):
     """A device failed, refused or did not answer."""
 

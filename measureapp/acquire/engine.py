@@ -2,46 +2,45 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable, Sequence
-from datetime import UTC, datetime
 from typing import TypeVar
 
-from measureapp.acquire.events import (
-    AcquisitionEvent,
-    RunEnded,
-    RunStarted,
-    ViewpointFailed,
-    ViewpointRetaken,
-    ViewpointStarted,
-    ViewpointStored,
-)
+from measureapp.acquire.control import RunControl
+from measureapp.acquire.events import AcquisitionEvent, RunEnded, RunStarted, ViewpointFailed
+from measureapp.acquire.run import Run
+from measureapp.acquire.run_states import ViewpointState
 from measureapp.acquire.session import RigSession
 from measureapp.acquire.task import Task, Visit
-from measureapp.data.plan import FlangePose, Viewpoint
+from measureapp.data.plan import Viewpoint
 from measureapp.devices.rig import Rig
-from measureapp.errors import DeviceError, DeviceLost, DeviceTimeout, FrameError, MeasureError, MotionError
-from measureapp.progress import Cancelled, PartOf, Progress
+from measureapp.errors import DeviceError, MeasureError
+from measureapp.progress import Cancelled, Progress
 
 T = TypeVar("T")
 OnEvent = Callable[[AcquisitionEvent], None]
-TRIES = 3  # for a viewpoint whose images are refused
+MOST_NAMED = 8  # viewpoints in a message
 
 
 class Engine:
-    """Takes one task through viewpoints: move, confirm by read-back, take, check that nothing moved, keep.
+    """Takes one task through viewpoints: move, confirm by read-back, settle, capture, check, store.
 
-    Images that are damaged or contradict each other are taken again; a device that refuses a setting ends the viewpoint, and the run
-    continues with the next one. An axis that does not reach its goal, a device that does not answer, or a full disk ends the run:
-    every device is stopped, because continuing would be unsafe or lose data.
+    Images that are damaged or contradict each other are taken again at once; a viewpoint that stays refused is tried once more at the
+    end of the run, and then reported. An axis that does not reach its goal or a device that does not answer ends the run: every device is
+    stopped, because continuing would be unsafe. Images that cannot be stored pause an attended run, and end any other.
     """
 
     def __init__(self, rig: Rig) -> None:
         self._rig = rig
-        self._approached: tuple[FlangePose, float, str] | None = None  # goals of robot and guide, and the time of the command
 
     def run(
-        self, name: str, viewpoints: Sequence[Viewpoint], task: Task[T], on_event: OnEvent, progress: Progress
+        self,
+        name: str,
+        viewpoints: Sequence[Viewpoint],
+        task: Task[T],
+        on_event: OnEvent,
+        progress: Progress,
+        control: RunControl | None = None,
+        stored: Sequence[Viewpoint] = (),
     ) -> tuple[ViewpointFailed, ...]:
         """Run ``task`` at every viewpoint and return those that failed.
 
@@ -50,113 +49,88 @@ class Engine:
         viewpoints : must be within the rig's limits, see `check_reach`
         on_event : receives all events; `RunEnded` is always the last one
         progress : also the cancellation point, while devices are waited for, too
+        control : pauses, resumes, skips and retakes from other threads; a new one for every run
+        stored : further viewpoints whose images are stored already, which can be taken again
 
         Raises
         ------
         DeviceTimeout, MotionError, DeviceLost, StorageError, Cancelled
             After all devices were stopped and `RunEnded` was sent; so is every other exception.
+        InputError
+            The control was used before; nothing was sent.
         """
-        self._approached = None  # the robot may have been moved between runs
-        failed = []
+        control = control or RunControl(attended=False)
+        control.begin(viewpoints, stored)
+        session = RigSession(self._rig, progress, control.checkpoint)
+        run = Run(session, task, control, on_event, progress)
 
-        def work(session: RigSession) -> None:
-            task.prepare(session)
-            for index, viewpoint in enumerate(viewpoints):
-                part = PartOf(progress, index / len(viewpoints), (index + 1) / len(viewpoints))
-                failure = self._visit(session, viewpoint, task, on_event, part)
-                if failure is not None:
-                    failed.append(failure)
-                    on_event(failure)
+        def left() -> str:
+            control.end()
+            run.tell()
+            return _left(control)
 
         on_event(RunStarted(name, tuple(viewpoint.id for viewpoint in viewpoints)))
-        self._hold(work, on_event, progress)
-        return tuple(failed)
+        self._hold(session, run.work, on_event, left, lambda: _stored(control))
+        return tuple(run.failures.values())
 
     def run_here(self, name: str, task: Task[T], on_event: OnEvent, progress: Progress) -> None:
         """Run ``task`` once where the axes are; nothing moves. Raises FrameError or DeviceError where `run` skips a viewpoint."""
+        session = RigSession(self._rig, progress)
 
-        def work(session: RigSession) -> None:
+        def work() -> None:
             task.prepare(session)
             before = session.readback()
             result = task.take(session, Visit(name, before), on_event, progress)
             session.confirm_still(name, before)
+            task.check(result)
             task.keep(result)
 
         on_event(RunStarted(name, (name,)))
-        self._hold(work, on_event, progress)
+        self._hold(session, work, on_event, lambda: "", tuple)
 
-    def _hold(self, work: Callable[[RigSession], None], on_event: OnEvent, progress: Progress) -> None:
-        """Do the work in a session of the rig, and send `RunEnded` however it ends."""
-        session = RigSession(self._rig, progress)
+    def _hold(
+        self,
+        session: RigSession,
+        work: Callable[[], None],
+        on_event: OnEvent,
+        left: Callable[[], str],
+        stored: Callable[[], tuple[str, ...]],
+    ) -> None:
+        """Do the work in a session of the rig, and send `RunEnded` however it ends, with what is ``left`` to be done."""
         ended = RunEnded("done")
         try:
             with session:
-                work(session)
+                work()
                 ended = RunEnded("done", session.link_warnings())
         except (Cancelled, KeyboardInterrupt):
-            ended = RunEnded("cancelled", f"Stopped: {self._rig.latch.reason or 'cancelled by the user.'} What was stored is kept.")
+            ended = RunEnded("cancelled", f"Stopped: {self._rig.latch.reason or 'cancelled by the user.'}")
             raise
         except MeasureError as error:
             ended = RunEnded("failed", str(error))
             raise
         except BaseException as error:
-            ended = RunEnded("failed", f"{type(error).__name__}: {error}")
+            ended = RunEnded("failed", f"{type(error).__name__}: {error}.")
             raise
         finally:
-            on_event(RunEnded(ended.reason, f"{ended.message} {session.stop_report}".strip()))
-
-    def _visit(
-        self, session: RigSession, viewpoint: Viewpoint, task: Task[T], on_event: OnEvent, progress: Progress
-    ) -> ViewpointFailed | None:
-        """Take one viewpoint, again where its images are refused; return the failure, if it failed."""
-        started = time.monotonic()
-        on_event(ViewpointStarted(viewpoint.id))
-        for attempt in range(1, TRIES + 1):
-            try:
-                result = self._take(session, viewpoint, task, on_event, progress)
-            except (FrameError, DeviceTimeout) as error:
-                task.drop(viewpoint.id)
-                if attempt == TRIES:
-                    return _give_up(viewpoint, error)
-                on_event(ViewpointRetaken(viewpoint.id, str(error)))
-            except (MotionError, DeviceLost):
-                task.drop(viewpoint.id)
-                raise
-            except DeviceError as error:
-                task.drop(viewpoint.id)
-                return ViewpointFailed(viewpoint.id, str(error))
-            except BaseException:
-                task.drop(viewpoint.id)
-                raise
-            else:
-                task.keep(result)
-                on_event(ViewpointStored(viewpoint.id, time.monotonic() - started))
-                return None
-        return None
-
-    def _take(self, session: RigSession, viewpoint: Viewpoint, task: Task[T], on_event: OnEvent, progress: Progress) -> T:
-        try:
-            readback = session.move_to(viewpoint)
-        except DeviceTimeout as error:  # unlike an image that does not arrive, nothing to try again
-            raise MotionError(error.message, error.hint) from error
-        visit = Visit(viewpoint.id, readback, self._approach(viewpoint))
-        result = task.take(session, visit, on_event, progress)
-        session.confirm_still(viewpoint.id, readback)
-        return result
-
-    def _approach(self, viewpoint: Viewpoint) -> str:
-        """Return the time at which robot and guide were sent to ``viewpoint``; an unchanged goal does not move them."""
-        goals = (viewpoint.flange, viewpoint.guide_mm)
-        if self._approached is None or self._approached[:2] != goals:
-            self._approached = (*goals, datetime.now(UTC).isoformat())
-        return self._approached[2]
+            remaining = left()
+            message = " ".join(part for part in (ended.message, session.stop_report, remaining) if part)
+            on_event(RunEnded(ended.reason, message, stored(), remaining))
 
 
-def _give_up(viewpoint: Viewpoint, error: DeviceError) -> ViewpointFailed:
-    """Return the failure of a viewpoint after its last try. Raises DeviceLost where images do not arrive at all."""
-    if isinstance(error, DeviceTimeout):
-        raise DeviceLost(f"{viewpoint.id}: {error.message} It was tried {TRIES} times.", error.hint) from error
-    return ViewpointFailed(viewpoint.id, str(error))
+def _stored(control: RunControl) -> tuple[str, ...]:
+    """Return the viewpoints that are stored."""
+    return tuple(name for name, state in control.snapshot().viewpoints.items() if state is ViewpointState.STORED)
+
+
+def _left(control: RunControl) -> str:
+    """Return what is kept of a run, what is missing, and what to do; empty where everything is stored."""
+    states = control.snapshot().viewpoints
+    missing = [name for name, state in states.items() if state not in (ViewpointState.STORED, ViewpointState.KEPT)]
+    if not missing:
+        return ""
+    named = ", ".join(missing[:MOST_NAMED]) + (", …" if len(missing) > MOST_NAMED else "")
+    kept = len(states) - len(missing)
+    return f"{kept} of {len(states)} viewpoints are stored and kept; not {named}. Continue the run to take the missing ones."
 
 
 def run_once(rig: Rig, name: str, viewpoint: Viewpoint | None, task: Task[T], progress: Progress) -> None:

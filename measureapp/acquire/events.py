@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
+from measureapp.acquire.run_states import ViewpointState
 from measureapp.arrays import ImageArray
 
 
@@ -21,6 +22,14 @@ class ViewpointStarted:
     """The axes move to a viewpoint."""
 
     viewpoint_id: str
+
+
+@dataclass(frozen=True, slots=True)
+class ViewpointEntered:
+    """A viewpoint entered a state; every transition is sent, in order."""
+
+    viewpoint_id: str
+    state: ViewpointState
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -58,11 +67,57 @@ class ViewpointFailed:
 
 
 @dataclass(frozen=True, slots=True)
+class ViewpointSkipped:
+    """A viewpoint was skipped by the user: its images are not stored; those stored before, if any, remain."""
+
+    viewpoint_id: str
+
+
+@dataclass(frozen=True, slots=True)
+class ViewpointQueued:
+    """A viewpoint was put at the end of the run: a user wants it taken again, or it failed and is tried once more."""
+
+    viewpoint_id: str
+    reason: str
+
+
+@dataclass(frozen=True, slots=True)
+class RunPaused:
+    """The run is paused: the projector is dark and nothing moves. Sent again when the cause changes."""
+
+    message: str
+    hint: str  # what to do or to press
+
+
+@dataclass(frozen=True, slots=True)
+class RunResumed:
+    """The run goes on after a pause."""
+
+
+@dataclass(frozen=True, slots=True)
 class RunEnded:
-    """The run ended; always the last event. After anything but "done" all devices were stopped."""
+    """The run ended; always the last event. After anything but "done" all devices were stopped.
+
+    The message of a run that did not finish says the reason, what is kept, and how to go on.
+    """
 
     reason: Literal["done", "cancelled", "failed"]
     message: str = ""
+    stored: tuple[str, ...] = ()  # ids of the viewpoints that are stored
+    kept: str = ""  # the end of the message: what is kept, what is missing, how to go on; empty where nothing is missing
 
 
-AcquisitionEvent = RunStarted | ViewpointStarted | ImageTaken | ViewpointRetaken | ViewpointStored | ViewpointFailed | RunEnded
+AcquisitionEvent = (
+    RunStarted
+    | ViewpointStarted
+    | ViewpointEntered
+    | ImageTaken
+    | ViewpointRetaken
+    | ViewpointStored
+    | ViewpointFailed
+    | ViewpointSkipped
+    | ViewpointQueued
+    | RunPaused
+    | RunResumed
+    | RunEnded
+)

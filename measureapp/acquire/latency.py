@@ -6,7 +6,7 @@ import time
 
 import numpy as np
 
-from measureapp.acquire.session import READ_TIMEOUT_S, RigSession
+from measureapp.acquire.session import READ_TIMEOUT_S, RigSession, rendering_s
 from measureapp.devices.head_timing import frame_timeout_s
 from measureapp.devices.latency import USUAL_FLIPS, ProjectorLatency, measure_latency
 from measureapp.devices.rig import Rig
@@ -31,7 +31,8 @@ def measure_projector_latency(rig: Rig, progress: Progress, *, flips: int = USUA
         The levels do not differ in the image, or did not settle before the next flip; and from the devices.
     """
     camera, exposure_us = rig.cameras[rig.description.reference], min(rig.description.exposures_us)
-    within_s = frame_timeout_s(camera, exposure_us)
+    late_s = frame_timeout_s(camera, exposure_us)
+    within_s = late_s + rendering_s([camera])
     flip_times, image_times, greys = [], [], []
     with RigSession(rig, progress) as session:
         size = (rig.projector.height_px, rig.projector.width_px)
@@ -45,8 +46,8 @@ def measure_projector_latency(rig: Rig, progress: Progress, *, flips: int = USUA
             while time.monotonic() < flip_times[-1] + hold_s:
                 session.call("A camera", camera.trigger, within_s)
                 image_times.append(time.monotonic())  # no earlier than the exposure, so that no latency is stated too small
-                session.call("A camera", lambda: camera.wait_ready(timeout_s=within_s), within_s)
-                frame = session.call("A camera", lambda: camera.next_frame(timeout_s=within_s), within_s)
+                session.call("A camera", lambda: camera.wait_ready(timeout_s=late_s), within_s)
+                frame = session.call("A camera", lambda: camera.next_frame(timeout_s=late_s), within_s)
                 greys.append(float(frame.pixels[::EVERY, ::EVERY].mean()))
         session.call("A camera", camera.disarm, READ_TIMEOUT_S)
     return measure_latency(

@@ -3,25 +3,28 @@
 from __future__ import annotations
 
 import threading
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+import time
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from datetime import UTC, datetime
-from math import radians
 from types import TracebackType
 from typing import TypeVar
 
 from measureapp.acquire.device_call import call_device
-from measureapp.acquire.motion import confirm_reached, confirm_still
+from measureapp.acquire.motion import confirm_reached, confirm_still, legs_to
+from measureapp.acquire.states import read_states
 from measureapp.acquire.stopping import abort
 from measureapp.arrays import ImageArray
 from measureapp.data.conditions import Conditions
 from measureapp.data.fringe import AxisReadback
+from measureapp.data.leg import Leg
 from measureapp.data.plan import Viewpoint
-from measureapp.devices.camera import Camera
+from measureapp.devices.camera import Camera, RendersImages
 from measureapp.devices.head import HardwareHead, Head, Shot, SoftwareHead
 from measureapp.devices.head_timing import frame_timeout_s
 from measureapp.devices.projector import DARK, TriggeringProjector
 from measureapp.devices.rig import Rig
+from measureapp.devices.robot import JointRobot
 from measureapp.errors import DeviceError, MeasureError
 from measureapp.geometry.transform import RigidTransform
 from measureapp.progress import Cancelled, NoProgress, Progress
@@ -29,6 +32,7 @@ from measureapp.progress import Cancelled, NoProgress, Progress
 BY_USER = "cancelled by the user."
 READ_TIMEOUT_S = 4.0
 LOAD_TIMEOUT_S = 120.0
+SETTLE_POLL_S = 0.05
 T = TypeVar("T")
 STEPS_OF_A_SHOT = 4  # a shot waits for a pattern, the exposure of the next one, and images on their way
 
@@ -46,11 +50,12 @@ class RigSession:
         On entering, while the rig is stopped or used by another session.
     """
 
-    def __init__(self, rig: Rig, progress: Progress | None = None) -> None:
+    def __init__(self, rig: Rig, progress: Progress | None = None, checkpoint: Callable[[], None] = lambda: None) -> None:
         self.rig = rig
+        self.checkpoint = checkpoint  # may end the work between two moves or two images, by an exception
         self.stop_report = ""  # devices that did not confirm the stop
         self._progress = progress or NoProgress()
-        self._settled = threading.Event()
+        self._aborted = threading.Event()
 
     def __enter__(self) -> RigSession:
         """Take hold of the rig."""
@@ -67,11 +72,12 @@ class RigSession:
             if error is not None:
                 self.stop_report = abort(self.rig, _reason_of(error), latch=_doubts_the_rig(error))
             else:
-                self._darken()
+                self.darken()
         finally:
             self.rig.in_use.release()
 
-    def _darken(self) -> None:
+    def darken(self) -> None:
+        """Switch the light off; a projector that fails to is reported at the end."""
         try:
             self.call("The projector", lambda: self.rig.projector.show(DARK, timeout_s=READ_TIMEOUT_S), READ_TIMEOUT_S)
         except DeviceError as error:  # all that was wanted is done
@@ -80,7 +86,7 @@ class RigSession:
     def abort(self, reason: str) -> None:
         """Stop every device now, from any thread, and latch the stop."""
         self.stop_report = abort(self.rig, reason)
-        self._settled.set()
+        self._aborted.set()
 
     # axes
 
@@ -96,15 +102,35 @@ class RigSession:
         Cancelled
             From the progress; every axis was stopped.
         """
-        rules = self.rig.description.motion
-        self.move_table(radians(viewpoint.table_deg))
-        self.move_guide(viewpoint.guide_mm)
-        self.move_robot(viewpoint.flange.transform())
-        if rules.settle_s:
-            self.call("The rig", lambda: self._settled.wait(rules.settle_s), rules.settle_s)
+        self.move_axes(viewpoint)
+        readback = self.confirm_reached(viewpoint)
+        return self.confirm_reached(viewpoint) if self.settle(viewpoint) else readback
+
+    def move_axes(self, viewpoint: Viewpoint) -> None:
+        """Move one axis after the other, on the checked path if the rig has paths; raises as `move_to`, but does not read back."""
+        for leg in legs_to(viewpoint, self.rig, self.readback):
+            if leg.axis == "table":
+                self.move_table(leg.goal.table_rad)
+            elif leg.axis == "guide":
+                self.move_guide(leg.goal.guide_mm)
+            else:
+                self._move_arm(leg)
+
+    def confirm_reached(self, viewpoint: Viewpoint) -> AxisReadback:
+        """Return the read-back of every axis. Raises MotionError where one is away from its goal."""
         readback = self.readback()
-        confirm_reached(viewpoint, readback, rules)
+        confirm_reached(viewpoint, readback, self.rig.description.motion)
         return readback
+
+    def settle(self, viewpoint: Viewpoint) -> bool:
+        """Wait as long as the viewpoint or else the rig states; return whether that takes time."""
+        settle_s = self.rig.description.motion.settle_s if viewpoint.settle_s is None else viewpoint.settle_s
+        end = time.monotonic() + settle_s
+        while (left_s := end - time.monotonic()) > 0:
+            self.check()
+            self.checkpoint()
+            self._aborted.wait(min(left_s, SETTLE_POLL_S))
+        return settle_s > 0
 
     def move_table(self, goal_rad: float) -> None:
         """Turn the table alone; raises as `move_to`, but does not read back."""
@@ -113,6 +139,13 @@ class RigSession:
     def move_guide(self, goal_mm: float) -> None:
         """Move the guide alone; raises as `move_to`, but does not read back."""
         self._move("The linear guide", lambda limit_s: self.rig.guide.move_to(goal_mm, timeout_s=limit_s))
+
+    def _move_arm(self, leg: Leg) -> None:
+        robot, goal_rad = self.rig.robot, leg.joints_rad
+        if goal_rad is None or not isinstance(robot, JointRobot):
+            self.move_robot(leg.goal.base_from_flange)
+        else:
+            self._move("The robot", lambda limit_s: robot.move_joints(goal_rad, timeout_s=limit_s))
 
     def move_robot(self, base_from_flange: RigidTransform) -> None:
         """Move the robot alone; raises as `move_to`, but does not read back."""
@@ -124,6 +157,7 @@ class RigSession:
         self._move("The linear guide", lambda limit_s: self.rig.guide.home(timeout_s=limit_s))
 
     def _move(self, what: str, move: Callable[[float], None]) -> None:
+        self.checkpoint()
         limit_s = self.rig.description.motion.move_timeout_s
         self.call(what, lambda: move(limit_s), limit_s)
 
@@ -151,14 +185,20 @@ class RigSession:
         Cancelled
             From the progress; every device was stopped.
         """
+        self.checkpoint()
         used = {name: camera for name, camera in self.rig.cameras.items() if cameras is None or name in cameras}
         head = self._head(min(patterns), used)
-        within_s = STEPS_OF_A_SHOT * max(frame_timeout_s(camera, max(exposures_us)) for camera in used.values())
+        within_s = STEPS_OF_A_SHOT * max(frame_timeout_s(camera, max(exposures_us)) for camera in used.values()) + rendering_s(
+            used.values()
+        )
         self.call("A camera", lambda: head.prepare(patterns, exposures_us), READ_TIMEOUT_S * len(exposures_us))
-        waiting = head.acquire()
+        waiting, missing = head.acquire(), len(patterns) * len(exposures_us)
         try:
             while (shot := self.call("The measuring head", lambda: next(waiting, None), within_s)) is not None:
                 yield shot
+                missing -= 1
+                if missing > 0:  # a complete sequence is not thrown away
+                    self.checkpoint()
         finally:
             with suppress(ValueError):  # a call that was given up still runs it, and ends it itself
                 waiting.close()
@@ -192,6 +232,11 @@ class RigSession:
                 found += [f"Camera {name}: {warning}."] if warning else []
         return " ".join(found)
 
+    def unready(self) -> str:
+        """Read the state of every device; return which are not ready and why, empty if all are."""
+        unready = [state for state in read_states(self.rig) if not state.status.ready]
+        return " ".join(f"{state.name} ({state.kind}) is not ready: {state.status.text} {state.status.remedy}".strip() for state in unready)
+
     def check(self) -> None:
         """Raise Cancelled when the user has cancelled, or the rig was stopped."""
         self._progress.check()
@@ -202,6 +247,11 @@ class RigSession:
         """Make a call of a driver that may last ``within_s``; raises what it raises, DeviceLost, or Cancelled after stopping everything."""
         self.check()
         return call_device(what, function, within_s, self.check, lambda: self.abort(BY_USER))
+
+
+def rendering_s(cameras: Iterable[Camera]) -> float:
+    """Return how long cameras that compute their images may take for one each; 0 for real ones."""
+    return sum(camera.longest_rendering_s for camera in cameras if isinstance(camera, RendersImages))
 
 
 def read_conditions(rig: Rig) -> Conditions:

@@ -16,11 +16,12 @@ T = TypeVar("T")
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Visit:
-    """A stay at a viewpoint: its id, the confirmed read-back, and the time at which robot and guide were sent there."""
+    """A stay at a viewpoint: its id, the confirmed read-back, the time at which robot and guide were sent there, exposures of its own."""
 
     viewpoint_id: str
     readback: AxisReadback
     approach: str | None = None
+    exposures_us: tuple[int, ...] | None = None
 
 
 class Task(Protocol[T]):
@@ -30,18 +31,21 @@ class Task(Protocol[T]):
         """Do what is needed once, before the first move."""
 
     def take(self, session: RigSession, visit: Visit, on_event: Callable[[AcquisitionEvent], None], progress: Progress) -> T:
-        """Take the images and check them.
+        """Take the images.
 
         Raises
         ------
         FrameError
-            They are damaged or contradict each other, and are to be taken again.
+            They are damaged, and are to be taken again.
         DeviceError
             A device refused.
         """
 
+    def check(self, result: T) -> None:
+        """Check what was taken, after the axes were confirmed not to have moved. Raises FrameError where it is to be taken again."""
+
     def keep(self, result: T) -> None:
-        """Accept what was taken, after the axes were confirmed not to have moved. Raises StorageError where it cannot be stored."""
+        """Accept what was checked. Raises StorageError where it cannot be stored; it is then called again with the same result."""
 
     def drop(self, viewpoint_id: str) -> None:
         """Forget what was passed on of a viewpoint that failed, or is taken again."""

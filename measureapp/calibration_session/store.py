@@ -30,7 +30,7 @@ from measureapp.data.board import AnyBoard
 from measureapp.data.fringe import Readback
 from measureapp.errors import FrameMismatch, InputError, StorageError
 from measureapp.geometry.transform import RigidTransform
-from measureapp.project.atomic import replacing, write_json
+from measureapp.project.atomic import remove, replacing, write_json
 from measureapp.project.calibration.camera_file import read_cameras, write_cameras
 from measureapp.project.calibration.projector_pixels import checksum_of, write_projector_pixels
 from measureapp.project.documents import hand_eye_from, link_document, noise_document, noise_from, transform_document, transform_from
@@ -62,6 +62,7 @@ class Store:
 
     def discard(self) -> None:
         """Delete the session with its folder. Raises StorageError."""
+        remove(*(path for path in self.folder.rglob("*") if path.is_file()))
         try:
             shutil.rmtree(self.folder)
         except OSError as error:

@@ -43,8 +43,9 @@ def exposures_line(event: ExposuresChosen) -> str:
     """Return the exposures chosen by a probe, with their predicted benefit."""
     times = ", ".join(f"{exposure / 1000:g}" for exposure in event.exposures_us)
     note = f"; {event.note}" if event.note else ""
+    place = f"{event.viewpoint_id}: " if event.viewpoint_id else ""
     return (
-        f"Exposures chosen: {times} ms, {event.decodable_share:.1%} of the lit pixels decodable "
+        f"{place}Exposures chosen: {times} ms, {event.decodable_share:.1%} of the lit pixels decodable "
         f"(exposures of the plan: {event.planned_share:.1%}){note}."
     )
 

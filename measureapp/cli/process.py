@@ -1,4 +1,4 @@
-"""`process` and `verify`: recompute a project from its stored images, and check every stored byte."""
+"""`process`: recompute a project from its stored images."""
 
 from __future__ import annotations
 
@@ -8,11 +8,14 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from measureapp.cli.import_recording import process_imported
-from measureapp.cli.main import OUT_OF_TOLERANCE
+from measureapp.cli.main import DONE, OUT_OF_TOLERANCE
 from measureapp.cli.outcome import has_passed, measurement_lines, report_event
 from measureapp.cli.reply import JsonOption, TerminalProgress, reply
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from measureapp.pipeline.events import Event
     from measureapp.project.folder import ProjectFolder
 
 
@@ -26,38 +29,58 @@ def register(app: typer.Typer) -> None:
             list[str] | None, typer.Option(help="Use this view regardless of its quality, now and later; may be given several times.")
         ] = None,
         refuse: Annotated[list[str] | None, typer.Option(help="Do not use this view, now and later; may be given several times.")] = None,
+        check: Annotated[
+            bool,
+            typer.Option(
+                "--check", help="Only report whether the stored results are those of the present images, calibration and program."
+            ),
+        ] = False,
         as_json: JsonOption = False,
     ) -> None:
         """Recompute everything, calibration included, from the stored images.
 
-        Of an imported recording, everything that its images suffice for is computed, and what is missing for the rest is stated.
+        A viewpoint whose images are damaged is reported and not used. Of an imported recording, everything that its images suffice for is computed, and what is missing for the rest is stated.
         """
         from measureapp.pipeline import process_project
         from measureapp.pipeline.recording.stages import is_recording
         from measureapp.project.folder import ProjectFolder
 
         folder = ProjectFolder.open(project)
+        if check:
+            raise typer.Exit(_check(folder, as_json))
         _choose(folder, accept or [], refuse or [])
         if is_recording(folder):
             process_imported(folder, as_json)
             return
-        outcome = process_project(folder, report_event, TerminalProgress())
-        reply(outcome.document, "\n".join(measurement_lines(outcome.measurement)), as_json)
-        if not has_passed(outcome.measurement):
+        damaged: dict[str, str] = {}
+        outcome = process_project(folder, _reporting(damaged), TerminalProgress())
+        reply({**outcome.document, "damaged": damaged}, "\n".join(measurement_lines(outcome.measurement)), as_json)
+        if damaged or not has_passed(outcome.measurement):
             raise typer.Exit(OUT_OF_TOLERANCE)
 
-    @app.command()
-    def verify(project: Annotated[Path, typer.Argument(help="Project folder.")], as_json: JsonOption = False) -> None:
-        """Compare every stored image, of the part and of the board, with its checksum."""
-        from measureapp.project.folder import ProjectFolder
 
-        folder = ProjectFolder.open(project)
-        checked, damaged = folder.verify()
-        lines = [problem for problems in damaged.values() for problem in problems]
-        summary = f"{len(checked)} viewpoints checked: " + ("no damage." if not damaged else f"{len(lines)} files damaged.")
-        reply({"checked": checked, "damaged": damaged}, "\n".join([*lines, summary]), as_json)
-        if damaged:
-            raise typer.Exit(OUT_OF_TOLERANCE)
+def _reporting(damaged: dict[str, str]) -> Callable[[Event], None]:
+    """Return what reports events, and collects viewpoints whose images are damaged, with the reason."""
+    from measureapp.pipeline.events import ViewFailed
+
+    def receive(event: Event) -> None:
+        report_event(event)
+        if isinstance(event, ViewFailed) and event.damaged:
+            damaged[event.viewpoint_id] = event.reason
+
+    return receive
+
+
+def _check(project: ProjectFolder, as_json: bool) -> int:
+    """Reply whether the stored results are current; return the exit code."""
+    there = (project.results / "measurement.json").is_file()
+    stale = project.stale_results() if there else ("There are no results yet.",)
+    reply(
+        {"current": not stale, "stale": stale},
+        "\n".join(stale) or "The results are those of the stored images, calibration and program.",
+        as_json,
+    )
+    return OUT_OF_TOLERANCE if stale else DONE
 
 
 def _choose(project: ProjectFolder, accepted: list[str], refused: list[str]) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -9,10 +10,13 @@ import typer
 
 from measureapp.cli.main import BAD_INPUT, DEVICE_FAILED, DONE, OUT_OF_TOLERANCE
 from measureapp.cli.outcome import has_passed, measurement_lines
-from measureapp.cli.reply import JsonOption, TerminalProgress, reply
-from measureapp.errors import DeviceError
+from measureapp.cli.reply import JsonOption, TerminalProgress, reply, say
+from measureapp.errors import DeviceError, InputError
 
 if TYPE_CHECKING:
+    from measureapp.acquire.control import RunControl
+    from measureapp.data.part_program import PartProgram
+    from measureapp.data.plan import ScanPlan
     from measureapp.pipeline import ScanRequest
 
 NOT_PROCESSED = (
@@ -32,41 +36,77 @@ def register(app: typer.Typer) -> None:
             Path | None, typer.Option("--calibration", help="Another project of this rig whose calibration is copied into a new project.")
         ] = None,
         resume: Annotated[bool, typer.Option("--resume", help="Keep stored viewpoints and take only the missing ones.")] = False,
+        retake: Annotated[
+            list[str] | None,
+            typer.Option(
+                "--retake", help="Take this stored viewpoint again; may be repeated. Its images are replaced when the new ones are stored."
+            ),
+        ] = None,
         auto_bracket: Annotated[
             float | None,
             typer.Option("--auto-bracket", min=0.1, help="Choose the exposures by a probe, for this many seconds per viewpoint."),
         ] = None,
+        per_viewpoint: Annotated[
+            bool, typer.Option("--per-viewpoint", help="Probe at every viewpoint, instead of once at the first (with --auto-bracket).")
+        ] = False,
         dry_run: Annotated[
             bool, typer.Option("--dry-run", help="Connect the rig and list everything that would prevent the scan; nothing moves.")
         ] = False,
         as_json: JsonOption = False,
     ) -> None:
         """Move, project, capture and store every viewpoint of a plan, then process the images."""
-        from measureapp.cli.scan_log import ScanLog
         from measureapp.devices.recorded_rig import require_devices
-        from measureapp.pipeline import ScanRequest, scan_into_project
-        from measureapp.project.part_program_file import is_part_program, read_part_program
-        from measureapp.project.plan_file import read_plan
+        from measureapp.pipeline import ScanRequest
         from measureapp.project.rig_file import read_rig
 
-        program = read_part_program(plan) if is_part_program(plan) else None
-        wanted = read_plan(plan) if program is None else program.plan
-        request = ScanRequest(wanted, read_rig(rig), project, resume, calibration, auto_bracket, part_program=program)
+        if per_viewpoint and auto_bracket is None:
+            raise InputError("--per-viewpoint chooses no exposures by itself.", "Add --auto-bracket SECONDS.")
+        wanted, program = _plan_and_program(plan)
+        request = ScanRequest(
+            wanted, read_rig(rig), project, resume, calibration, auto_bracket, per_viewpoint, tuple(retake or ()), part_program=program
+        )
         require_devices(request.rig)
-        if dry_run:
-            raise typer.Exit(_rehearse(request, as_json))
-        log = ScanLog(request.plan)
-        outcome = scan_into_project(request, log.note, TerminalProgress())
-        document = {} if outcome is None else outcome.document
-        figures = {view["name"]: view for view in document.get("views", [])}
-        views = [{"name": name, **figures.get(name, {}), **state} for name, state in log.states.items()]
-        run = {"ended": log.ended.reason, "message": log.ended.message, "processed": outcome is not None, "views": views}
-        lines = [NOT_PROCESSED] if outcome is None else measurement_lines(outcome.measurement)
-        reply({**document, **run}, "\n".join(lines), as_json)
-        if any(state["state"] != "stored" for state in log.states.values()):
-            raise typer.Exit(DEVICE_FAILED)
-        if any("reason" in state for state in log.states.values()) or not (outcome is None or has_passed(outcome.measurement)):
-            raise typer.Exit(OUT_OF_TOLERANCE)
+        raise typer.Exit(_rehearse(request, as_json) if dry_run else _scan(request, as_json))
+
+
+def _plan_and_program(path: Path) -> tuple[ScanPlan, PartProgram | None]:
+    """Read a scan plan, or a part program and its plan."""
+    from measureapp.project.part_program_file import is_part_program, read_part_program
+    from measureapp.project.plan_file import read_plan
+
+    if not is_part_program(path):
+        return read_plan(path), None
+    program = read_part_program(path)
+    return program.plan, program
+
+
+def _scan(request: ScanRequest, as_json: bool) -> int:
+    """Scan, and reply with what became of every viewpoint; return the exit code."""
+    from measureapp.acquire.control import RunControl
+    from measureapp.cli.scan_log import ScanLog
+    from measureapp.pipeline import scan_into_project
+
+    control = RunControl(attended=sys.stdin is not None and sys.stdin.isatty())
+    log = ScanLog(request.plan, lambda: _wait_for_enter(control))
+    outcome = scan_into_project(request, log.note, TerminalProgress(), control)
+    document = {} if outcome is None else outcome.document
+    figures = {view["name"]: view for view in document.get("views", [])}
+    views = [{"name": name, **figures.get(name, {}), **state} for name, state in log.states.items()]
+    run = {"ended": log.ended.reason, "message": log.ended.message, "processed": outcome is not None, "views": views}
+    lines = [NOT_PROCESSED] if outcome is None else measurement_lines(outcome.measurement)
+    reply({**document, **run}, "\n".join(lines), as_json)
+    if any(state["state"] != "stored" for state in log.states.values()):
+        return DEVICE_FAILED
+    passed = outcome is None or has_passed(outcome.measurement)
+    return DONE if passed and not any("reason" in state for state in log.states.values()) else OUT_OF_TOLERANCE
+
+
+def _wait_for_enter(control: RunControl) -> None:
+    """Let a paused run go on when Enter is pressed. Raises KeyboardInterrupt at the end of the input."""
+    say("Press Enter to go on, or Ctrl-C to stop.")
+    if not sys.stdin.readline():
+        raise KeyboardInterrupt
+    control.resume()
 
 
 def _rehearse(request: ScanRequest, as_json: bool) -> int:

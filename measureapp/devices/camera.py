@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal, Protocol
+from typing import Literal, Protocol, runtime_checkable
 
 from measureapp.arrays import ImageArray
 from measureapp.data.conditions import LensSetting
@@ -119,3 +119,10 @@ class Camera(Protocol):
 
     def close(self) -> None:
         """Release the camera for other programs. Harmless when repeated."""
+
+
+@runtime_checkable
+class RendersImages(Protocol):
+    """A camera that computes its images: each takes as long as the computer needs, and not as long as an exposure and its transfer."""
+
+    longest_rendering_s: float  # of one image, on a busy computer and with kernels that are not compiled yet

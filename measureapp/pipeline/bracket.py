@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 from measureapp.acquire.engine import run_once
 from measureapp.acquire.tasks.probe import ProbeTask
 from measureapp.data.fringe import FringeStack, PatternSet
-from measureapp.data.plan import Viewpoint
+from measureapp.data.plan import ScanPlan, Viewpoint
 from measureapp.devices.rig import Rig
+from measureapp.errors import DecodeError
 from measureapp.fringe.exposures import bracket
 from measureapp.fringe.exposures.bracket import BracketLimits, BracketProposal
 from measureapp.fringe.exposures.probe import read_probe
 from measureapp.fringe.noise.model import CameraNoise
 from measureapp.fringe.patterns.draw import pattern_images
+from measureapp.pipeline.events import ExposuresChosen
 from measureapp.progress import NoProgress, Progress
 
 
@@ -50,3 +52,29 @@ def propose_bracket(
     run_once(rig, "probe", viewpoint, ProbeTask(patterns, images, taken.append), progress)
     probe = read_probe(taken[0], noise or {})
     return bracket.propose_bracket(probe, patterns, limits, compare={"rig": rig.description.exposures_us, **(compare or {})})
+
+
+def choose_at(
+    rig: Rig,
+    plan: ScanPlan,
+    bracket_s: float,
+    noise: Mapping[str, CameraNoise] | None,
+    on_event: Callable[[ExposuresChosen], None],
+) -> Callable[[FringeStack, tuple[int, ...]], tuple[int, ...]]:
+    """Return a function that chooses the exposures of one viewpoint from a probe taken there, within ``bracket_s``.
+
+    A viewpoint whose probe shows nothing that can be decoded keeps the exposures planned.
+    """
+
+    def choose(probe: FringeStack, planned: tuple[int, ...]) -> tuple[int, ...]:
+        limits = BracketLimits(bracket_s, len(planned), longest_us=max(rig.description.exposures_us))
+        try:
+            proposal = bracket.propose_bracket(read_probe(probe, noise or {}), plan.patterns, limits, compare={"plan": planned})
+        except DecodeError as error:
+            on_event(ExposuresChosen(planned, 0.0, 0.0, f"The probe shows nothing to choose by: {error.message}", probe.viewpoint_id))
+            return planned
+        share, planned_share = proposal.figures.decodable_share, proposal.compared["plan"].decodable_share
+        on_event(ExposuresChosen(proposal.exposures_us, share, planned_share, proposal.note, probe.viewpoint_id))
+        return proposal.exposures_us
+
+    return choose

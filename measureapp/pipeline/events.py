@@ -13,12 +13,13 @@ from measureapp.data.validity import Validity
 
 @dataclass(frozen=True, slots=True)
 class ExposuresChosen:
-    """The exposures were chosen from a probe of the scene."""
+    """The exposures were chosen from a probe of the scene: for the whole plan, or for one viewpoint."""
 
     exposures_us: tuple[int, ...]
     decodable_share: float  # predicted, of the lit pixels
     planned_share: float  # predicted for the exposures of the plan
     note: str
+    viewpoint_id: str | None = None
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -41,6 +42,7 @@ class ViewFailed:
 
     viewpoint_id: str
     reason: str
+    damaged: bool = False  # they are not what was stored
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -50,7 +50,7 @@ def check_plan(plan: ScanPlan, rig: RigDescription, project: ProjectFolder) -> P
         lambda: check_keep_out(plan, rig),
         lambda: check_space(project, rig, plan),
     )
-    return Preflight(problems, (), stack_bytes(rig, plan) * len(plan), None)
+    return Preflight(problems, (), sum(stack_bytes(rig, plan, viewpoint) for viewpoint in plan), None)
 
 
 def check_connected(plan: ScanPlan, rig: Rig, project: ProjectFolder, calibration: RigCalibration | None) -> Preflight:
@@ -67,7 +67,8 @@ def check_connected(plan: ScanPlan, rig: Rig, project: ProjectFolder, calibratio
         for state in read_states(rig)
         if not state.status.ready
     ]
-    exposures = [_exposure_check(rig, exposure_us) for exposure_us in plan.bracket.exposures_us]
+    used_us = [exposure_us for viewpoint in plan for exposure_us in plan.exposures_of(viewpoint)]
+    exposures = [_exposure_check(rig, exposure_us) for exposure_us in sorted(set(used_us), reverse=True)]
     linked = [camera.link for camera in rig.cameras.values() if isinstance(camera, OnLink) and camera.transfer_s]
     overloads = check_link(linked)
     problems = (
@@ -76,11 +77,9 @@ def check_connected(plan: ScanPlan, rig: Rig, project: ProjectFolder, calibratio
         *_gather(validity, *exposures, lambda: _check_sequence(rig)),
         *(DeviceError(sentence) for sentence in overloads),
     )
-    shortest_s = period_us(rig.cameras, min(plan.bracket.exposures_us)) * 1e-6
+    shortest_s = period_us(rig.cameras, min(used_us)) * 1e-6
     warnings += [sentence for sentence in check_link(linked, shortest_s) if sentence not in overloads]
-    images_s = (
-        sum(period_us(rig.cameras, exposure_us) for exposure_us in plan.bracket.exposures_us) * plan.patterns.count * len(plan) * 1e-6
-    )
+    images_s = sum(period_us(rig.cameras, exposure_us) for exposure_us in used_us) * plan.patterns.count * 1e-6
     return Preflight(problems, tuple(warnings), offline.bytes, images_s)
 
 

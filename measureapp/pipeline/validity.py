@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import replace
 from datetime import UTC, datetime
 from statistics import median
@@ -16,7 +17,7 @@ from measureapp.data.measurement import ViewResult
 from measureapp.data.rig import RigDescription
 from measureapp.data.validity import CheckRecord, Drift, Validity
 from measureapp.devices.rig import Rig
-from measureapp.errors import CalibrationError
+from measureapp.errors import CalibrationError, StorageError
 from measureapp.project.documents import calibration_id
 from measureapp.project.folder import ProjectFolder
 
@@ -72,7 +73,11 @@ def _check_record(at: str, calibration: RigCalibration, drift: Drift, temperatur
 
 
 def _recorded(project: ProjectFolder) -> list[Conditions]:
-    return [one for id_ in project.stored_viewpoints() if (one := project.frames.conditions(id_)) is not None]
+    found = []
+    for viewpoint_id in project.stored_viewpoints():
+        with suppress(StorageError):  # a damaged stack is reported where its images are used
+            found.append(project.frames.conditions(viewpoint_id))
+    return [one for one in found if one is not None]
 
 
 def _check_age(calibration: RigCalibration, rig: RigDescription, conditions: Conditions) -> Validity:

@@ -66,7 +66,7 @@ def calibration_viewpoints(
     guide_at_zero : reach the same views with the guide at 0, as far as possible: the robot's base then stays where it is
     arm : of the rig's robot, whose joint limits and clearances are then kept; None: its reach only
     """
-    centre = _board_middle_mm(rig)
+    centre = board_middle_mm(rig)
     cell = None if arm is None else Cell.of(rig, arm, PartSolid.board_on_stand())
     slides_mm = (0.0,) if guide_at_zero else NEIGHBOUR_SLIDES_MM  # whatever the slide, with the guide at 0 the robot is at one pose
     groups: dict[Motion, Callable[[], list[Viewpoint]]] = {
@@ -105,7 +105,7 @@ def _with_guide_at_zero(viewpoint: Viewpoint) -> Viewpoint:
 
 def check_viewpoints(rig: RigDescription) -> tuple[Viewpoint, ...]:
     """Plan a few viewpoints with the board in the image centre, which differ in every axis and so test each link of the chain."""
-    centre = _board_middle_mm(rig)
+    centre = board_middle_mm(rig)
     poses = [
         _BoardPose(LIGHT_DEG, lean, turn, rig.standoff_mm + DISTANCES_MM[1], (0, 0))
         for lean, turn in zip(LEANS_DEG, TURNS_DEG, strict=True)
@@ -118,7 +118,15 @@ def check_viewpoints(rig: RigDescription) -> tuple[Viewpoint, ...]:
     return tuple(view for view in turned if not limit_violations(view, rig))
 
 
-def _board_middle_mm(rig: RigDescription) -> FloatArray:
+def board_on_stand(centre_mm: FloatArray) -> RigidTransform:
+    """Return guide_from_board of a board on its stand at table angle 0, the frame `board` moved to the board's centre ``centre_mm`` (3,)."""
+    slope = np.deg2rad(BOARD_ELEVATION_DEG)
+    across, down = np.array([0.0, -1.0, 0.0]), np.array([-np.sin(slope), 0.0, -np.cos(slope)])
+    return RigidTransform.from_parts(np.column_stack([across, down, np.cross(across, down)]), centre_mm, "guide", "board")
+
+
+def board_middle_mm(rig: RigDescription) -> FloatArray:
+    """Return the centre (3,) of a board on its stand, in the guide frame."""
     return np.array(rig.table.centre_in_guide_mm) + np.array([0.0, 0.0, BOARD_ABOVE_TABLE_MM])
 
 
@@ -171,9 +179,7 @@ def _neighbours(rig: RigDescription, name: str, centre: FloatArray, pose: _Board
 
 def _viewpoint(rig: RigDescription, name: str, centre: FloatArray, pose: _BoardPose, slide_mm: float = 0.0) -> Viewpoint:
     """Return the viewpoint that gives this pose of the board on its stand; ``slide_mm`` offsets the guide."""
-    slope = np.deg2rad(BOARD_ELEVATION_DEG)
-    across, down = np.array([0.0, -1.0, 0.0]), np.array([-np.sin(slope), 0.0, -np.cos(slope)])
-    guide_from_board = RigidTransform.from_parts(np.column_stack([across, down, np.cross(across, down)]), centre, "guide", "board")
+    guide_from_board = board_on_stand(centre)
     guide_from_head = guide_from_board @ pose.head_from_board(rig).inverse()
     guide_mm = round(SLIDE_SHARE * float(guide_from_head.translation_mm[1]) + slide_mm, 1)
     base_from_guide = RigidTransform.from_parts(np.eye(3), [0.0, -guide_mm, 0.0], "base", "guide")

@@ -16,10 +16,9 @@ from measureapp.data.pattern_sets import DEFAULT_NAME, make_pattern_sets
 from measureapp.data.plan import ExposureBracket, ScanPlan, StationPose, Viewpoint, ViewpointGroup
 from measureapp.data.rig import RigDescription
 from measureapp.errors import PlanError
-from measureapp.geometry.kinematics.arm import ArmModel
 from measureapp.geometry.transform import RigidTransform
 from measureapp.planning.coverage.aimed import aimed_candidates
-from measureapp.planning.coverage.candidates import MOST_CANDIDATES, Candidates, IsFree, free_of_contact, grid_candidates
+from measureapp.planning.coverage.candidates import MOST_CANDIDATES, Candidates, free_of_contact, grid_candidates
 from measureapp.planning.coverage.extent import extent_on_table, standing
 from measureapp.planning.coverage.greedy import Goal, choose
 from measureapp.planning.coverage.head import Head
@@ -28,14 +27,14 @@ from measureapp.planning.coverage.limits import VisibilityLimits
 from measureapp.planning.coverage.result import GeneratedPlan
 from measureapp.planning.coverage.samples import SurfaceSamples, sample_surface
 from measureapp.planning.coverage.scene import PartScene
-from measureapp.planning.coverage.unreachable import UnreachableArea, as_areas, find_causes
+from measureapp.planning.coverage.unreachable import UnreachableArea, as_areas, find_causes, touches_support
 from measureapp.planning.coverage.value import Problem
 from measureapp.planning.coverage.visibility import seen_from
+from measureapp.planning.feasibility import Feasibility
 from measureapp.planning.order import path_time_s, shortest_order
 from measureapp.planning.travel import AxisSpeeds, travel_times_s
 from measureapp.progress import NoProgress, PartOf, Progress
 
-ProblemBetween = Callable[[Viewpoint, Viewpoint], str]
 READOUT_S = 0.069  # of an image of a camera with a rolling shutter
 BLOCKED_S = 1e4  # added to a way that is not free
 REROUTES = 8
@@ -57,19 +56,9 @@ class GeneratorSettings(Model):
     speeds: AxisSpeeds = AxisSpeeds()
 
 
-@dataclass(frozen=True, slots=True)
-class Cell:
-    """The rig for planning: its description, its arm, and checks for collisions, where there are some."""
-
-    rig: RigDescription
-    arm: ArmModel | None = None
-    is_free: IsFree | None = None  # whether nothing touches at a viewpoint
-    problem_between: ProblemBetween | None = None  # what a move from one viewpoint to the next would touch; empty: nothing
-
-
 def generate_plan(
     nominal: Mesh,
-    cell: Cell,
+    cell: Feasibility,
     settings: GeneratorSettings | None = None,
     *,
     part_from_nominal: RigidTransform | None = None,
@@ -84,6 +73,7 @@ def generate_plan(
 
     Parameters
     ----------
+    cell : the rig, and what is feasible on it; `Feasibility.checked` includes collisions
     nominal : in mm; may have holes and triangles wound the wrong way
     part_from_nominal : pose of the part on the table (frame `part`: `head.part_from_head`); None: upright in the middle
     fixtures : meshes in frame `part` that turn with the table, such as clamps; they hide, but are not to be measured
@@ -102,8 +92,8 @@ def generate_plan(
     scene = PartScene.of(part, cell.rig, fixtures)
     samples = sample_surface(scene, settings.samples, settings.seed)
     search = _Search(cell, scene, samples, settings)
-    grid = grid_candidates(extent, cell.rig, cell.arm, PartOf(progress, 0.0, 0.05), settings.candidates)
-    found = _with_aimed(search, grid, PartOf(progress, 0.05, 0.6))
+    grid, free = grid_candidates(extent, cell.rig, cell.arm, cell.is_free, PartOf(progress, 0.0, 0.2), settings.candidates)
+    found = _with_aimed(search, grid, grid.subset(free), PartOf(progress, 0.2, 0.6))
     chosen, problem = _chosen(search, found, PartOf(progress, 0.6, 0.85))
     picked = found.free.subset(np.array(chosen))
     order, moves_s, blocked = _ordered(picked.viewpoints, search)
@@ -142,7 +132,7 @@ def image_bytes(plan: ScanPlan, rig: RigDescription) -> int:
 class _Search:
     """What every step of the search needs."""
 
-    cell: Cell
+    cell: Feasibility
     scene: PartScene
     samples: SurfaceSamples
     settings: GeneratorSettings
@@ -161,12 +151,12 @@ class _Found:
     sigma_mm: FloatArray  # (V, N)
 
 
-def _with_aimed(search: _Search, grid: Candidates, progress: Progress) -> _Found:
+def _with_aimed(search: _Search, grid: Candidates, free: Candidates, progress: Progress) -> _Found:
     """Return what the grid of candidates sees, and candidates aimed at the rest."""
     cell = search.cell
-    free = grid.subset(free_of_contact(grid, cell.is_free, PartOf(progress, 0.0, 0.3)))
-    sigma = search.sigma_mm(free, PartOf(progress, 0.3, 0.8))
-    missed = search.samples.subset(np.flatnonzero(~np.isfinite(sigma).any(axis=0)))
+    sigma = search.sigma_mm(free, PartOf(progress, 0.0, 0.8))
+    unseen = ~np.isfinite(sigma).any(axis=0) & ~touches_support(search.samples, search.scene)
+    missed = search.samples.subset(np.flatnonzero(unseen))
     aimed = aimed_candidates(missed, cell.rig, cell.arm, search.scene, search.settings.limits, PartOf(progress, 0.8, 0.9))
     aimed_free = aimed.subset(free_of_contact(aimed, cell.is_free, PartOf(progress, 0.9, 0.95)))
     more = search.sigma_mm(aimed_free, PartOf(progress, 0.95, 1.0))
@@ -204,7 +194,9 @@ def _ordered(viewpoints: Sequence[Viewpoint], search: _Search) -> tuple[list[int
     return order, path_time_s(order, times), sentences
 
 
-def _blocked(viewpoints: Sequence[Viewpoint], order: Sequence[int], problem_between: ProblemBetween | None) -> dict[tuple[int, int], str]:
+def _blocked(
+    viewpoints: Sequence[Viewpoint], order: Sequence[int], problem_between: Callable[[Viewpoint, Viewpoint], str] | None
+) -> dict[tuple[int, int], str]:
     if problem_between is None:
         return {}
     found = {(start, end): problem_between(viewpoints[start], viewpoints[end]) for start, end in pairwise(order)}

@@ -6,10 +6,12 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from measureapp.arrays import FloatArray
+from measureapp.arrays import FloatArray, IntArray
 from measureapp.data.plan import Viewpoint
 
-ROUNDS = 50
+ROUNDS = 500
+STARTS = 6  # of the nearest-neighbour paths, those that are improved
+MOST_PLACES = 4_000_000  # of all moves that are tried at once
 TINY_S = 1e-9
 
 
@@ -41,43 +43,43 @@ def path_time_s(order: Sequence[int], times_s: FloatArray) -> float:
 def _path(times_s: FloatArray) -> list[int]:
     """Return a short open path through all places."""
     count = len(times_s)
-    starts = range(count) if count <= 60 else range(0, count, count // 60)
-    return min((_improved(_nearest_neighbours(times_s, start), times_s) for start in starts), key=lambda path: path_time_s(path, times_s))
+    built = sorted((_nearest_neighbours(times_s, start) for start in range(count)), key=lambda path: path_time_s(path, times_s))
+    moves = _moves(count)
+    return min((_improved(path, times_s, moves) for path in built[:STARTS]), key=lambda path: path_time_s(path, times_s))
 
 
 def _nearest_neighbours(times_s: FloatArray, start: int) -> list[int]:
-    path, left = [start], sorted(set(range(len(times_s))) - {start})
-    while left:
-        following = min(left, key=lambda place: (times_s[path[-1], place], place))
-        path.append(following)
-        left.remove(following)
+    path, left = [start], np.ones(len(times_s), bool)
+    left[start] = False
+    while left.any():
+        path.append(int(np.where(left, times_s[path[-1]], np.inf).argmin()))
+        left[path[-1]] = False
     return path
 
 
-def _improved(path: list[int], times_s: FloatArray) -> list[int]:
-    """Apply 2-opt and Or-opt moves, whichever comes first, until none shortens the path."""
-    best, best_s = path, path_time_s(path, times_s)
-    for _ in range(ROUNDS):
-        before_s = best_s
-        for changed in _neighbours_of(best):
-            time_s = path_time_s(changed, times_s)
-            if time_s < best_s - TINY_S:
-                best, best_s = changed, time_s
-        if best_s >= before_s - TINY_S:
+def _improved(path: list[int], times_s: FloatArray, moves: IntArray) -> list[int]:
+    """Apply the best 2-opt or Or-opt move until none shortens the path."""
+    best = np.array(path)
+    for _ in range(ROUNDS if len(moves) else 0):
+        changed = best[moves]
+        lengths = times_s[changed[:, :-1], changed[:, 1:]].sum(axis=1)
+        shortest = int(lengths.argmin())
+        if lengths[shortest] >= path_time_s(best.tolist(), times_s) - TINY_S:
             break
-    return best
+        best = changed[shortest]
+    return [int(place) for place in best]
 
 
-def _neighbours_of(path: list[int]) -> list[list[int]]:
-    """Return the paths with one segment reversed, or with up to three places moved elsewhere."""
-    count = len(path)
-    turned = [path[:i] + path[i : j + 1][::-1] + path[j + 1 :] for i in range(count) for j in range(i + 1, count)]
-    moved = []
+def _moves(count: int) -> IntArray:
+    """Return permutations (M, count): one segment reversed, or up to three places moved elsewhere, not further than time allows."""
+    reach = max(1, min(count, int(MOST_PLACES / 8 / max(count, 1) ** 2)))
+    path = list(range(count))
+    moves = [path[:i] + path[i : j + 1][::-1] + path[j + 1 :] for i in path for j in range(i + 1, min(count, i + reach + 1))]
     for length in (1, 2, 3):
         for i in range(count - length + 1):
             segment, rest = path[i : i + length], path[:i] + path[i + length :]
-            moved += [rest[:j] + segment + rest[j:] for j in range(len(rest) + 1) if j != i]
-    return turned + moved
+            moves += [rest[:j] + segment + rest[j:] for j in range(max(0, i - reach), min(len(rest), i + reach) + 1) if j != i]
+    return np.array(moves, int).reshape(-1, count)
 
 
 def _shortest_link(times_s: FloatArray, one: list[int], other: list[int]) -> float:

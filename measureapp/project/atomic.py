@@ -1,18 +1,18 @@
-"""Atomic file writing: temporary file, fsync, replace, fsync of the folder."""
+"""Atomic file writing: temporary file, fsync, replace, fsync of the folder; inside a project with an entry in its journal."""
 
 from __future__ import annotations
 
-import errno
 import json
-import os
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager, suppress
+import shutil
+from collections.abc import Collection, Iterator, Mapping
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from measureapp.errors import StorageError
+from measureapp.project.journal import disk, publish
+from measureapp.project.journal.entries import Entry
 
-NOT_ALLOWED = (errno.EACCES, errno.EPERM, errno.EROFS)
+FILE, REMOVED = "file stored", "file removed"
 
 
 @contextmanager
@@ -22,23 +22,83 @@ def replacing(path: Path) -> Iterator[Path]:
     Raises
     ------
     StorageError
-        The folder cannot be written to, or the disk is full.
+        The folder cannot be written to, or the disk is full (`DiskFull`) or failed (`DiskFailed`).
     """
     path = Path(path)
-    temporary = path.with_name(f".{path.stem}.{os.getpid()}.part{path.suffix}")
+    temporary = publish.part_of(path)
     try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        yield temporary
-        with temporary.open("rb+") as file:
-            os.fsync(file.fileno())
-        temporary.replace(path)
-        _sync_folder(path.parent)
-    except OSError as error:
-        hint = "Check the permissions" if error.errno in NOT_ALLOWED else "Free some space"
-        raise StorageError(f"{path} cannot be written: {error.strerror or error}.", f"{hint}, or choose another folder.") from error
+        with disk.explained(path):
+            path.parent.mkdir(parents=True, exist_ok=True)
+            yield temporary
+            disk.sync_file(temporary)
+            project = publish.project_of(path)
+            staged = {} if project is None else {path: publish.Staged(temporary, disk.state_of(temporary))}
+            if project is None:
+                disk.rename(temporary, path)
+                disk.sync_folder(path.parent)
+    except BaseException:
+        publish.discard([temporary])
+        raise
+    if project is not None:
+        publish.publish(project, Entry(FILE), staged)
+
+
+@contextmanager
+def replacing_together(folder: Path, entry: Entry, stale: Collection[str] = ()) -> Iterator[Path]:
+    """Provide a folder whose files take their places in ``folder`` together, only if the body succeeds.
+
+    Parameters
+    ----------
+    entry : what the journal says about it
+    stale : patterns of files in ``folder`` that are removed unless they are written anew
+
+    Raises
+    ------
+    StorageError
+        As `replacing`; the files in ``folder`` are as they were.
+    """
+    folder = Path(folder)
+    project = publish.project_of(folder / "any")
+    staging = publish.part_of((project or folder.parent) / folder.name)
+    try:
+        with disk.explained(folder):
+            staging.mkdir(parents=True)
+            yield staging
+            staged = {folder / path.relative_to(staging): path for path in sorted(staging.rglob("*")) if path.is_file()}
+            for part in staged.values():
+                disk.sync_file(part)
+            removed = [path for pattern in stale for path in sorted(folder.glob(pattern)) if path not in staged]
+            if project is None:
+                _take_places(staged, removed)
+        if project is not None:
+            with disk.explained(folder):
+                states = {target: publish.Staged(part, disk.state_of(part)) for target, part in staged.items()}
+            publish.publish(project, entry, states, removed)
     finally:
-        with suppress(OSError):  # must not hide the original error
-            temporary.unlink(missing_ok=True)
+        if project is None or not publish.waits(project, staging):
+            shutil.rmtree(staging, ignore_errors=True)
+
+
+def remove(*paths: Path) -> None:
+    """Remove files, with an entry in the journal where they belong to a project. Raises StorageError."""
+    there = [path for path in paths if path.exists()]
+    for project in dict.fromkeys(map(publish.project_of, there)):
+        own = [path for path in there if publish.project_of(path) == project]
+        if project is not None:
+            publish.publish(project, Entry(REMOVED), {}, own)
+            continue
+        for path in own:
+            with disk.explained(path):
+                path.unlink(missing_ok=True)
+
+
+def _take_places(staged: Mapping[Path, Path], removed: Collection[Path]) -> None:
+    for target, part in staged.items():
+        target.parent.mkdir(parents=True, exist_ok=True)
+        disk.rename(part, target)
+        disk.sync_folder(target.parent)
+    for path in removed:
+        path.unlink(missing_ok=True)
 
 
 def write_text(path: Path, text: str) -> None:
@@ -50,13 +110,3 @@ def write_text(path: Path, text: str) -> None:
 def write_json(path: Path, document: Mapping[str, Any]) -> None:
     """Write ``document`` as indented JSON, atomically."""
     write_text(path, json.dumps(document, indent=2, allow_nan=False) + "\n")
-
-
-def _sync_folder(folder: Path) -> None:
-    if os.name != "posix":  # Windows cannot open a folder
-        return
-    handle = os.open(folder, os.O_RDONLY)
-    try:
-        os.fsync(handle)
-    finally:
-        os.close(handle)

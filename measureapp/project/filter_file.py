@@ -13,32 +13,31 @@ import numpy as np
 from measureapp.data.cloud import StitchedCloud
 from measureapp.errors import InputError, RegistrationError, StorageError
 from measureapp.progress import Progress
-from measureapp.project.atomic import replacing
+from measureapp.project.atomic import remove, replacing_together
 from measureapp.project.geometry.files import write_cloud
+from measureapp.project.journal.entries import Entry
 from measureapp.register.clouds.filter_chain import Filter, FilterChain
 
+STORED = "filters stored"
 FILTERS, FILTERED = "filters.npz", "filtered_cloud.ply"
 SCHEMA_VERSION = 1
 
 
 def save_filters(folder: Path, chain: FilterChain, stitched: StitchedCloud) -> None:
     """Store the filters of ``stitched`` and the filtered cloud in ``folder``; raises StorageError when they cannot be written."""
-    delete_filters(folder)
     if not chain.filters:
+        delete_filters(folder)
         return
-    write_cloud(folder / FILTERED, stitched.where(chain.kept_mask))
-    filters = json.dumps([asdict(one) for one in chain.filters])
-    with replacing(folder / FILTERS) as temporary, temporary.open("wb") as file:
-        np.savez_compressed(file, schema_version=SCHEMA_VERSION, filters=filters, passed=chain.passed, cloud=_checksum(stitched))
+    with replacing_together(folder, Entry(STORED)) as staging:
+        write_cloud(staging / FILTERED, stitched.where(chain.kept_mask))
+        filters = json.dumps([asdict(one) for one in chain.filters])
+        with (staging / FILTERS).open("wb") as file:
+            np.savez_compressed(file, schema_version=SCHEMA_VERSION, filters=filters, passed=chain.passed, cloud=_checksum(stitched))
 
 
 def delete_filters(folder: Path) -> None:
     """Delete the filters and the filtered cloud; raises StorageError when they cannot be deleted."""
-    try:
-        for name in (FILTERS, FILTERED):  # in this order: without the filters the cloud is ignored
-            (folder / name).unlink(missing_ok=True)
-    except OSError as error:
-        raise StorageError(f"{folder} cannot be written: {error.strerror or error}.", "Check the permissions of the project.") from error
+    remove(folder / FILTERS, folder / FILTERED)
 
 
 def load_filters(folder: Path, stitched: StitchedCloud) -> FilterChain | None:

@@ -1,6 +1,7 @@
 """The project folder: all data of one measured part, self-contained.
 
 project.json        part, rig and calibration board
+journal.sqlite      what was stored when, with the checksum of every file (`journal/`); journal.seal.json: its own checksum
 plan.json           scan plan
 calibration/        views/ (images of the board and read-backs), cameras.json, rig.json, rig_uncertainty.npz,
                     noise.json (measured camera noise), former/, checks/, history.jsonl
@@ -15,8 +16,8 @@ from __future__ import annotations
 
 import json
 import shutil
-from collections.abc import Mapping
-from contextlib import AbstractContextManager
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, TypeVar, get_args
 
@@ -33,14 +34,17 @@ from measureapp.data.validity import CheckRecord
 from measureapp.data.view_choices import ViewChoices
 from measureapp.errors import CalibrationError, InputError, StorageError
 from measureapp.progress import NoProgress
-from measureapp.project import filter_file, results
-from measureapp.project.atomic import replacing, write_text
+from measureapp.project import filter_file, inputs, results, takeover
+from measureapp.project.atomic import remove, replacing, write_text
 from measureapp.project.calibration import board_views, store
 from measureapp.project.calibration.store import RIG_UNCERTAINTY
 from measureapp.project.folder_lock import lock_folder
 from measureapp.project.frame_store import FrameStore
 from measureapp.project.geometry.files import write_mesh
 from measureapp.project.geometry.step_files import STEP_KINDS
+from measureapp.project.journal import database, publish, seal
+from measureapp.project.journal.state import Journal
+from measureapp.project.upkeep import require_project
 
 if TYPE_CHECKING:
     from measureapp.calibrate.rig.stitch_uncertainty import RigUncertainty
@@ -72,7 +76,8 @@ class ProjectFolder:
     def __init__(self, path: Path, settings: ProjectSettings) -> None:
         self.path = path
         self.settings = settings
-        self.frames = FrameStore(path / "stacks")
+        self.journal = Journal(path)
+        self.frames = FrameStore(path / "stacks", self.journal)
 
     @classmethod
     def create(cls, path: Path, settings: ProjectSettings) -> ProjectFolder:
@@ -93,15 +98,18 @@ class ProjectFolder:
             return found
         if path.exists() and (not path.is_dir() or any(path.iterdir())):
             raise InputError(f"{path} is not an empty folder.", "Choose a new or an empty folder for the project.")
+        database.require_short(path)
         write_text(path / "project.json", settings.model_dump_json(indent=2))
+        takeover.create_journal(path)
+        seal.write(path)
         return cls(path, settings)
 
     @classmethod
     def open(cls, path: Path) -> ProjectFolder:
         """Open the project in ``path``. Raises InputError when there is none, StorageError when it is damaged."""
         path = Path(path)
-        if not (path / "project.json").is_file():
-            raise InputError(f"{path} is not a MeasureApp project.", "Name a folder that contains a project.json.")
+        require_project(path)
+        Journal(path).check(path / "project.json")
         return cls(path, _read_model(path / "project.json", ProjectSettings))
 
     @property
@@ -109,9 +117,26 @@ class ProjectFolder:
         """Name of the project."""
         return self.settings.name
 
-    def lock(self) -> AbstractContextManager[None]:
-        """Lock the project for changes. Raises StorageError when another window or command has locked it, or it is read-only."""
-        return lock_folder(self.path)
+    @contextmanager
+    def lock(self) -> Iterator[None]:
+        """Lock the project for changes, and finish or sweep what a program that died has left.
+
+        A project of an earlier version gets its journal now.
+
+        Raises
+        ------
+        StorageError
+            Another window or command has locked it, or it is read-only.
+        """
+        with lock_folder(self.path):
+            if self.journal.contents() is None:
+                takeover.take_over(self.path)
+            publish.recover(self.path)
+            try:
+                yield
+            finally:
+                with suppress(StorageError):  # the seal is a second guard: without it the lines still prove themselves
+                    seal.write(self.path)
 
     def rig(self) -> RigDescription:
         """Return the rig of the project."""
@@ -120,12 +145,15 @@ class ProjectFolder:
     def plan(self) -> ScanPlan | None:
         """Return the scan plan, if there is one."""
         path = self.path / "plan.json"
+        self.journal.check(path)
         return _read_model(path, ScanPlan) if path.exists() else None
 
     def save_plan(self, plan: ScanPlan) -> None:
-        """Store the scan plan. Raises InputError when images of another plan are stored already."""
-        if self.frames.list_stored() and self.plan() != plan:
-            raise InputError(f"{self.path} contains images of another plan.", "Scan into a new project.")
+        """Store the scan plan; where images are stored already, it may only add viewpoints. Raises InputError for any other change."""
+        former = self.plan() if self.frames.list_stored() else None
+        if self.frames.list_stored() and (former is None or not plan.extends(former)):
+            hint = "Scan into a new project, or keep all viewpoints of its plan unchanged and only add some."
+            raise InputError(f"{self.path} contains images of another plan.", hint)
         write_text(self.path / "plan.json", plan.model_dump_json(indent=2))
 
     def stored_viewpoints(self) -> tuple[str, ...]:
@@ -136,27 +164,19 @@ class ProjectFolder:
         """Store the images of one view of the board."""
         board_views.save(self.path / "calibration" / "views", view)
 
-    def verify(self) -> tuple[tuple[str, ...], dict[str, tuple[str, ...]]]:
-        """Compare all stored images with their checksums; return the ids of all viewpoints and, by id, the problems in words."""
-        views, stored = self.path / "calibration" / "views", self.frames.list_stored()
-        damaged = {viewpoint: problems for viewpoint in stored if (problems := self.frames.find_damage(viewpoint))}
-        return (*stored, *board_views.list_stored(views)), damaged | board_views.find_damage(views)
-
     def board_views(self) -> tuple[BoardView, ...]:
-        """Load all stored views of the board, in the order of acquisition."""
-        return board_views.load_all(self.path / "calibration" / "views")
+        """Load all stored views of the board, in the order of acquisition. Raises StorageError naming a damaged file."""
+        folder = self.path / "calibration" / "views"
+        self.journal.check(*folder.glob("*/*"))
+        return board_views.load_all(folder)
 
     def save_calibration(self, calibration: RigCalibration, uncertainty: RigUncertainty | None = None) -> None:
         """Store the calibration of the rig and, if known, its uncertainty; a former one is archived."""
-        folder = self.path / "calibration"
-        store.save(folder, calibration)
-        if uncertainty is not None:
-            from measureapp.project.calibration.rig_uncertainty_file import write_rig_uncertainty
-
-            write_rig_uncertainty(folder / RIG_UNCERTAINTY, uncertainty)
+        store.save(self.path / "calibration", calibration, uncertainty)
 
     def calibration(self) -> RigCalibration | None:
         """Return the calibration of the rig, if there is one. Raises StorageError when it is damaged or was modified."""
+        self.journal.check(*(self.path / "calibration" / name for name in (store.CAMERAS, store.RIG)))
         return store.load(self.path / "calibration")
 
     def require_calibration(self) -> RigCalibration:
@@ -183,6 +203,7 @@ class ProjectFolder:
         from measureapp.project.calibration.rig_uncertainty_file import read_rig_uncertainty
 
         calibration, path = self.calibration(), self.path / "calibration" / RIG_UNCERTAINTY
+        self.journal.check(path)
         return read_rig_uncertainty(path, calibration) if calibration is not None and path.exists() else None
 
     def save_noise(self, estimates: Mapping[str, NoiseEstimate]) -> None:
@@ -215,6 +236,7 @@ class ProjectFolder:
         """Return the measured noise of the cameras. Raises InputError when the file is damaged."""
         from measureapp.project.fringes.noise_file import read_noise
 
+        self.journal.check(self._noise_file)
         return read_noise(self._noise_file) if self._noise_file.exists() else {}
 
     def copy_noise_from(self, other: ProjectFolder) -> None:
@@ -230,11 +252,10 @@ class ProjectFolder:
     def save_inspection(self, program: Path | None, nominal: Path | None) -> None:
         """Copy the inspection program and the nominal into the project."""
         folder = self.path / "inspection"
-        folder.mkdir(parents=True, exist_ok=True)
-        if program is not None:
-            shutil.copyfile(program, folder / PROGRAM)
-        if nominal is not None:
-            shutil.copyfile(nominal, folder / f"{NOMINAL}{nominal.suffix.lower()}")
+        for source, name in ((program, PROGRAM), (nominal, "" if nominal is None else f"{NOMINAL}{nominal.suffix.lower()}")):
+            if source is not None:
+                with replacing(folder / name) as temporary:
+                    shutil.copyfile(source, temporary)
 
     def program_text(self, *, has_nominal: bool) -> str:
         """Return the text of the inspection program, or an empty program if there is none. Raises StorageError."""
@@ -261,8 +282,7 @@ class ProjectFolder:
         else:
             with replacing(kept) as temporary:
                 shutil.copyfile(source, temporary)
-        for other in set(folder.glob(f"{NOMINAL}.*")) - {kept}:
-            other.unlink()
+        remove(*(set(folder.glob(f"{NOMINAL}.*")) - {kept}))
 
     def save_report_template(self, template: bytes) -> None:
         """Store a template (Typst) that the PDF report uses from then on. Raises StorageError."""
@@ -281,18 +301,23 @@ class ProjectFolder:
 
     @property
     def program(self) -> Path | None:
-        """File of the inspection program, if there is one."""
+        """File of the inspection program, if there is one. Raises Damaged."""
         path = self.path / "inspection" / PROGRAM
+        self.journal.check_once(path)
         return path if path.exists() else None
 
     @property
     def nominal(self) -> Path | None:
-        """File of the nominal, if there is one."""
-        return next(iter(sorted((self.path / "inspection").glob(f"{NOMINAL}.*"))), None)
+        """File of the nominal, if there is one. Raises Damaged."""
+        path = next(iter(sorted((self.path / "inspection").glob(f"{NOMINAL}.*"))), None)
+        if path is not None:
+            self.journal.check_once(path)
+        return path
 
     def view_choices(self) -> ViewChoices:
         """Return the views accepted or refused by hand. Raises StorageError when the file is damaged."""
         path = self.path / VIEW_CHOICES
+        self.journal.check(path)
         return _read_model(path, ViewChoices) if path.exists() else ViewChoices()
 
     def save_view_choices(self, choices: ViewChoices) -> None:
@@ -304,14 +329,29 @@ class ProjectFolder:
         """Folder of the results."""
         return self.path / "results"
 
-    def save_measurement(self, measurement: Measurement, progress: Progress = NoProgress()) -> None:  # noqa: B008 - stateless
-        """Store a measurement, and apply the stored filters to its stitched cloud."""
-        results.save(self.results, measurement)
+    def save_measurement(self, measurement: Measurement, progress: Progress = NoProgress(), *, recomputed: bool = True) -> None:  # noqa: B008
+        """Store a measurement, and apply the stored filters to its stitched cloud.
+
+        ``recomputed``: its clouds were computed just now, and not only stitched again.
+        """
+        results.save(self.results, measurement, self._inputs(recomputed=recomputed))
         filter_file.reapply_filters(self.results, measurement.stitched, progress)
 
     def update_inspection(self, measurement: Measurement) -> None:
         """Store a measurement of which only the inspection has changed."""
-        results.save_document(self.results, measurement)
+        results.save_document(self.results, measurement, self._inputs(recomputed=False))
+
+    def _inputs(self, *, recomputed: bool) -> dict[str, Any]:
+        contents = self.journal.contents()
+        if contents is None:
+            return {}
+        now, before = inputs.current_inputs(contents), contents.results.get("inputs", {})
+        return now if recomputed else inputs.inspected_again(before, now) if before else {}
+
+    def stale_results(self) -> tuple[str, ...]:
+        """Return in sentences what has changed since the results were computed. Raises StorageError."""
+        contents = self.journal.contents()
+        return () if contents is None else inputs.changes(contents.results.get("inputs", {}), inputs.current_inputs(contents))
 
     def filters(self, stitched: StitchedCloud) -> FilterChain | None:
         """Load the filters of the stitched cloud, if any. Raises StorageError when they are damaged or belong to another cloud."""
@@ -319,6 +359,8 @@ class ProjectFolder:
 
     def measurement(self) -> Measurement | None:
         """Load the last measurement, if there is one. Raises StorageError when it is damaged."""
+        contents = self.journal.contents()
+        self.journal.check(*(self.path / name for name in (contents.files if contents else ()) if name.startswith("results/")))
         calibration = self.calibration()
         return None if calibration is None else results.load(self.results, calibration)
 

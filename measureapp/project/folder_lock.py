@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+import getpass
+import json
+import os
+import socket
+import sys
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
+from datetime import datetime
 from pathlib import Path
 
 from filelock import FileLock, Timeout
 
 from measureapp.errors import StorageError
-
-LOCK = ".lock"
+from measureapp.project.journal.publish import HOLDER, LOCK
 
 
 @contextmanager
@@ -20,20 +25,50 @@ def lock_folder(folder: Path) -> Iterator[None]:
     Raises
     ------
     StorageError
-        Another window or command has locked it, or it cannot be written to.
+        Another window or command has locked it (names the holder), or it cannot be written to.
     """
-    lock = FileLock(Path(folder) / LOCK, timeout=0)
+    folder = Path(folder)
+    lock = FileLock(folder / LOCK, timeout=0)
     try:
+        if not folder.is_dir():
+            raise FileNotFoundError(2, "the folder does not exist")
         lock.acquire()
     except Timeout as error:
         raise StorageError(
-            f"{folder} is in use by another window or command.", "Wait until it has finished, or close it; then try again."
+            f"{folder} is in use by another window or command: {_holder(folder)}.",
+            "Wait until it has finished, or close it; then try again.",
         ) from error
     except OSError as error:
         raise StorageError(
             f"{folder} cannot be written to: {error.strerror or error}.", "Check the permissions, or copy the folder to a disk of your own."
         ) from error
     try:
+        _name_holder(folder)
         yield
     finally:
+        with suppress(OSError):
+            (folder / HOLDER).unlink(missing_ok=True)
         lock.release()
+
+
+def _name_holder(folder: Path) -> None:
+    """Write who holds the lock beside it; for information only, the lock itself is the system's."""
+    holder = {
+        "program": " ".join(("measureapp", *[word for word in sys.argv[1:2] if not word.startswith("-")])),
+        "process": os.getpid(),
+        "user": getpass.getuser(),
+        "computer": socket.gethostname(),
+        "since": datetime.now().astimezone().isoformat(timespec="seconds"),
+    }
+    with suppress(OSError):
+        (folder / HOLDER).write_text(json.dumps(holder), encoding="utf-8")
+
+
+def _holder(folder: Path) -> str:
+    """Return the holder in words, also where its file is damaged or not yet written."""
+    try:
+        entry = json.loads((folder / HOLDER).read_text(encoding="utf-8"))
+        who = "this program" if entry["process"] == os.getpid() else f"{entry['program']}, process {entry['process']}"
+        return f"{who}, user {entry['user']} at {entry['computer']}, since {entry['since']}"
+    except (OSError, ValueError, KeyError, TypeError):
+        return "its name is not known"

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Mapping
 from dataclasses import asdict, replace
 from pathlib import Path
@@ -11,8 +12,8 @@ from typing import Any
 from measureapp.data.calibration import RigCalibration
 from measureapp.data.cloud import CloudQuality
 from measureapp.data.measurement import Measurement, ViewResult
-from measureapp.errors import InputError, StorageError
-from measureapp.project.atomic import write_json
+from measureapp.errors import FrameMismatch, InputError, MeasureError, StorageError
+from measureapp.project.atomic import replacing_together, write_json
 from measureapp.project.documents import (
     inspection_document,
     inspection_from,
@@ -22,14 +23,20 @@ from measureapp.project.documents import (
     placement_from,
     readback_document,
     readback_from,
+    setup_document,
+    setup_from,
     transform_document,
     transform_from,
     validity_document,
     validity_from,
 )
 from measureapp.project.geometry.files import read_mesh, read_point_cloud, read_stitched, write_cloud, write_mesh
+from measureapp.project.journal.entries import Entry
+from measureapp.project.journal.state import RESULTS
+from measureapp.project.text_document import check_version
 
 DOCUMENT, STITCHED, MESH = "measurement.json", "stitched_cloud.ply", "mesh.ply"
+FORMAT = 1
 
 
 def cloud_path(folder: Path, viewpoint_id: str) -> Path:
@@ -37,32 +44,41 @@ def cloud_path(folder: Path, viewpoint_id: str) -> Path:
     return folder / "clouds" / f"{viewpoint_id}.ply"
 
 
-def save(folder: Path, measurement: Measurement) -> None:
-    """Write a measurement; the document last, so that its absence marks incomplete results."""
-    (folder / DOCUMENT).unlink(missing_ok=True)
-    for view in measurement.views:
-        write_cloud(cloud_path(folder, view.viewpoint_id), view.cloud)
-    write_cloud(folder / STITCHED, measurement.stitched)
-    if measurement.mesh is None:
-        (folder / MESH).unlink(missing_ok=True)
-    else:
-        write_mesh(folder / MESH, measurement.mesh)
-    save_document(folder, measurement)
+def save(folder: Path, measurement: Measurement, inputs: Mapping[str, Any] | None = None) -> None:
+    """Write a measurement; an earlier one is replaced when all files of the new one are written.
+
+    Parameters
+    ----------
+    inputs : what it was computed from, see `inputs.current_inputs`
+    """
+    with replacing_together(folder, Entry(RESULTS, {}, "", {"inputs": dict(inputs or {})}), stale=(MESH, "clouds/*.ply")) as staging:
+        for view in measurement.views:
+            write_cloud(cloud_path(staging, view.viewpoint_id), view.cloud)
+        write_cloud(staging / STITCHED, measurement.stitched)
+        if measurement.mesh is not None:
+            write_mesh(staging / MESH, measurement.mesh)
+        write_json(staging / DOCUMENT, _document(measurement, inputs))
 
 
-def save_document(folder: Path, measurement: Measurement) -> None:
+def save_document(folder: Path, measurement: Measurement, inputs: Mapping[str, Any] | None = None) -> None:
     """Write a measurement without its clouds and mesh."""
-    document = {
-        "schema_version": 1,
+    with replacing_together(folder, Entry(RESULTS, {}, "", {"inputs": dict(inputs or {})})) as staging:
+        write_json(staging / DOCUMENT, _document(measurement, inputs))
+
+
+def _document(measurement: Measurement, inputs: Mapping[str, Any] | None) -> dict[str, Any]:
+    return {
+        "schema_version": FORMAT,
+        "inputs": dict(inputs or {}),
         **{name: getattr(measurement, name) for name in ("project", "part", "rig", "measured_at", "settings", "timings_s")},
         "views": [_view_document(view) for view in measurement.views],
         "placements": [placement_document(placement) for placement in measurement.stitched.placements],
         "notes": dict(measurement.stitched.notes),
+        **({"setups": [setup_document(setup) for setup in measurement.setups]} if measurement.setups else {}),
         "ring": loop_closure_document(measurement.stitched.loop_closure),
         "validity": validity_document(measurement.validity),
         "inspection": None if measurement.inspection is None else inspection_document(measurement.inspection),
     }
-    write_json(folder / DOCUMENT, document)
 
 
 def load(folder: Path, calibration: RigCalibration) -> Measurement | None:
@@ -72,6 +88,7 @@ def load(folder: Path, calibration: RigCalibration) -> Measurement | None:
         return None
     try:
         document = json.loads(path.read_text(encoding="utf-8"))
+        check_version(path, document, FORMAT)
         stitched = replace(
             read_stitched(folder / STITCHED),
             placements=tuple(placement_from(placement) for placement in document["placements"]),
@@ -86,9 +103,10 @@ def load(folder: Path, calibration: RigCalibration) -> Measurement | None:
             mesh=read_mesh(folder / MESH, "part") if (folder / MESH).exists() else None,
             inspection=None if document["inspection"] is None else inspection_from(document["inspection"]),
             validity=validity_from(document.get("validity", {})),
+            setups=tuple(setup_from(setup) for setup in document.get("setups", ())),
         )
-    except (OSError, ValueError, KeyError, TypeError, InputError) as error:
-        reason = error.message if isinstance(error, InputError) else f"{error}."
+    except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError, InputError, FrameMismatch) as error:
+        reason = error.message if isinstance(error, MeasureError) else f"{error}."
         raise StorageError(f"The results in {folder} cannot be read: {reason}", "Recompute them: measureapp process PROJECT.") from error
 
 
@@ -108,7 +126,7 @@ def _view_document(view: ViewResult) -> dict[str, Any]:
 
 def _view_from(folder: Path, document: Mapping[str, Any]) -> ViewResult:
     return ViewResult(
-        viewpoint_id=document["viewpoint_id"],
+        viewpoint_id=_known_id(document["viewpoint_id"]),
         cloud=read_point_cloud(cloud_path(folder, document["viewpoint_id"])),
         quality=CloudQuality(**document["quality"]),
         part_from_camera=transform_from(document["part_from_camera"]),
@@ -119,3 +137,10 @@ def _view_from(folder: Path, document: Mapping[str, Any]) -> ViewResult:
         timings_s=document.get("timings_s", {}),
         findings=tuple(document.get("findings", ())),
     )
+
+
+def _known_id(name: str) -> str:
+    """Return an id that names a file below the folder. Raises ValueError for any other."""
+    if not re.fullmatch(r"\w[\w .@+-]*", name):
+        raise ValueError(f"{name!r} is not the id of a viewpoint")
+    return name

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import json
 import tomllib
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from measureapp.errors import InputError
+from measureapp.errors import InputError, StorageError
 
 
 def read_toml(path: Path, remedy: str) -> dict[str, Any]:
@@ -54,3 +55,15 @@ def read_toml_or_json(path: Path, what: str, remedy: str) -> Any:
         raise InputError(f"{path} cannot be read: {error.strerror or error}.", remedy) from error
     except (ValueError, RecursionError) as error:
         raise InputError(f"{path} cannot be read as {what}: {error}.", remedy) from error
+
+
+def check_version(path: Path, document: Mapping[str, Any], version: int) -> None:
+    """Raise StorageError where a document of a project was written by a newer version of the program."""
+    found = document.get("schema_version", version)
+    if isinstance(found, int) and not isinstance(found, bool) and found > version:
+        raise StorageError(
+            f"{path} was written by a newer version of MeasureApp (format {found}; this version reads format {version}).",
+            "Use the version of MeasureApp that wrote it.",
+        )
+    if found != version:
+        raise StorageError(f"{path} has the unknown format {found!r}.", "Restore the file from a backup.")

@@ -58,6 +58,7 @@ class VirtualCamera:
     shutter: Shutter = "rolling"
     exposure_limits_us = EXPOSURE_LIMITS_US
     exposure_step_us = 1
+    longest_rendering_s = 60.0
 
     def __init__(self, description: CameraDescription, world: World, clock: Clock, link: SharedLink, follow: Callable[[], None]) -> None:
         self.name = description.name

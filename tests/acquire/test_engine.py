@@ -9,9 +9,18 @@ import numpy as np
 import pytest
 from acquire.fake_rig import Cell, Truthful, drawn, fake_plan, fake_rig, released
 
-from measureapp.acquire import device_call
+from measureapp.acquire import device_call, session
 from measureapp.acquire.engine import Engine
-from measureapp.acquire.events import ImageTaken, RunEnded, RunStarted, ViewpointFailed, ViewpointRetaken, ViewpointStarted, ViewpointStored
+from measureapp.acquire.events import (
+    ImageTaken,
+    RunEnded,
+    RunStarted,
+    ViewpointEntered,
+    ViewpointFailed,
+    ViewpointRetaken,
+    ViewpointStarted,
+    ViewpointStored,
+)
 from measureapp.acquire.session import RigSession
 from measureapp.acquire.stopping import abort, reset
 from measureapp.acquire.tasks.board import BoardTask
@@ -49,7 +58,7 @@ def once(device, call, fault):
 
 
 def kinds(events):
-    return [type(event) for event in events if not isinstance(event, ImageTaken)]
+    return [type(event) for event in events if not isinstance(event, ImageTaken | ViewpointEntered)]
 
 
 def stopped(rig):
@@ -105,7 +114,7 @@ def test_a_projector_that_is_late_by_one_pattern_is_noticed_from_the_images(rig,
 def test_a_camera_that_repeats_images_of_the_viewpoint_before_is_noticed(rig, cell):
     cell.fault = lambda name, call: "earlier" if name == "left" and cell.guide_mm == 10.0 else ""
     events = run(rig, fake_plan(), sink := Truthful(cell))
-    assert "is an image of v0" in next(event.reason for event in events if isinstance(event, ViewpointFailed))
+    assert "is an image of v0" in next(event.reason for event in events if isinstance(event, ViewpointRetaken))
     assert [stack.viewpoint_id for stack in sink.stacks] == ["v0", "v2"]
 
 
@@ -207,6 +216,7 @@ class CancelledAfter:
             raise Cancelled
 
 
+@pytest.mark.timed
 @pytest.mark.parametrize("device", ["robot", "guide", "table", "left", "projector"])
 def test_cancelling_reaches_a_call_that_blocks(rig, cell, device):
     cell.fault = once(device, 1, "blocked")
@@ -332,3 +342,26 @@ def test_an_interrupt_while_the_head_is_busy_keeps_its_own_reason(rig, cell, mon
     with pytest.raises(Cancelled):
         run(rig, fake_plan(), Truthful(cell), CancelledAfter(0.2))
     released.set()
+
+
+def test_a_camera_that_computes_its_images_has_the_time_it_states_and_a_real_one_has_not(rig, cell, monkeypatch):
+    """A virtual rig with kernels to be compiled, on a busy computer, is not lost."""
+    monkeypatch.setattr(device_call, "GRACE_S", 0.0)
+    monkeypatch.setattr(session, "STEPS_OF_A_SHOT", 0.0)
+    camera, slow = rig.cameras["left"], threading.Event()
+    genuine = camera.trigger
+
+    def trigger():
+        if not slow.is_set():
+            slow.wait(0.3)
+            slow.set()
+        genuine()
+
+    camera.trigger = trigger
+    with pytest.raises(DeviceLost, match="does not answer"):
+        run(rig, fake_plan(1), Truthful(cell))
+    reset(rig)
+    slow.clear()
+    camera.longest_rendering_s = 30.0
+    run(rig, fake_plan(1), sink := Truthful(cell))
+    assert len(sink.stacks) == 1

@@ -60,6 +60,12 @@ INPUTS: list[tuple[str, str]] = [
     ("program pack PLAN --picture IN --out OUT.mpart", "png"),
     ("program show IN", "mpart"),
     ("program unpack IN --out OUT", "mpart"),
+    ("plan predict IN", ""),
+    ("plan predict IN --rig paper --program PROGRAM", "json"),
+    ("plan predict PLAN --rig IN --program PROGRAM", "toml"),
+    ("plan predict PLAN --rig paper --program IN", "toml"),
+    ("plan predict PLAN --rig paper --program PROGRAM --calibration IN", ""),
+    ("plan extend IN", ""),
     ("import IN --into OUT", "toml"),
     ("rig check IN", "toml"),
     ("rig latency IN", "toml"),
@@ -86,7 +92,10 @@ INPUTS: list[tuple[str, str]] = [
     ("rig check paper --calibration IN", ""),
     ("process IN", ""),
     ("verify IN", ""),
+    ("raw IN", ""),
+    ("discard IN view01", ""),
     ("report IN --out OUT", ""),
+    ("repeat IN IN --out OUT", ""),
     ("scan PLAN --rig paper --project OUT --calibration IN", ""),
 ]
 

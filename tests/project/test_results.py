@@ -218,7 +218,7 @@ def test_where_nothing_was_measured_there_is_nothing(calibration: RigCalibration
     assert load(tmp_path, calibration) is None
 
 
-def test_a_save_that_breaks_off_leaves_no_measurement_of_two_halves(measurement: Measurement, tmp_path: Path, monkeypatch) -> None:
+def test_a_save_that_breaks_off_leaves_the_earlier_measurement_as_it_was(measurement: Measurement, tmp_path: Path, monkeypatch) -> None:
     save(tmp_path, measurement)
 
     def full(*_: object) -> None:
@@ -227,7 +227,8 @@ def test_a_save_that_breaks_off_leaves_no_measurement_of_two_halves(measurement:
     monkeypatch.setattr("measureapp.project.results.write_mesh", full)
     with pytest.raises(StorageError):
         save(tmp_path, replace(measurement, project="order 8"))
-    assert load(tmp_path, measurement.calibration) is None
+    same(load(tmp_path, measurement.calibration), measurement)
+    assert sorted(path.name for path in tmp_path.rglob("*") if ".part" in path.name) == []
 
 
 @pytest.mark.parametrize("damaged", ["measurement.json", "stitched_cloud.ply", "mesh.ply", "clouds/view02.ply"])

@@ -43,9 +43,8 @@ def test_an_empty_page_says_it_in_a_sentence_with_one_filled_button(window, name
     page = window.pages[name]
     assert page.is_empty
     assert page.empty.text.text().endswith(".")
-    assert plain(page.empty.button.text()) == {"calibration": "Calibrate the whole rig…", "plan": "Generate a plan…"}.get(
-        name, "Run the demo"
-    )
+    own = {"calibration": "Calibrate the whole rig…", "plan": "Generate a plan…", "scan": "Set up a scan"}
+    assert plain(page.empty.button.text()) == own.get(name, "Run the demo")
     visible = [
         button for button in page.findChildren(type(page.empty.button)) if button.isVisible() and button.property("role") == "primary"
     ]
@@ -137,9 +136,9 @@ def test_the_scan_page_shows_the_newest_image_of_a_camera(filled, application):
     page = filled.pages["scan"]
     application.session.images.put("right", ImageTaken("view-02", "right", 80_000, np.full((30, 40), 90, np.uint8)))
     page._take_images()
-    assert not page.images["right"].is_empty
-    assert page.images["left"].is_empty
-    assert plain(page.images["right"].caption) == "right · 80 ms"
+    assert not page.pictures.images["right"].is_empty
+    assert page.pictures.images["left"].is_empty
+    assert plain(page.pictures.images["right"].caption) == "right · 80 ms"
     assert page.pictures_title.text() == "Images of view-02"
 
 
@@ -278,7 +277,7 @@ def test_a_click_on_a_tile_asks_for_the_images_of_its_viewpoint(filled, applicat
     page = filled.pages["scan"]
     filled.show_page("scan")
     with qtbot.waitSignal(page.tiles.tileClicked) as told:
-        qtbot.mouseClick(page.tiles, Qt.MouseButton.LeftButton, pos=page.tiles.box(2).center().toPoint())
+        qtbot.mouseClick(page.tiles.widget(), Qt.MouseButton.LeftButton, pos=page.tiles.box(2).center().toPoint())
     assert told.args == ["view-03"]
 
 

@@ -21,6 +21,7 @@ from ui.controllers.project import ProjectController
 from ui.controllers.recent_calibration import RecentCalibrationController
 from ui.controllers.rig_control import RigControl
 from ui.controllers.rig_editing import RigEditing
+from ui.controllers.scanning import ScanController
 from ui.controllers.startup import StartupController
 from ui.controllers.stored_images import StoredImagesController
 from ui.controllers.view_choices import ViewChoicesController
@@ -44,7 +45,8 @@ class Controllers(QObject):
         self.predicting = JobRunner(session, self)
         self.rig = RigControl(session, self.jobs, self)
         self.rig_editing = RigEditing(session, self.editing, self.rig, self)
-        self.demo = DemoController(session, self.jobs, self)
+        self.scanning = ScanController(session, self.jobs, self.rig, self)
+        self.demo = DemoController(session, self.jobs, self.rig, self.scanning, self)
         self.project = ProjectController(session, self.jobs, self)
         self.documents = DocumentsController(session, self.jobs, self)
         self.comparison = ComparisonController(session, self.background, self)

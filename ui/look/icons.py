@@ -13,6 +13,8 @@ NAMES = {
     "inspection": "ruler",
     "report": "file-text",
     "run": "play",
+    "pause": "pause",
+    "skip": "skip-forward",
     "cancel": "x-circle",
     "stop": "hand-palm",
     "connect": "link",

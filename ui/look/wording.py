@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+import re
 from datetime import datetime
 from pathlib import PurePath
 
 NOTHING = "–"
 THIN = "\u2009"
 MINUS = "\u2212"
+UNIT_AFTER_NUMBER = re.compile(r"(?<=\d) (?=(?:mm|µm|px|ppm|ms|µs|s|min|h|K|kB|MB|GB|TB)\b|[%°])")
 POINT_REASONS = {  # why a pixel has no point, by the names that documents use
     "point": "Measured",
     "seen by another": "Measured by another camera",
@@ -45,6 +47,15 @@ def millimetres(value: float | None, digits: int = 3, *, signed: bool = False) -
 def percent(value: float | None, digits: int = 1, *, signed: bool = False) -> str:
     """Format a fraction in per cent."""
     return NOTHING if value is None else quantity(100.0 * value, "%", digits, signed=signed)
+
+
+def keep_units(words: str) -> str:
+    """Return ``words`` with non-breaking spaces between numbers and their units, so that no line ends between them.
+
+    >>> keep_units("adds 0.006 mm to 300 mm") == "adds 0.006\u00a0mm to 300\u00a0mm"
+    True
+    """
+    return UNIT_AFTER_NUMBER.sub("\u00a0", words)
 
 
 def counted(value: int) -> str:

@@ -45,7 +45,7 @@ class ViewportPage(Page):
         self.view = CloudView(look)
         self.is_composing = False
         self._stale = True
-        self.tool_buttons: tuple[Button, ...] = ()  # above the picture; icons only if the page is narrow
+        self._tool_buttons: tuple[Button, ...] = ()
         self.side: QWidget | None = None  # next to the picture; narrower if the page is narrow
         self.side_width = 0
         QShortcut(QKeySequence.StandardKey.Undo, self, self.undo_last, context=Qt.ShortcutContext.WidgetWithChildrenShortcut)
@@ -53,6 +53,17 @@ class ViewportPage(Page):
         session.graphicsChanged.connect(self._use_graphics)
         look.changed.connect(self.redraw)
         self._use_graphics()
+
+    @property
+    def tool_buttons(self) -> tuple[Button, ...]:
+        """The buttons above the picture; icons only if the page is narrow."""
+        return self._tool_buttons
+
+    @tool_buttons.setter
+    def tool_buttons(self, buttons: tuple[Button, ...]) -> None:
+        self._tool_buttons = buttons
+        for button in buttons:
+            button.allow_compact()
 
     def composer(self) -> Composer | None:
         """Return the function that composes the picture in a thread from immutable data; None if there is nothing to show."""

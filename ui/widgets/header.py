@@ -6,11 +6,14 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QMenu, QWidget
 
 from ui.look.look import Look
 from ui.widgets.basic import Button, ElidedLabel, column, row
 from ui.widgets.segments import Segments
+
+ROOM_FOR_WORDS = 1400  # px
 
 
 class Chip(QFrame):
@@ -70,6 +73,7 @@ class HeaderBar(QFrame):
         self._recent = QMenu(self)
         self._recent.aboutToShow.connect(self.recentAsked)
         self.open.setMenu(self._recent)
+        self.open.allow_compact()
         self.show_recent(())
         self.file = Button("", look, "file", "quiet", "Inspect a cloud or mesh from a file, against a nominal or by a program")
         self.file.clicked.connect(self.fileClicked)
@@ -90,6 +94,11 @@ class HeaderBar(QFrame):
         self.setLayout(layout)
         look.changed.connect(self._redraw)
         self._redraw()
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Shorten the widest button where there is little room."""
+        super().resizeEvent(event)
+        self.open.set_compact(self.width() < ROOM_FOR_WORDS)
 
     def show_project(self, name: str, part: str) -> None:
         """Show project and part."""

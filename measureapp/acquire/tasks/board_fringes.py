@@ -10,7 +10,8 @@ from measureapp.acquire.events import AcquisitionEvent
 from measureapp.acquire.session import RigSession
 from measureapp.acquire.task import Visit
 from measureapp.acquire.tasks.board import BOARD_SATURATED_SHARE
-from measureapp.acquire.tasks.fringes import check_images, take_stack
+from measureapp.acquire.tasks.fringes import check_images
+from measureapp.acquire.tasks.stack import take_stack
 from measureapp.arrays import ImageArray
 from measureapp.data.fringe import FringeStack, PatternSet
 from measureapp.progress import PartOf, Progress
@@ -38,11 +39,13 @@ class BoardFringesTask:
         session.load(self._pattern_images)
 
     def take(self, session: RigSession, visit: Visit, on_event: Callable[[AcquisitionEvent], None], progress: Progress) -> FringeStack:
-        """Choose the exposure by the first group, then take the stack; raises FrameError where its images contradict the patterns."""
+        """Choose the exposure by the first group, then take the stack."""
         exposure_us = self._well_exposed_us(session, PartOf(progress, 0.0, PROBE_SHARE))
-        stack = take_stack(session, visit, self._patterns, (exposure_us,), on_event, PartOf(progress, PROBE_SHARE, 1.0))
-        check_images(stack)
-        return stack
+        return take_stack(session, visit, self._patterns, (exposure_us,), on_event, PartOf(progress, PROBE_SHARE, 1.0))
+
+    def check(self, result: FringeStack) -> None:
+        """Raise FrameError where the images contradict the patterns."""
+        check_images(result)
 
     def keep(self, result: FringeStack) -> None:
         """Pass the stack on."""

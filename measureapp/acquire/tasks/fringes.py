@@ -2,36 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from collections.abc import Callable
 from typing import Protocol
 
-import numpy as np
-
-from measureapp.acquire.events import AcquisitionEvent, ImageTaken
+from measureapp.acquire.events import AcquisitionEvent
 from measureapp.acquire.session import RigSession
 from measureapp.acquire.stale_images import StaleImages
 from measureapp.acquire.steady_light import check_light
 from measureapp.acquire.task import Visit
-from measureapp.arrays import ImageArray, read_only
+from measureapp.acquire.tasks.stack import ExposureTaken, take_probe, take_stack
+from measureapp.arrays import ImageArray
 from measureapp.data.fringe import FringeStack, PatternSet
-from measureapp.devices.rig import Rig
 from measureapp.errors import DecodeError, FrameError
 from measureapp.fringe.checks.exposures import check_exposures
 from measureapp.fringe.checks.stack import check_stack
-from measureapp.progress import Progress
-
-
-@dataclass(frozen=True, slots=True, eq=False)
-class ExposureTaken:
-    """All images of one exposure of a viewpoint, available before the other exposures are taken."""
-
-    viewpoint_id: str
-    patterns: PatternSet
-    exposures_us: tuple[int, ...]  # of the whole bracket
-    level: int  # index into `exposures_us`
-    images: Mapping[str, ImageArray]  # camera -> (patterns, height, width), read-only
-    saturation: int
+from measureapp.progress import PartOf, Progress
 
 
 class Sink(Protocol):
@@ -47,17 +32,30 @@ class Sink(Protocol):
         """Store ``stack`` permanently; raises StorageError."""
 
 
+ChooseExposures = Callable[[FringeStack, tuple[int, ...]], tuple[int, ...]]
+PROBE_SHARE = 0.1  # of the progress of a viewpoint
+
+
 class FringeTask:
     """Takes a pattern set with an exposure bracket and passes the stacks to a sink.
 
     Parameters
     ----------
+    exposures_us : of viewpoints without exposures of their own
     pattern_images : (patterns, height, width) uint8, images of the projector
+    choose : returns the exposures of a viewpoint from a probe that is taken there first, and those planned
     """
 
-    def __init__(self, patterns: PatternSet, exposures_us: tuple[int, ...], pattern_images: ImageArray, sink: Sink) -> None:
+    def __init__(
+        self,
+        patterns: PatternSet,
+        exposures_us: tuple[int, ...],
+        pattern_images: ImageArray,
+        sink: Sink,
+        choose: ChooseExposures | None = None,
+    ) -> None:
         self._patterns, self._exposures_us, self._pattern_images = patterns, exposures_us, pattern_images
-        self._sink = sink
+        self._sink, self._choose = sink, choose
         self._stale = StaleImages()
 
     def prepare(self, session: RigSession) -> None:
@@ -65,11 +63,18 @@ class FringeTask:
         session.load(self._pattern_images)
 
     def take(self, session: RigSession, visit: Visit, on_event: Callable[[AcquisitionEvent], None], progress: Progress) -> FringeStack:
-        """Take the stack; raises FrameError where its images contradict the patterns or repeat earlier ones."""
-        stack = take_stack(session, visit, self._patterns, self._exposures_us, on_event, progress, self._sink.exposure_taken)
-        check_images(stack)
-        self._stale.check(stack)
-        return stack
+        """Take the stack with the exposures of the viewpoint, or else those of the task; or those chosen from a probe taken here."""
+        exposures_us = visit.exposures_us or self._exposures_us
+        if self._choose is not None:
+            probe = take_probe(session, visit, self._patterns, on_event, PartOf(progress, 0.0, PROBE_SHARE))
+            exposures_us = self._choose(probe, exposures_us)
+            progress = PartOf(progress, PROBE_SHARE, 1.0)
+        return take_stack(session, visit, self._patterns, exposures_us, on_event, progress, self._sink.exposure_taken)
+
+    def check(self, result: FringeStack) -> None:
+        """Raise FrameError where the images contradict the patterns or repeat earlier ones."""
+        check_images(result)
+        self._stale.check(result)
 
     def keep(self, result: FringeStack) -> None:
         """Store the stack."""
@@ -78,53 +83,6 @@ class FringeTask:
     def drop(self, viewpoint_id: str) -> None:
         """Discard the exposures that were passed on."""
         self._sink.drop(viewpoint_id)
-
-
-def take_stack(
-    session: RigSession,
-    visit: Visit,
-    patterns: PatternSet,
-    exposures_us: tuple[int, ...],
-    on_event: Callable[[AcquisitionEvent], None],
-    progress: Progress,
-    on_exposure: Callable[[ExposureTaken], None] = lambda _: None,
-) -> FringeStack:
-    """Take all patterns at all exposures; the patterns must be loaded already, ``on_exposure`` is called with each complete exposure."""
-    rig, count = session.rig, patterns.count
-    images = empty_stacks(rig, len(exposures_us), count)
-    saturation = min(camera.saturation for camera in rig.description.cameras)
-    missing = dict.fromkeys(exposures_us, count)
-    for taken, shot in enumerate(session.shots(range(count), exposures_us)):
-        level = exposures_us.index(shot.exposure_us)
-        progress.report(
-            taken, len(exposures_us) * count, f"{visit.viewpoint_id}: image {taken % count + 1} at {shot.exposure_us / 1000:g} ms"
-        )
-        for name, frame in shot.frames.items():
-            images[name][level, shot.pattern] = frame.pixels
-            if shot.pattern == 0:
-                on_event(ImageTaken(visit.viewpoint_id, name, shot.exposure_us, read_only(frame.pixels)))
-        missing[shot.exposure_us] -= 1
-        if not missing[shot.exposure_us]:
-            of_level = {name: read_only(stack[level]) for name, stack in images.items()}
-            on_exposure(ExposureTaken(visit.viewpoint_id, patterns, exposures_us, level, of_level, saturation))
-    return FringeStack(
-        viewpoint_id=visit.viewpoint_id,
-        patterns=patterns,
-        exposures_us=exposures_us,
-        images={name: read_only(stack) for name, stack in images.items()},
-        saturation=saturation,
-        readback=visit.readback,
-        conditions=session.conditions(),
-        approach=visit.approach,
-    )
-
-
-def empty_stacks(rig: Rig, exposures: int, patterns: int) -> dict[str, ImageArray]:
-    """Return room for the images of all cameras, (exposures, patterns, height, width) each."""
-    return {
-        name: np.empty((exposures, patterns, camera.height_px, camera.width_px), np.uint8 if camera.bit_depth == 8 else np.uint16)
-        for name, camera in rig.cameras.items()
-    }
 
 
 def check_images(stack: FringeStack) -> None:

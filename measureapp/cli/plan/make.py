@@ -15,7 +15,6 @@ from measureapp.errors import InputError
 if TYPE_CHECKING:
     from measureapp.data.mesh import Mesh
     from measureapp.data.plan import ScanPlan
-    from measureapp.geometry.transform import RigidTransform
     from measureapp.planning.coverage.result import GeneratedPlan
 
 SHOWN_AREAS = 8
@@ -49,18 +48,24 @@ def register(app: typer.Typer) -> None:
         as_json: JsonOption = False,
     ) -> None:
         """Plan viewpoints by predicted visibility, and state coverage, time, disk space and what cannot be measured."""
-        from measureapp.planning.generate import Cell, GeneratorSettings, generate_plan
+        from measureapp.planning.coverage.extent import extent_on_table, standing
+        from measureapp.planning.feasibility import Feasibility
+        from measureapp.planning.generate import GeneratorSettings, generate_plan
+        from measureapp.project.calibration.matrix_file import read_transform
         from measureapp.project.geometry.robot_file import arm_of
         from measureapp.project.plan_file import write_plan
         from measureapp.project.rig_file import read_rig
 
         description = read_rig(rig)
         settings = GeneratorSettings(name=out.stem, coverage=coverage, viewpoints=viewpoints, sigma_mm=sigma, samples=samples, seed=seed)
+        mesh = _read_nominal(nominal, unit)
+        place = standing(mesh) if pose is None else read_transform(pose, "part", "nominal")
+        extent_on_table(mesh.seen_from(place), description)
         made = generate_plan(
-            _read_nominal(nominal, unit),
-            Cell(description, arm_of(description)),
+            mesh,
+            Feasibility.checked(description, arm_of(description), mesh.seen_from(place)),
             settings,
-            part_from_nominal=_read_pose(pose),
+            part_from_nominal=place,
             progress=TerminalProgress(),
         )
         write_plan(out, made.plan)
@@ -81,12 +86,6 @@ def _read_nominal(path: Path, unit: LengthUnit | None) -> Mesh:
             f"Confirm with `--unit {likely}`, or give `--unit mm` if it is in millimetres.",
         )
     return mesh
-
-
-def _read_pose(path: Path | None) -> RigidTransform | None:
-    from measureapp.project.calibration.matrix_file import read_transform
-
-    return None if path is None else read_transform(path, "part", "nominal")
 
 
 def _document(made: GeneratedPlan) -> dict[str, Any]:

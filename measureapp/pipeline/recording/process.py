@@ -21,7 +21,7 @@ from measureapp.pipeline.run import Outcome, finish
 from measureapp.pipeline.validity import check_stored_images
 from measureapp.pipeline.watch import Stopwatch
 from measureapp.progress import PartOf, Progress
-from measureapp.project.atomic import write_json
+from measureapp.project.atomic import remove, write_json
 from measureapp.project.calibration.camera_file import cameras_document, write_cameras
 from measureapp.project.calibration.store import CAMERAS, RIG
 from measureapp.project.documents import link_document
@@ -88,7 +88,7 @@ def _save_calibration(project: ProjectFolder, learnt: Learnt) -> dict[str, Path]
     if learnt.rig is not None:
         project.save_calibration(learnt.rig, learnt.uncertainty)
         return {"cameras": folder / CAMERAS, "rig": folder / RIG}
-    (folder / RIG).unlink(missing_ok=True)  # of other cameras
+    remove(folder / RIG)  # of other cameras
     write_cameras(folder / CAMERAS, learnt.cameras)
     if not learnt.links:
         return {"cameras": folder / CAMERAS}

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 
 from measureapp.calibrate.cameras.camera import LEAST_VIEWS
 from measureapp.data.calibration import CameraArrayCalibration
 from measureapp.data.fringe import AxisReadback
-from measureapp.errors import InputError
+from measureapp.errors import InputError, StorageError
 from measureapp.pipeline.recording.motions import (
     BoardReadback,
     axis_views,
@@ -98,7 +99,10 @@ def recorded(project: ProjectFolder) -> Recorded:
     standing = [BoardReadback(name, readback, name not in note.in_cell) for name, (_, readback) in stored.items() if name not in note.loose]
     names = [camera.name for camera in project.rig().cameras]
     known = read_cameras(project.path / "calibration" / KNOWN_CAMERAS) if note.cameras_known else None
-    readbacks = map(project.frames.readback, project.stored_viewpoints())
+    readbacks = []
+    for viewpoint_id in project.stored_viewpoints():
+        with suppress(StorageError):  # a damaged stack is reported where its images are used
+            readbacks.append(project.frames.readback(viewpoint_id))
     return Recorded(note, tuple(names), known, tuple(standing), len(stored), tuple(readbacks))
 
 

@@ -7,15 +7,17 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from measureapp.arrays import FloatArray
+from measureapp.data.leg import Axis
 from measureapp.data.plan import Viewpoint
 from measureapp.data.rig import RigDescription
 from measureapp.errors import LimitError
 from measureapp.geometry.kinematics.arm import ArmModel
 from measureapp.geometry.kinematics.choice import by_preference
 from measureapp.geometry.kinematics.singularity import GOAL_MARGINS
+from measureapp.geometry.transform import RigidTransform
 from measureapp.planning.collision.build import PartSolid, cell_bodies, check_part_fits
 from measureapp.planning.collision.clearance import Encounter, Scene, Sweep
-from measureapp.planning.collision.motion import Axis, Mechanism, Placement
+from measureapp.planning.collision.motion import Mechanism, Placement
 from measureapp.planning.reach import LIMIT_MARGIN_RAD, limit_violations
 
 ORDER: tuple[Axis, ...] = ("table", "guide", "robot")  # in which a session moves the axes, one after the other
@@ -29,7 +31,8 @@ class Cell:
     """All bodies of a cell, and the rig's limits; built by `Cell.of`, and not changed by any call."""
 
     rig: RigDescription
-    arm: ArmModel | None  # with the margins that drivers keep from the limits of joints
+    arm: ArmModel | None
+    kept: ArmModel | None  # the arm with the margins that drivers keep from the limits of joints
     scene: Scene
 
     @classmethod
@@ -48,8 +51,8 @@ class Cell:
         """
         if part is not None:
             check_part_fits(part, rig)
-        model = None if arm is None else arm.with_margin(LIMIT_MARGIN_RAD)
-        return cls(rig, model, Scene.of(cell_bodies(rig, arm, part), rig.motion.clearance_mm, Mechanism(rig, model)))
+        kept = None if arm is None else arm.with_margin(LIMIT_MARGIN_RAD)
+        return cls(rig, arm, kept, Scene.of(cell_bodies(rig, arm, part), rig.motion.clearance_mm, Mechanism(rig, arm)))
 
     # viewpoints
 
@@ -84,10 +87,17 @@ class Cell:
 
     def placements(self, viewpoint: Viewpoint, present_rad: FloatArray | None = None) -> tuple[Placement, ...]:
         """Return where the axes can be at a viewpoint, the configuration that is driven first; raises LimitError as `by_preference`."""
-        if self.arm is None:
+        if self.kept is None:
             return (Placement.at(viewpoint, None),)
-        solutions = by_preference(self.arm, viewpoint.flange.transform(), REST_RAD if present_rad is None else present_rad, GOAL_MARGINS)
+        solutions = by_preference(self.kept, viewpoint.flange.transform(), REST_RAD if present_rad is None else present_rad, GOAL_MARGINS)
         return tuple(Placement.at(viewpoint, solution.joints_rad) for solution in solutions)
+
+    def nearest(self, base_from_flange: RigidTransform, present: Placement) -> Placement:
+        """Return the placement with the flange at a pose, in the configuration that a driver chooses; raises LimitError as `by_preference`."""
+        joints_rad = None
+        if self.kept is not None:
+            joints_rad = by_preference(self.kept, base_from_flange, present.joints_from(REST_RAD))[0].joints_rad
+        return replace(present, base_from_flange=base_from_flange.matrix, joints_rad=joints_rad)
 
     def encounter_at(self, placement: Placement) -> Encounter | None:
         """Return two bodies that are too close to each other at a placement; None if all keep their distance."""

@@ -76,7 +76,9 @@ def check_in(cell: Cell, viewpoints: tuple[Viewpoint, ...], start: Placement | N
     here = start if start is not None else start_of(cell, free)
     moves: list[Move] = []
     name = ""
-    for viewpoint in free if here is not None else []:
+    for viewpoint in free:
+        if here is None:
+            break
         try:
             route = find_route(cell, here, viewpoint)
         except NoRoute as error:

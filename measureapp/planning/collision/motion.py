@@ -5,12 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from itertools import pairwise
 from math import ceil, radians
-from typing import Literal
 
 import numpy as np
 from scipy.spatial.transform import Rotation, Slerp
 
 from measureapp.arrays import FloatArray
+from measureapp.data.leg import Axis
 from measureapp.data.plan import Viewpoint
 from measureapp.data.rig import RigDescription
 from measureapp.geometry.kinematics.arm import JOINTS, ArmModel
@@ -20,7 +20,6 @@ CARRIERS = 9  # FIXED last, so that it is also index -1
 GUIDE, ROTARY, SHIFT, TURN = range(JOINTS, JOINTS + 4)  # after the joints
 CHANGES = JOINTS + 4
 SAME = 1e-9  # rad or mm
-Axis = Literal["table", "guide", "robot"]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -40,11 +39,17 @@ class Placement:
             return replace(self, guide_mm=goal.guide_mm)
         return replace(self, base_from_flange=goal.base_from_flange, joints_rad=goal.joints_rad)
 
+    def joints_from(self, default_rad: FloatArray) -> FloatArray:
+        """Return the joint angles, or ``default_rad`` where they are not known."""
+        return default_rad if self.joints_rad is None else self.joints_rad
+
     def is_at(self, other: Placement) -> bool:
         """Whether no axis has to move to another placement."""
-        joints = (self.joints_rad, other.joints_rad)
-        same = (self.base_from_flange, other.base_from_flange) if joints[0] is None or joints[1] is None else joints
-        return self.guide_mm == other.guide_mm and self.table_rad == other.table_rad and np.allclose(*same, rtol=0.0, atol=SAME)
+        if self.joints_rad is None or other.joints_rad is None:
+            same = np.allclose(self.base_from_flange, other.base_from_flange, rtol=0.0, atol=SAME)
+        else:
+            same = np.allclose(self.joints_rad, other.joints_rad, rtol=0.0, atol=SAME)
+        return same and self.guide_mm == other.guide_mm and self.table_rad == other.table_rad
 
     @classmethod
     def at(cls, viewpoint: Viewpoint, joints_rad: FloatArray | None) -> Placement:

@@ -9,14 +9,13 @@ from math import radians
 import numpy as np
 
 from measureapp.arrays import FloatArray
+from measureapp.data.leg import Axis
 from measureapp.data.plan import FlangePose, Viewpoint
 from measureapp.errors import LimitError
-from measureapp.geometry.kinematics.arm import ArmModel
-from measureapp.geometry.kinematics.choice import by_preference
 from measureapp.geometry.transform import RigidTransform
 from measureapp.planning.collision.cell import ORDER, REST_RAD, Cell
 from measureapp.planning.collision.clearance import Encounter
-from measureapp.planning.collision.motion import Axis, Placement
+from measureapp.planning.collision.motion import Placement
 
 OTHER_ORDERS: tuple[tuple[Axis, ...], ...] = (("robot", "table", "guide"), ("guide", "robot", "table"))
 RETRACTS_MM = (100.0, 50.0)  # along the optical axis
@@ -25,7 +24,7 @@ HINT = "Change this viewpoint or the order of the plan, or state a park pose tha
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Leg:
+class RouteLeg:
     """A move of one axis."""
 
     axis: Axis
@@ -36,7 +35,7 @@ class Leg:
 class Route:
     """Checked moves from one placement to another; where an axis stays, there is no leg."""
 
-    legs: tuple[Leg, ...]
+    legs: tuple[RouteLeg, ...]
     end: Placement
     detour: str = ""  # in words; empty: direct
 
@@ -102,7 +101,7 @@ def _route(start: Placement, moves: Sequence[tuple[Axis, Placement]], detour: st
     for axis, goal in moves:
         there = here.moved(axis, goal)
         if not there.is_at(here):
-            legs.append(Leg(axis, there))
+            legs.append(RouteLeg(axis, there))
         here = there
     return Route(tuple(legs), here, detour)
 
@@ -121,31 +120,24 @@ def _drawn_back(cell: Cell, placement: Placement, distance_mm: float) -> Placeme
     flange_from_head = cell.rig.flange_from_head.transform("flange", "head").matrix
     back = np.eye(4)
     back[2, 3] = -distance_mm
-    return _with_flange(cell.arm, placement, placement.base_from_flange @ flange_from_head @ back @ np.linalg.inv(flange_from_head))
+    return _with_flange(cell, placement, placement.base_from_flange @ flange_from_head @ back @ np.linalg.inv(flange_from_head))
 
 
 def _parked(cell: Cell, placement: Placement) -> Placement | None:
     """Return the placement with the robot in its park pose, or at rest where the rig describes none."""
     if (park := cell.rig.motion.park) is not None:
         pose = FlangePose(position_mm=park.position_mm, quaternion_wxyz=park.quaternion_wxyz)
-        return _with_flange(cell.arm, placement, pose.transform().matrix)
+        return _with_flange(cell, placement, pose.transform().matrix)
     if cell.arm is None:
         return None
     return replace(placement, base_from_flange=cell.arm.forward_matrices(REST_RAD), joints_rad=REST_RAD)
 
 
-def _with_flange(arm: ArmModel | None, placement: Placement, base_from_flange: FloatArray) -> Placement | None:
-    if arm is None:
-        return replace(placement, base_from_flange=base_from_flange)
+def _with_flange(cell: Cell, placement: Placement, base_from_flange: FloatArray) -> Placement | None:
     try:
-        solutions = by_preference(arm, RigidTransform(base_from_flange, "base", "flange"), _joints(placement))
+        return cell.nearest(RigidTransform(base_from_flange, "base", "flange"), placement)
     except LimitError:
         return None
-    return replace(placement, base_from_flange=base_from_flange, joints_rad=solutions[0].joints_rad)
-
-
-def _joints(placement: Placement) -> FloatArray:
-    return REST_RAD if placement.joints_rad is None else placement.joints_rad
 
 
 def start_of(cell: Cell, viewpoints: Sequence[Viewpoint]) -> Placement | None:

@@ -14,6 +14,7 @@ from measureapp.planning.coverage.head import Head, heads_at
 from measureapp.planning.coverage.limits import VisibilityLimits
 from measureapp.planning.coverage.samples import SurfaceSamples
 from measureapp.planning.coverage.scene import PartScene
+from measureapp.planning.coverage.stations import rounded
 from measureapp.planning.coverage.unreachable import clusters, heads_around
 from measureapp.planning.coverage.visibility import seen_from
 from measureapp.planning.reach import limit_violations
@@ -77,4 +78,4 @@ def _placed(part_from_head: FloatArray, rig: RigDescription, name: str, table_de
     low, high = rig.guide.limits_mm
     guide_mm = round(float(np.clip(guide_from_flange.translation_mm[1], low, high)), 1)
     base_from_guide = RigidTransform.from_parts(np.eye(3), [0.0, -guide_mm, 0.0], "base", "guide")
-    return Viewpoint(id=name, flange=FlangePose.of(base_from_guide @ guide_from_flange), guide_mm=guide_mm, table_deg=table_deg)
+    return Viewpoint(id=name, flange=rounded(FlangePose.of(base_from_guide @ guide_from_flange)), guide_mm=guide_mm, table_deg=table_deg)

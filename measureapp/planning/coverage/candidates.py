@@ -17,7 +17,6 @@ from measureapp.planning.coverage.head import Head, heads_at
 from measureapp.planning.coverage.stations import Station, aims, reachable_station, slides_mm
 from measureapp.progress import Progress
 
-IsFree = Callable[[Viewpoint], bool]
 TABLE_STEPS = 24  # angles of the table at each station
 MOST_CANDIDATES = 2600
 
@@ -45,25 +44,36 @@ class Candidates:
 
 
 def grid_candidates(
-    extent: Extent, rig: RigDescription, arm: ArmModel | None, progress: Progress, most: int = MOST_CANDIDATES
-) -> Candidates:
-    """Return candidates all around the part: elevations, rolls and distances of the head, places of the guide, angles of the table.
+    extent: Extent,
+    rig: RigDescription,
+    arm: ArmModel | None,
+    is_free: Callable[[Viewpoint], bool] | None,
+    progress: Progress,
+    most: int = MOST_CANDIDATES,
+) -> tuple[Candidates, IntArray]:
+    """Return candidates all around the part, within reach, and the indices of those at which nothing touches.
 
-    Viewpoints that only differ by guide and table share a station: these axes are about ten times more accurate than the robot. Angles of the
-    table are limited by its range; numbers follow the usefulness, so that ``most`` omits what adds least.
+    They are elevations, rolls and distances of the head, places of the guide, angles of the table, the most useful first, until ``most`` are
+    free. Viewpoints that only differ by guide and table share a station: these axes are about ten times more accurate than the robot.
+
+    Parameters
+    ----------
+    is_free : whether nothing touches at a viewpoint; None: not checked
     """
     head = Head.of(rig)
     slides, angles = slides_mm(extent, head), table_angles_deg(rig)
-    stations: list[Station] = []
+    found, free = as_candidates([], rig), np.zeros(0, int)
     wanted = list(aims(extent, head))
     for number, aim in enumerate(wanted):
-        progress.report(number, len(wanted), "reach")
+        progress.report(number, len(wanted), "reach and collisions")
         station = reachable_station(aim, rig, arm)
         if station is not None:
-            stations.append(station)
-        if len(stations) * len(slides) * len(angles) >= most:
+            more = as_candidates([(station, slides, angles)], rig)
+            free = np.concatenate([free, len(found) + free_of_contact(more, is_free, progress)])
+            found = found.joined(more)
+        if len(free) >= most:
             break
-    return as_candidates(((station, slides, angles) for station in stations), rig)
+    return found, free
 
 
 def as_candidates(stations: Iterable[tuple[Station, Sequence[float], Sequence[float]]], rig: RigDescription) -> Candidates:
@@ -75,7 +85,7 @@ def as_candidates(stations: Iterable[tuple[Station, Sequence[float], Sequence[fl
         for slide, angle in product(slides, angles):
             guide_mm = round(station.guide_mm + slide, 1)
             if low <= guide_mm <= high:
-                viewpoints.append(Viewpoint(id=f"c{len(viewpoints):05d}", flange=station.flange, guide_mm=guide_mm, table_deg=angle))
+                viewpoints.append(Viewpoint(id=f"c{len(viewpoints):04d}", flange=station.flange, guide_mm=guide_mm, table_deg=angle))
                 numbers.append(number)
     return Candidates(tuple(viewpoints), np.array(numbers, int), heads_at(viewpoints, rig))
 
@@ -91,13 +101,12 @@ def table_angles_deg(rig: RigDescription) -> tuple[float, ...]:
     return tuple(round(float(angle), 3) for angle in angles)
 
 
-def free_of_contact(candidates: Candidates, is_free: IsFree | None, progress: Progress) -> IntArray:
+def free_of_contact(candidates: Candidates, is_free: Callable[[Viewpoint], bool] | None, progress: Progress) -> IntArray:
     """Return the indices of the candidates at which nothing touches; all of them without a check."""
     if is_free is None:
         return np.arange(len(candidates))
     free = []
-    for number, viewpoint in enumerate(candidates.viewpoints):
-        if number % 50 == 0:
-            progress.report(number, len(candidates), "collisions")
+    for viewpoint in candidates.viewpoints:
+        progress.check()
         free.append(is_free(viewpoint))
     return np.flatnonzero(free)

@@ -12,6 +12,7 @@ from measureapp.errors import PlanError
 from measureapp.geometry.transform import RigidTransform
 
 SMALLEST_MM = 1.0
+TOUCHING_MM = 1e-3
 BELOW_TABLE_MM = 1.0  # rounding and a slightly tilted pose
 
 
@@ -52,10 +53,11 @@ def extent_on_table(part: Mesh, rig: RigDescription) -> Extent:
 
 def _refuse_too_large(found: Extent, rig: RigDescription) -> None:
     table = rig.table
-    if found.radius_mm > table.diameter_mm / 2.0:
+    largest = table.diameter_mm if rig.cell.largest_part_mm is None else rig.cell.largest_part_mm
+    if 2.0 * found.radius_mm > largest + TOUCHING_MM:
         raise PlanError(
-            f"The part needs {2.0 * found.radius_mm:.0f} mm on the table of {rig.name}, whose diameter is {table.diameter_mm:g} mm.",
-            "State the unit of the nominal if it is not in millimetres, move the part to the middle, or use a rig with a larger table.",
+            f"The part is too large for {rig.name}: turning with the table it needs {2.0 * found.radius_mm:.0f} mm; {largest:g} mm are allowed.",
+            "State the unit of the nominal if it is not in millimetres, or move the part to the middle of the table.",
         )
     if found.low_mm < -BELOW_TABLE_MM:
         raise PlanError(f"The part reaches {-found.low_mm:.1f} mm below the top of the table.", "Correct its pose on the table.")

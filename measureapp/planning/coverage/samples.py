@@ -9,7 +9,7 @@ from scipy.spatial import cKDTree
 
 from measureapp.arrays import BoolArray, FloatArray, IntArray, read_only
 from measureapp.errors import PlanError
-from measureapp.planning.coverage.outward import outward
+from measureapp.planning.coverage.outward import is_wound_consistently, outward
 from measureapp.planning.coverage.scene import PartScene
 
 DARTS_PER_SAMPLE = 8
@@ -68,6 +68,8 @@ def sample_surface(scene: PartScene, count: int = 5000, seed: int = 1) -> Surfac
     triangles = np.searchsorted(np.cumsum(areas) / total, rng.random(DARTS_PER_SAMPLE * count), side="right").clip(max=len(areas) - 1)
     points = _in_triangles(corners[triangles], rng)
     normals = crosses[triangles] / (2.0 * areas[triangles, None])
+    if not is_wound_consistently(scene.part.triangles):
+        normals = outward(points, normals, scene, rng)  # before samples of one side are told from those of the other
     spacing = np.sqrt(total * PACKING / count * 2.0 / np.sqrt(3.0))
     kept = _poisson_discs(points, normals, spacing)
     share = _nearest_of_same_side(points, normals, points[kept], normals[kept])

@@ -13,7 +13,7 @@ from measureapp.data.mesh import Mesh
 from measureapp.data.rig import RigDescription
 
 RAY_OFFSET_MM = 0.05  # of the origin of a ray above the surface
-TABLE_BELOW_MM = 0.02  # so that a part that stands on the table is not inside it
+TABLE_BELOW_MM = 0.2  # so that rays which start just below a part that stands on the table are above it
 TABLE_CORNERS = 96
 
 
@@ -23,13 +23,14 @@ class PartScene:
 
     part: Mesh
     _all: Any  # Open3D's RaycastingScene of everything
+    _part: Any  # the same of the part alone
     _support: Any  # the same of table and fixtures
 
     @classmethod
     def of(cls, part: Mesh, rig: RigDescription, fixtures: Sequence[Mesh] = ()) -> PartScene:
         """Build from meshes in the frame `part`."""
         support = (table_top(rig), *fixtures)
-        return cls(part, _scene((part, *support)), _scene(support))
+        return cls(part, _scene((part, *support)), _scene((part,)), _scene(support))
 
     def hidden(self, points_mm: FloatArray, eyes_mm: FloatArray) -> BoolArray:
         """Return whether anything lies between points (N, 3), already offset from the surface, and eyes (N, 3)."""
@@ -38,8 +39,11 @@ class PartScene:
 
     def escapes(self, points_mm: FloatArray, directions: FloatArray) -> BoolArray:
         """Return whether rays (N, 3) leave the scene without hitting anything."""
-        rays = _tensor(np.concatenate([points_mm, directions], axis=1))
-        return ~np.asarray(self._all.test_occlusions(rays).numpy())
+        return _escape(self._all, points_mm, directions)
+
+    def escapes_part(self, points_mm: FloatArray, directions: FloatArray) -> BoolArray:
+        """Return whether rays (N, 3) do not hit the part; table and fixtures are disregarded."""
+        return _escape(self._part, points_mm, directions)
 
     def gap_to_support_mm(self, points_mm: FloatArray, directions: FloatArray) -> FloatArray:
         """Return the distance (N,) along unit directions (N, 3) to table or fixtures; infinite where they are not hit."""
@@ -67,6 +71,10 @@ def _scene(meshes: Sequence[Mesh]) -> Any:
             open3d.core.Tensor.from_numpy(mesh.triangles.astype(np.uint32)),
         )
     return scene
+
+
+def _escape(scene: Any, points_mm: FloatArray, directions: FloatArray) -> BoolArray:
+    return ~np.asarray(scene.test_occlusions(_tensor(np.concatenate([points_mm, directions], axis=1))).numpy())
 
 
 def _tensor(rays: FloatArray) -> Any:

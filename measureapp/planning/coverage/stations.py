@@ -86,7 +86,14 @@ def place_station(aim: Aim, rig: RigDescription, azimuth_deg: float, side_mm: fl
     still = viewpoint_looking_at(rig, "station", target, look_at)
     guide_mm = round(still.flange.position_mm[1] - side_mm, 1)
     placed = viewpoint_looking_at(rig, "station", target, look_at, guide_mm=guide_mm)
-    return Station(placed.flange, guide_mm, azimuth_deg, aim)
+    return Station(rounded(placed.flange), guide_mm, azimuth_deg, aim)
+
+
+def rounded(pose: FlangePose) -> FlangePose:
+    """Return a pose with µm and 1e-7 in the quaternion, as plans are read by people; no robot resolves more."""
+    x, y, z = (round(value, 3) + 0.0 for value in pose.position_mm)
+    qw, qx, qy, qz = (round(value, 7) + 0.0 for value in pose.quaternion_wxyz)
+    return FlangePose(position_mm=(x, y, z), quaternion_wxyz=(qw, qx, qy, qz))
 
 
 def _viewpoint(station: Station) -> Viewpoint:

@@ -20,8 +20,8 @@ from measureapp.planning.coverage.visibility import seen_from
 from measureapp.progress import Progress
 
 CONTACT_MM = 1.0  # distance to table or fixture below which the surface touches it
-TILTS_DEG = (0.0, 20.0, 40.0, 58.0, 75.0, 86.0)  # of an imagined head against the normal
-TURNS = 8
+TILTS_DEG = (0.0, 22.0, 44.0, 60.0, 80.0)  # of an imagined head against the normal
+TURNS = 6
 ROLLS_DEG = (0.0, 90.0)
 CLUSTERS = 60
 LINK_FACTOR = 1.8  # of the spacing of samples, within which unseen ones form one area
@@ -78,7 +78,7 @@ def find_causes(
             cause[left[~sees(samples.subset(left))]] = ORDER.index(what)
 
     progress.report(0, 5, "what cannot be seen")
-    blame(Cause.SUPPORT, lambda some: _gap_mm(some, scene) > CONTACT_MM)
+    blame(Cause.SUPPORT, lambda some: ~touches_support(some, scene))
     blame(Cause.NO_PAIR, lambda some: _seen_from_anywhere(some, head, scene, limits.without_incidence(), progress))
     blame(Cause.INCIDENCE, lambda some: _seen_from_anywhere(some, head, scene, limits.without_light(), progress))
     blame(Cause.REACH, lambda some: _seen_from_any(reachable, some, head, scene, limits.without_light(), progress))
@@ -99,8 +99,9 @@ def as_areas(unseen: IntArray, cause: IntArray, samples: SurfaceSamples) -> tupl
     return tuple(sorted(areas, key=lambda area: (-area.area_mm2, area.samples)))
 
 
-def _gap_mm(samples: SurfaceSamples, scene: PartScene) -> FloatArray:
-    return scene.gap_to_support_mm(samples.points_mm + RAY_OFFSET_MM * samples.normals, samples.normals)
+def touches_support(samples: SurfaceSamples, scene: PartScene) -> BoolArray:
+    """Return which samples (N,) touch the table or a fixture."""
+    return scene.gap_to_support_mm(samples.points_mm + RAY_OFFSET_MM * samples.normals, samples.normals) <= CONTACT_MM
 
 
 def _facing(normals: FloatArray, pairs: IntArray) -> FloatArray:

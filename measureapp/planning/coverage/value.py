@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
+from scipy.sparse import csc_matrix
 
 from measureapp.arrays import BoolArray, FloatArray, IntArray
 
@@ -25,7 +27,7 @@ class Problem:
     station: IntArray  # (V,)
     cover_share: float  # 0 if a σ is required
     rows: tuple[IntArray, ...] = field(repr=False)  # of each candidate, the samples it sees
-    _seen_areas: FloatArray = field(repr=False)  # (V, N) float32, area of a sample where it is seen
+    _sparse: Any = field(repr=False)  # the weights, in compressed columns
 
     @classmethod
     def of(cls, sigma_mm: FloatArray, areas_mm2: FloatArray, station: IntArray, required_mm: float | None) -> Problem:
@@ -35,7 +37,7 @@ class Problem:
         share = COVER_SHARE if required_mm is None else 0.0
         rows = tuple(np.flatnonzero(row) for row in weights)
         areas = areas_mm2 / max(float(areas_mm2.sum()), 1e-300)
-        return cls(weights, areas, station, share, rows, ((weights > 0.0) * areas).astype(np.float32))
+        return cls(weights, areas, station, share, rows, csc_matrix(weights, dtype=np.float64))
 
     def total(self, chosen: IntArray | list[int]) -> float:
         """Return the value of a set of candidates."""
@@ -59,9 +61,10 @@ class Problem:
         """Return the covered share of all areas with each candidate added, (V,)."""
         missing = 1.0 - self.covered(information)
         rows = np.flatnonzero(missing > 0.0)
-        if self.cover_share:
-            return np.asarray(self.covered_area(information) + self._seen_areas[:, rows].sum(axis=1, dtype=np.float64))
-        return np.asarray(self.covered_area(information) + np.minimum(self.weights[:, rows], missing[rows]) @ self.areas[rows])
+        added = self._sparse[:, rows]
+        most = np.repeat(missing[rows], np.diff(added.indptr))
+        added.data = most if self.cover_share else np.minimum(added.data, most)
+        return np.asarray(self.covered_area(information) + added @ self.areas[rows])
 
     def information(self, chosen: IntArray | list[int]) -> FloatArray:
         """Return the information (N,) of a set of candidates."""

@@ -16,23 +16,17 @@ from measureapp.data.board import BoardView
 from measureapp.data.conditions import Conditions
 from measureapp.data.fringe import AxisReadback
 from measureapp.errors import FrameMismatch, InputError, StorageError
-from measureapp.project.atomic import replacing, write_json
+from measureapp.project.atomic import replacing, replacing_together, write_json
 from measureapp.project.documents import conditions_document, conditions_from, readback_document, readback_from
 from measureapp.project.frame_store import checksum
 from measureapp.project.images import read_image
+from measureapp.project.journal.entries import Entry
 
-DESCRIPTION = "view.json"
+DESCRIPTION, STORED = "view.json", "board view stored"
 
 
 def save(folder: Path, view: BoardView) -> None:
-    """Write the images of one viewpoint below ``folder``; the description last, so that its absence marks an incomplete view."""
-    place = folder / view.viewpoint_id
-    for camera, pixels in view.images.items():
-        encoded, data = cv2.imencode(".png", np.asarray(pixels))
-        if not encoded:
-            raise StorageError(f"The image of camera {camera} cannot be encoded.", "Take the view again.")
-        with replacing(place / f"{camera}.png") as temporary:
-            temporary.write_bytes(data.tobytes())
+    """Write the images and the description of one viewpoint below ``folder``; it is there as a whole or not at all. Raises StorageError."""
     document = {
         "schema_version": 1,
         "viewpoint_id": view.viewpoint_id,
@@ -41,7 +35,14 @@ def save(folder: Path, view: BoardView) -> None:
         "conditions": conditions_document(view.conditions),
         "checksums": {camera: checksum(np.asarray(pixels)) for camera, pixels in view.images.items()},
     }
-    write_json(place / DESCRIPTION, document)
+    with replacing_together(folder / view.viewpoint_id, Entry(STORED, {}, view.viewpoint_id), stale=("*.png",)) as place:
+        for camera, pixels in view.images.items():
+            encoded, data = cv2.imencode(".png", np.asarray(pixels))
+            if not encoded:
+                raise StorageError(f"The image of camera {camera} cannot be encoded.", "Take the view again.")
+            with replacing(place / f"{camera}.png") as temporary:
+                temporary.write_bytes(data.tobytes())
+        write_json(place / DESCRIPTION, document)
 
 
 def list_stored(folder: Path) -> tuple[str, ...]:

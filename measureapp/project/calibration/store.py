@@ -8,28 +8,37 @@ calibration/history.jsonl            results of scans and board checks about eac
 from __future__ import annotations
 
 import json
-import os
+import shutil
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from measureapp.data.calibration import RigCalibration
 from measureapp.data.validity import CheckRecord
 from measureapp.errors import InputError, StorageError
-from measureapp.project.atomic import write_json
+from measureapp.project.atomic import replacing, replacing_together, write_json
 from measureapp.project.calibration.camera_file import cameras_document, read_cameras, write_cameras
+from measureapp.project.calibration.rig_uncertainty_file import write_rig_uncertainty
 from measureapp.project.documents import calibration_id, check_document, check_from, digest, rig_calibration_document, rig_calibration_from
+from measureapp.project.journal.entries import Entry
+
+if TYPE_CHECKING:
+    from measureapp.calibrate.rig.stitch_uncertainty import RigUncertainty
 
 CAMERAS, RIG, FORMER, HISTORY = "cameras.json", "rig.json", "former", "history.jsonl"
+STORED, ARCHIVED = "calibration stored", "calibration archived"
 RIG_UNCERTAINTY = "rig_uncertainty.npz"  # uncertainty of the calibration, if stored
 
 
-def save(folder: Path, calibration: RigCalibration) -> None:
-    """Store a calibration; one made from other images is archived first."""
+def save(folder: Path, calibration: RigCalibration, uncertainty: RigUncertainty | None = None) -> None:
+    """Store a calibration and, if known, its uncertainty, all at once; one made from other images is archived first. Raises StorageError."""
     _archive(folder, calibration)
-    (folder / RIG_UNCERTAINTY).unlink(missing_ok=True)
     cameras, rig = cameras_document(calibration.cameras), rig_calibration_document(calibration)
-    write_cameras(folder / CAMERAS, calibration.cameras)
-    write_json(folder / RIG, {**rig, "checksum": _checksum(cameras, rig)})
+    entry = Entry(STORED, {}, "", {"id": calibration_id(calibration)})
+    with replacing_together(folder, entry, stale=(RIG_UNCERTAINTY,)) as staging:
+        write_cameras(staging / CAMERAS, calibration.cameras)
+        write_json(staging / RIG, {**rig, "checksum": _checksum(cameras, rig)})
+        if uncertainty is not None:
+            write_rig_uncertainty(staging / RIG_UNCERTAINTY, uncertainty)
 
 
 def load(folder: Path) -> RigCalibration | None:
@@ -62,15 +71,11 @@ def record(folder: Path, line: CheckRecord) -> None:
     if line in history(folder):
         return
     path = folder / HISTORY
-    path.parent.mkdir(parents=True, exist_ok=True)
-    try:
-        torn = path.exists() and path.read_bytes()[-1:] not in (b"", b"\n")
-        with path.open("a", encoding="utf-8") as file:
-            file.write(("\n" if torn else "") + json.dumps(check_document(line), ensure_ascii=False) + "\n")
-            file.flush()
-            os.fsync(file.fileno())
-    except OSError as error:
-        raise StorageError(f"{path} cannot be written: {error.strerror or error}.", "Check the free space and the permissions.") from error
+    with replacing(path) as temporary:
+        former = path.read_bytes() if path.exists() else b""
+        torn = former[-1:] not in (b"", b"\n")
+        text = ("\n" if torn else "") + json.dumps(check_document(line), ensure_ascii=False) + "\n"
+        temporary.write_bytes(former + text.encode("utf-8"))
 
 
 def history(folder: Path) -> tuple[CheckRecord, ...]:
@@ -95,10 +100,10 @@ def _archive(folder: Path, coming: RigCalibration) -> None:
     if former is None or calibration_id(former) == calibration_id(coming):
         return
     place = folder / FORMER / f"{former.provenance.created[:10] or 'undated'}-{calibration_id(former)}"
-    place.mkdir(parents=True, exist_ok=True)
-    for name in (CAMERAS, RIG, RIG_UNCERTAINTY):
-        if (folder / name).exists():
-            (folder / name).replace(place / name)
+    with replacing_together(place, Entry(ARCHIVED, {}, "", {"id": calibration_id(former)})) as staging:
+        for name in (CAMERAS, RIG, RIG_UNCERTAINTY):
+            if (folder / name).exists():
+                shutil.copyfile(folder / name, staging / name)
 
 
 def _checksum(cameras: dict[str, Any], rig: dict[str, Any]) -> str:

@@ -1,0 +1,138 @@
+"""What a project consists of according to its journal, and whether the files on disk are these."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from threading import Lock
+from typing import Any
+
+from measureapp.errors import Damaged
+from measureapp.project.journal import database, disk, publish
+from measureapp.project.journal.entries import CHAIN_START, FileState, Line
+
+STORED, DROPPED, RESULTS = "viewpoint stored", "viewpoint dropped", "results stored"
+ACCEPT = "Restore it from a backup. If you changed it on purpose: measureapp verify PROJECT --accept {name}"
+AGAIN = "Restore it from a backup, or take the viewpoint again: measureapp discard PROJECT {viewpoint}, then measureapp scan … --resume."
+COMPUTE = "Compute it again: measureapp process PROJECT."
+
+
+@dataclass(slots=True)
+class Contents:
+    """Files and viewpoints after some line of the journal."""
+
+    files: dict[str, FileState] = field(default_factory=dict)
+    owner: dict[str, str] = field(default_factory=dict)  # file -> viewpoint
+    viewpoints: dict[str, Line] = field(default_factory=dict)  # id -> line that stored it
+    results: Mapping[str, Any] = field(default_factory=dict)  # note of the last results: what they were computed from
+    lines: int = 0
+    chain: str = CHAIN_START
+
+    def copied(self) -> Contents:
+        """Return a copy to which further lines can be applied."""
+        return replace(self, files=dict(self.files), owner=dict(self.owner), viewpoints=dict(self.viewpoints))
+
+    def apply(self, line: Line) -> None:
+        """Take one more line into account."""
+        entry = line.entry
+        for name, state in entry.files.items():
+            self.files.pop(name, None)
+            self.owner.pop(name, None)
+            if state is not None:
+                self.files[name] = state
+                self.owner[name] = entry.viewpoint
+        if entry.kind == STORED:
+            self.viewpoints[entry.viewpoint] = line
+        elif entry.kind == DROPPED:
+            self.viewpoints.pop(entry.viewpoint, None)
+        elif entry.kind == RESULTS:
+            self.results = entry.note
+        self.lines, self.chain = line.number, line.chain
+
+
+class Journal:
+    """The journal of one project, read as far as it has come; none for a project of an earlier version before it is first changed."""
+
+    def __init__(self, project: Path) -> None:
+        self.project = Path(project)
+        self._contents = Contents()
+        self._reading = Lock()
+        self._checked: dict[Path, tuple[int, int]] = {}  # file -> size and time of its last change
+
+    def contents(self) -> Contents | None:
+        """Return files and viewpoints; None without a journal.
+
+        Raises
+        ------
+        Damaged
+            A line is not the one that was stored, or the journal was deleted.
+        StorageError
+        """
+        if not database.has_journal(self.project):
+            if (self.project / publish.SEAL).exists():
+                raise Damaged(f"{self.project / database.JOURNAL} is missing.", database.RESTORE)
+            return None
+        with self._reading:
+            lines = database.read(self.project, self._contents.lines, self._contents.chain)
+            if lines:  # a copy, since other threads may be reading the former one
+                known = self._contents.copied()
+                for line in lines:
+                    known.apply(line)
+                self._contents = known
+            return self._contents
+
+    def check(self, *paths: Path) -> None:
+        """Compare files with the journal before they are used; files that are not there, or that it does not know, pass.
+
+        Raises
+        ------
+        Damaged
+            Names the file and the remedy.
+        """
+        contents = self.contents()
+        if contents is None:
+            return
+        for path in paths:
+            name = publish.relative_name(self.project, path)
+            known = contents.files.get(name)
+            if known is not None and path.exists() and not self.is_same(name, known):
+                raise Damaged(f"{path} is not what was stored.", remedy(name, contents.owner.get(name, "")))
+
+    def check_once(self, path: Path) -> None:
+        """Compare a file with the journal as `check`, unless that was done since it was last changed."""
+        if not path.exists():
+            return
+        found = path.stat()
+        if self._checked.get(path) != (found.st_size, found.st_mtime_ns):
+            self.check(path)
+            self._checked[path] = (found.st_size, found.st_mtime_ns)
+
+    def check_sizes(self, viewpoint: str) -> None:
+        """Compare only the sizes of a viewpoint's files with the journal. Raises Damaged."""
+        contents = self.contents()
+        for name in [] if contents is None else [name for name, owner in contents.owner.items() if owner == viewpoint]:
+            assert contents is not None
+            path = self.project / name
+            if not path.is_file() or path.stat().st_size != contents.files[name].size:
+                raise Damaged(
+                    f"{path} is {'shorter or longer than' if path.is_file() else 'missing:'} what was stored.", remedy(name, viewpoint)
+                )
+
+    def is_same(self, name: str, known: FileState) -> bool:
+        """Whether a file has the content ``known``; what waits beside its place counts as if it were there."""
+        path = self.project / name
+        waiting = self.project / known.part if known.part else path
+        try:
+            return disk.state_of(waiting if waiting.exists() else path, len(known.head) // 2).same_content(known)
+        except OSError:
+            return False
+
+
+def remedy(name: str, viewpoint: str) -> str:
+    """Return what to do about a damaged file."""
+    if viewpoint and name.startswith("stacks/"):
+        return AGAIN.format(viewpoint=viewpoint)
+    if name.startswith(("results/", "report/")):
+        return COMPUTE
+    return ACCEPT.format(name=name)
