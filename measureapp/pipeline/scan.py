@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 from measureapp.acquire.control import RunControl
 from measureapp.acquire.engine import Engine
+from measureapp.acquire.motion import checked
 from measureapp.acquire.tasks.fringes import FringeTask
 from measureapp.data.calibration import RigCalibration
 from measureapp.data.measurement import ViewResult
@@ -19,6 +20,7 @@ from measureapp.fringe.patterns.draw import pattern_images
 from measureapp.pipeline.bracket import choose_at, propose_bracket
 from measureapp.pipeline.events import Event, ExposuresChosen, ValidityKnown
 from measureapp.pipeline.measure import check_space
+from measureapp.pipeline.part_on_table import part_on_table
 from measureapp.pipeline.processing import Processing
 from measureapp.pipeline.validity import check_before_scan
 from measureapp.pipeline.watch import Stopwatch
@@ -75,7 +77,7 @@ def scan(
         The calibration is of other cameras or other lens settings; or it has expired, or was made at another temperature, and the
         rig's rules refuse that.
     PlanError
-        A viewpoint is out of reach; nothing was moved.
+        A viewpoint is out of reach, or the part is larger than the table; nothing was moved.
     StorageError
         There is not enough disk space, and nothing was moved; or stored images are gone.
     """
@@ -84,6 +86,7 @@ def scan(
     if plan is None:
         raise CalibrationError(f"{project.path} has no scan plan.", "Plan the scan first.")
     check_reach(plan, rig.description, arm_of(rig.description))
+    rig = checked(rig, part_on_table(project))
     on_event = _one_at_a_time(on_event)
     if calibration is not None:
         on_event(ValidityKnown(check_before_scan(rig, calibration)))
