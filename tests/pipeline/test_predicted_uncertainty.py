@@ -74,13 +74,13 @@ def dimension(name: str, uncertainty: float, budget: dict[str, float]) -> Dimens
 def test_the_predicted_uncertainty_is_that_of_a_scan_of_another_part_elsewhere_in_other_light() -> None:
     rig = nominal_rig()
     plan, job = plan_for(rig.description, 4), Job(parse_program(PROGRAM), box(SIZE_MM))
-    predicted = predict_uncertainty(plan, PredictedScene.of(rig, NominalSurface(job.nominal)), job)
+    placed = PredictedScene.of(rig, NominalSurface(job.nominal))
+    predicted = predict_uncertainty(plan, placed, job)
     assert {one.name: one.uncertainty is not None for one in predicted.dimensions} == {"length": True, "width": True}
 
     part = NominalSurface(box((90.06, 69.95, 50.04)))
-    placed = PredictedScene.of(rig, part)
     moved = RigidTransform.from_parts(rotation_about([0, 0, 1], 0.1), [3.0, -2.0, 0.0], "part", "part") @ placed.part_from_nominal
-    scene = replace(placed, part_from_nominal=moved, light=PartLight(white=0.8, ambient=0.05), seed=7)
+    scene = replace(placed, surface=part, part_from_nominal=moved, light=PartLight(white=0.8, ambient=0.05), seed=7)
     stated = evaluate(predict_views(plan, scene, NoProgress()), scene, job)
     for name, value in (("length", 90.06), ("width", 69.95)):
         before, after = predicted.uncertainty(name), stated.uncertainty(name)
