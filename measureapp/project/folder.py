@@ -331,19 +331,22 @@ class ProjectFolder:
 
         ``recomputed``: its clouds were computed just now, and not only stitched again.
         """
-        results.save(self.results, measurement, self._inputs(recomputed=recomputed))
+        results.save(self.results, measurement, self._inputs(measurement, recomputed=recomputed))
         filter_file.reapply_filters(self.results, measurement.stitched, progress)
 
     def update_inspection(self, measurement: Measurement) -> None:
         """Store a measurement of which only the inspection has changed."""
-        results.save_document(self.results, measurement, self._inputs(recomputed=False))
+        results.save_document(self.results, measurement, self._inputs(measurement, recomputed=False))
 
-    def _inputs(self, *, recomputed: bool) -> dict[str, Any]:
+    def _inputs(self, measurement: Measurement, *, recomputed: bool) -> dict[str, Any]:
         contents = self.journal.contents()
         if contents is None:
             return {}
         now, before = inputs.current_inputs(contents), contents.results.get("inputs", {})
-        return now if recomputed else inputs.inspected_again(before, now) if before else {}
+        if not recomputed:
+            return inputs.inspected_again(before, now) if before else {}
+        used = {view.viewpoint_id for view in measurement.views}
+        return {**now, "stacks": {name: value for name, value in now["stacks"].items() if name in used}}
 
     def stale_results(self) -> tuple[str, ...]:
         """Return in sentences what has changed since the results were computed. Raises StorageError."""
@@ -380,7 +383,7 @@ class ProjectFolder:
 def _read_json(path: Path) -> Any:
     try:
         return json.loads(path.read_text(encoding="utf-8"))
-    except (OSError, ValueError) as error:
+    except (OSError, ValueError, RecursionError) as error:
         raise StorageError(f"{path} cannot be read: {error}.", "Restore the file from a backup, or create a new project.") from error
 
 
