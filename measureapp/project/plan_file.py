@@ -64,11 +64,9 @@ def write_plan(path: Path, plan: ScanPlan) -> None:
 
 
 def check_plan_name(path: Path) -> None:
-    """Raise InputError if a file of this name cannot become a plan: another extension, or no such folder."""
+    """Raise InputError if the extension of a plan to be written is neither ``.toml`` nor ``.json``."""
     if path.suffix.lower() not in SUFFIXES:
         raise InputError(f"{path} is not the name of a plan file.", "End its name in .toml or .json.")
-    if not path.parent.is_dir():
-        raise InputError(f"{path.parent} is not a folder.", "Create it, or choose another place for the plan.")
 
 
 def plan_text(plan: ScanPlan) -> str:
