@@ -11,6 +11,7 @@ from measureapp.geometry.transform import RigidTransform, rotation_about
 from measureapp.planning import generate
 from measureapp.planning.coverage.candidates import checked_grid
 from measureapp.planning.coverage.extent import extent_on_table, standing
+from measureapp.planning.coverage.limits import VisibilityLimits
 from measureapp.planning.coverage.result import GeneratedPlan
 from measureapp.planning.coverage.samples import sample_surface
 from measureapp.planning.coverage.scene import PartScene
@@ -135,6 +136,26 @@ def test_where_only_colliding_viewpoints_see_a_surface_the_reason_is_the_collisi
     found = generate_plan(casting(), cell, SMALL)
     assert Cause.COLLISION in {area.cause for area in found.unreachable}
     assert all(-90.0 < one.table_deg < 90.0 for one in found.plan)
+
+
+def test_where_only_mirror_directions_see_a_surface_the_reason_is_the_light() -> None:
+    limits = VisibilityLimits(mirror_deg=60.0, camera_incidence_deg=45.0, projector_incidence_deg=45.0)
+    glossy = SMALL.model_copy(update={"limits": limits})
+    found = generate_plan(casting(60.0), Feasibility(RIG, ARM), glossy)
+    assert Cause.LIGHT in {area.cause for area in found.unreachable}
+
+
+def test_collisions_checked_for_all_angles_of_the_table_at_once_are_those_of_every_viewpoint() -> None:
+    from measureapp.planning.collision.build import PartSolid
+    from measureapp.planning.collision.cell import Cell
+
+    part = placed(casting())
+    cell, exact = checked(casting()), Cell.of(RIG, ARM, PartSolid.of_points(part.vertices_mm))
+    grid, _ = checked_grid(extent_on_table(part, RIG), RIG, ARM, None, NoProgress(), 1500)
+    some = [grid.viewpoints[place] for place in np.random.default_rng(4).choice(len(grid), 60, replace=False)]
+    found = [cell.is_free(one) for one in some] if cell.is_free else []
+    assert found == [not exact.problem_at(one) for one in some]
+    assert 0.1 < np.mean(found) < 0.9
 
 
 def test_a_robot_that_reaches_only_low_views_leaves_the_rest_out_of_reach() -> None:
