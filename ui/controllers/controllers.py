@@ -19,6 +19,7 @@ from ui.controllers.planning import PlanningController
 from ui.controllers.programming import ProgrammingController
 from ui.controllers.project import ProjectController
 from ui.controllers.recent_calibration import RecentCalibrationController
+from ui.controllers.rig_calibrating import RigCalibratingController
 from ui.controllers.rig_control import RigControl
 from ui.controllers.rig_editing import RigEditing
 from ui.controllers.scanning import ScanController
@@ -46,6 +47,7 @@ class Controllers(QObject):
         self.rig = RigControl(session, self.jobs, self)
         self.rig_editing = RigEditing(session, self.editing, self.rig, self)
         self.scanning = ScanController(session, self.jobs, self.rig, self)
+        self.rig_calibrating = RigCalibratingController(session, self.jobs, self)
         self.demo = DemoController(session, self.jobs, self.rig, self.scanning, self)
         self.project = ProjectController(session, self.jobs, self)
         self.documents = DocumentsController(session, self.jobs, self)
@@ -76,6 +78,7 @@ class Controllers(QObject):
 
     def end(self, timeout_ms: int) -> bool:
         """Cancel all jobs and wait for their threads; return whether all have ended. The compilation of a kernel cannot be interrupted."""
+        self.planning.prediction.stop()
         for runner in self.runners:
             runner.queue.cancel_all()
         clock = QElapsedTimer()

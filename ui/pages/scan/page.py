@@ -12,21 +12,22 @@ from ui.controllers.controllers import Controllers
 from ui.controllers.scan_choices import CheckedScan
 from ui.controllers.stored_sessions import project_on_disk
 from ui.look.look import Look
-from ui.look.wording import counted, percent, several
+from ui.look.wording import counted, percent, rough_duration, several
 from ui.pages.layers import PlacedClouds, placements_of, view_layer
-from ui.pages.scan.pictures import Pictures
 from ui.pages.scan.run_bar import RunBar
 from ui.pages.scan.setup import ScanSetup
 from ui.pages.viewport_page import Composer, Picture, ViewportPage
 from ui.session import Session
 from ui.widgets.basic import Button, card, column, label, row
 from ui.widgets.empty_state import EmptyState
+from ui.widgets.pictures import Pictures
 from ui.widgets.properties_panel import Group, Properties
 from ui.widgets.viewpoint_tiles import Tile, TileList
 from ui.workers.job import Job
 
 if TYPE_CHECKING:
     from measureapp.acquire.events import ImageTaken
+    from measureapp.acquire.time_left import TimeLeft
     from measureapp.data.measurement import ViewResult
 
 LIVE_INTERVAL_MS = 66
@@ -56,7 +57,7 @@ class ScanPage(ViewportPage):
         self._lay_out(look)
         self._timer = QTimer(self)
         self._timer.setInterval(LIVE_INTERVAL_MS)
-        self._timer.timeout.connect(self._take_images)
+        self._timer.timeout.connect(self._tick)
         self._connect()
         self._make_images()
         self._show()
@@ -210,9 +211,9 @@ class ScanPage(ViewportPage):
         running = run.state != "idle"
         closed = chosen is not None and chosen.status in {"stored", "processed", "failed", "skipped"}
         can_retake = closed and (running or (not self.session.busy_with and project_on_disk(self.session) is not None))
-        words = "Choose a viewpoint to see its images, to skip it or to take it again." if running else ""
+        words = left_words(self.controllers.scanning.left()) if running else f"{chosen.id} is chosen." if chosen is not None else ""
         self.bar.setVisible(running or can_retake)
-        self.bar.show_run(run, words if running else f"{chosen.id} is chosen." if chosen is not None else "", can_retake=can_retake)
+        self.bar.show_run(run, words, can_retake=can_retake)
 
     def _show_summary(self) -> None:
         points = self.session.viewpoints.values()
@@ -243,6 +244,11 @@ class ScanPage(ViewportPage):
         if stored and not self.session.busy_with and self.pictures.is_empty:
             self.controllers.stored_images.show(stored[0])
 
+    def _tick(self) -> None:
+        self._take_images()
+        if self.session.run.state == "running":
+            self._show_bar()
+
     def _take_images(self) -> None:
         if self.session.cell.live:  # images of the Rig page
             return
@@ -268,6 +274,13 @@ class ScanPage(ViewportPage):
             return Picture(tuple(layers))
 
         return compose
+
+
+def left_words(left: TimeLeft | None) -> str:
+    """Return how long a run still takes."""
+    if left is None or not left.bound_s:
+        return "Choose a viewpoint to see its images, to skip it or to take it again."
+    return f"About {rough_duration(left.expected_s)} left, at most {rough_duration(left.bound_s)}; then the clouds are stitched."
 
 
 def state_words(states: list[str]) -> str:
