@@ -52,7 +52,9 @@ def arguments(tmp_path: Path) -> Callable[..., list[str]]:
     plan = plan_around_part(read_rig("paper"), "plan", radius_mm=100, height_mm=80, count=4)
 
     def words(attack: str, views: int = 3, time_scale: float = 0.0) -> list[str]:
-        viewpoints = tuple(plan.viewpoints[0].model_copy(update={"id": f"v{index}", "table_deg": 90.0 * index}) for index in range(views))
+        viewpoints = tuple(
+            plan.viewpoints[0].model_copy(update={"id": f"v{index}", "table_deg": 90.0 * index + 10.0}) for index in range(views)
+        )
         changed = plan.model_copy(update={"viewpoints": viewpoints, "bracket": ExposureBracket(exposures_us=(80_000, 40_000))})
         (tmp_path / "plan.json").write_text(changed.model_dump_json(), encoding="utf-8")
         settings = f'attack = "{attack}", record = "{tmp_path / "record"}", shipped = "{SHIPPED}", time_scale = {time_scale}'
@@ -81,7 +83,7 @@ def stored(tmp_path: Path) -> list[str]:
     ("attack", "kind", "words"),
     [
         ("oserror", "DeviceLost", "The rotary table failed: ConnectionResetError: [Errno 104] Connection reset by peer"),
-        ("stuck", "MotionError", "v1: the table stopped at 0.000°"),
+        ("stuck", "MotionError", "v1: the table stopped at 10.000°"),
         ("value error", "DeviceLost", "The measuring head failed: ValueError: bad reply"),
         ("turning", "MotionError", "v0: the robot moved while images were taken"),
     ],
