@@ -54,7 +54,7 @@ def register(app: typer.Typer) -> None:
             return
         damaged: dict[str, str] = {}
         outcome = process_project(folder, _reporting(damaged), TerminalProgress())
-        reply({**outcome.document, "damaged": damaged}, "\n".join(measurement_lines(outcome.measurement)), as_json)
+        reply({**outcome.document, **({"damaged": damaged} if damaged else {})}, "\n".join(measurement_lines(outcome.measurement)), as_json)
         if damaged or not has_passed(outcome.measurement):
             raise typer.Exit(OUT_OF_TOLERANCE)
 

@@ -9,6 +9,7 @@ from pathlib import Path
 from measureapp.acquire.control import RunControl
 from measureapp.acquire.engine import Engine
 from measureapp.acquire.events import ImageTaken, ViewpointFailed
+from measureapp.acquire.motion import checked
 from measureapp.acquire.tasks.board import BoardTask
 from measureapp.calibrate.boards.find import find_board
 from measureapp.calibrate.rig.stitch_uncertainty import uncertainty_of
@@ -22,6 +23,7 @@ from measureapp.pipeline.connecting import connected
 from measureapp.pipeline.events import CalibrationReady, Event
 from measureapp.pipeline.watch import Stopwatch
 from measureapp.planning.calibration_views import calibration_viewpoints
+from measureapp.planning.collision.build import PartSolid
 from measureapp.progress import PartOf, Progress
 from measureapp.project.folder import DEFAULT_BOARD, ProjectFolder, ProjectSettings
 from measureapp.project.geometry.robot_file import arm_of
@@ -116,7 +118,9 @@ def calibrate_rig(
     with watch.stage("calibration images"):
         if waiting:
             task = _WatchedBoardTask(project, seen=bool(stored))
-            failed = Engine(rig).run("calibration", waiting, task, _of_images(on_event), PartOf(progress, 0.0, 0.6), control)
+            failed = Engine(checked(rig, PartSolid.board_on_stand())).run(
+                "calibration", waiting, task, _of_images(on_event), PartOf(progress, 0.0, 0.6), control
+            )
     missed = {failure.viewpoint_id for failure in failed}
     taken = tuple(viewpoint.id for viewpoint in waiting if viewpoint.id not in missed)
     solved = solve_calibration(project, on_event, PartOf(progress, 0.6, 1.0), watch)

@@ -58,7 +58,7 @@ def calibration_viewpoints(
     table angles: a part appears enlarged by twice the robot's error towards the table unless that error is known where the scan is made.
     Viewpoints that the rig cannot reach are omitted. With ``arm``, a pose that its joints do not reach, or in which head, arm, board or table
     would touch, is replaced by the first of its neighbours that is free: the same view from another place of the guide, then a lesser tilt of
-    the board.
+    the board, then the head turned over.
 
     Parameters
     ----------
@@ -170,11 +170,12 @@ def _poses(rig: RigDescription, centre: FloatArray, slides_mm: Sequence[float]) 
 
 
 def _neighbours(rig: RigDescription, name: str, centre: FloatArray, pose: _BoardPose, slides_mm: Sequence[float]) -> Iterator[Viewpoint]:
-    """Yield the viewpoint of ``pose``, then the same view from other places of the guide, then with lesser tilts of the board."""
-    for tilt_share in TILT_SHARES:
-        tilted = replace(pose, tilt_deg=pose.tilt_deg * tilt_share)
-        for slide_mm in slides_mm:
-            yield _viewpoint(rig, name, centre, tilted, slide_mm)
+    """Yield the viewpoint of ``pose``, then the same view from other places of the guide, with lesser tilts of the board, upside down."""
+    for turn_deg in (0.0, 180.0):
+        for tilt_share in TILT_SHARES:
+            tilted = replace(pose, tilt_deg=pose.tilt_deg * tilt_share, turn_deg=pose.turn_deg + turn_deg)
+            for slide_mm in slides_mm:
+                yield _viewpoint(rig, name, centre, tilted, slide_mm)
 
 
 def _viewpoint(rig: RigDescription, name: str, centre: FloatArray, pose: _BoardPose, slide_mm: float = 0.0) -> Viewpoint:

@@ -18,7 +18,7 @@ from measureapp.data.rig import RigDescription
 from measureapp.errors import PlanError
 from measureapp.geometry.transform import RigidTransform
 from measureapp.planning.coverage.aimed import aimed_candidates
-from measureapp.planning.coverage.candidates import MOST_CANDIDATES, Candidates, free_of_contact, grid_candidates
+from measureapp.planning.coverage.candidates import MOST_CANDIDATES, Candidates, checked_grid, free_of_contact
 from measureapp.planning.coverage.extent import extent_on_table, standing
 from measureapp.planning.coverage.greedy import Goal, choose
 from measureapp.planning.coverage.head import Head
@@ -46,7 +46,9 @@ class GeneratorSettings(Model):
     name: str = "generated"
     coverage: float = Field(default=0.98, gt=0, le=1, description="of what some feasible viewpoint measures")
     viewpoints: int | None = Field(default=None, ge=1, description="exactly that many, with the best coverage; none: as many as needed")
-    sigma_mm: float | None = Field(default=None, gt=0, description="standard deviation required of a point; none: that it is measured")
+    sigma_mm: float | None = Field(
+        default=None, gt=0, description="required of a point, coverage is then of information 1/σ²; none: it is measured"
+    )
     overlap: float = Field(default=0.2, ge=0, le=1, description="share of its area that a viewpoint has in common with others")
     samples: int = Field(default=5000, ge=50, le=50_000, description="of the surface")
     candidates: int = Field(default=MOST_CANDIDATES, ge=24, le=20_000)
@@ -92,7 +94,7 @@ def generate_plan(
     scene = PartScene.of(part, cell.rig, fixtures)
     samples = sample_surface(scene, settings.samples, settings.seed)
     search = _Search(cell, scene, samples, settings)
-    grid, free = grid_candidates(extent, cell.rig, cell.arm, cell.is_free, PartOf(progress, 0.0, 0.2), settings.candidates)
+    grid, free = checked_grid(extent, cell.rig, cell.arm, cell.is_free, PartOf(progress, 0.0, 0.2), settings.candidates)
     found = _with_aimed(search, grid, grid.subset(free), PartOf(progress, 0.2, 0.6))
     chosen, problem = _chosen(search, found, PartOf(progress, 0.6, 0.85))
     picked = found.free.subset(np.array(chosen))

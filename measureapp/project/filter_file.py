@@ -13,6 +13,7 @@ import numpy as np
 from measureapp.data.cloud import StitchedCloud
 from measureapp.errors import InputError, RegistrationError, StorageError
 from measureapp.progress import Progress
+from measureapp.project.array_files import read_npz
 from measureapp.project.atomic import remove, replacing_together
 from measureapp.project.geometry.files import write_cloud
 from measureapp.project.journal.entries import Entry
@@ -72,10 +73,10 @@ def _read(path: Path) -> tuple[FilterChain, int] | None:
     if not path.exists():
         return None
     try:
-        with path.open("rb") as file, np.load(file, allow_pickle=False) as kept:
-            version, passed, cloud = int(kept["schema_version"]), np.asarray(kept["passed"], np.uint8), int(kept["cloud"])
-            filters = tuple(Filter(one["kind"], tuple(one["numbers"])) for one in json.loads(str(kept["filters"])))
-    except (OSError, EOFError, ValueError, KeyError, TypeError, zipfile.BadZipFile, zlib.error, InputError) as error:
+        kept = read_npz(path)
+        version, passed, cloud = int(kept["schema_version"]), np.asarray(kept["passed"], np.uint8), int(kept["cloud"])
+        filters = tuple(Filter(one["kind"], tuple(one["numbers"])) for one in json.loads(str(kept["filters"])))
+    except (OSError, EOFError, ValueError, KeyError, TypeError, RecursionError, zipfile.BadZipFile, zlib.error, InputError) as error:
         raise _unusable(path, "cannot be read") from error
     if version != SCHEMA_VERSION:
         raise _unusable(path, f"has format {version}; this version reads format {SCHEMA_VERSION}")

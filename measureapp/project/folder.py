@@ -37,7 +37,6 @@ from measureapp.progress import NoProgress
 from measureapp.project import filter_file, inputs, results, takeover
 from measureapp.project.atomic import remove, replacing, write_text
 from measureapp.project.calibration import board_views, store
-from measureapp.project.calibration.store import RIG_UNCERTAINTY
 from measureapp.project.folder_lock import lock_folder
 from measureapp.project.frame_store import FrameStore
 from measureapp.project.geometry.files import write_mesh
@@ -150,10 +149,8 @@ class ProjectFolder:
 
     def save_plan(self, plan: ScanPlan) -> None:
         """Store the scan plan; where images are stored already, it may only add viewpoints. Raises InputError for any other change."""
-        former = self.plan() if self.frames.list_stored() else None
-        if self.frames.list_stored() and (former is None or not plan.extends(former)):
-            hint = "Scan into a new project, or keep all viewpoints of its plan unchanged and only add some."
-            raise InputError(f"{self.path} contains images of another plan.", hint)
+        if self.frames.list_stored() and not ((former := self.plan()) and plan.extends(former)):
+            raise InputError(f"{self.path} contains images of another plan.", "Scan into a new project, or only add viewpoints.")
         write_text(self.path / "plan.json", plan.model_dump_json(indent=2))
 
     def stored_viewpoints(self) -> tuple[str, ...]:
@@ -202,7 +199,7 @@ class ProjectFolder:
         """Return the uncertainty of the calibration, if it is stored. Raises StorageError when it is damaged."""
         from measureapp.project.calibration.rig_uncertainty_file import read_rig_uncertainty
 
-        calibration, path = self.calibration(), self.path / "calibration" / RIG_UNCERTAINTY
+        calibration, path = self.calibration(), self.path / "calibration" / store.RIG_UNCERTAINTY
         self.journal.check(path)
         return read_rig_uncertainty(path, calibration) if calibration is not None and path.exists() else None
 
@@ -334,19 +331,22 @@ class ProjectFolder:
 
         ``recomputed``: its clouds were computed just now, and not only stitched again.
         """
-        results.save(self.results, measurement, self._inputs(recomputed=recomputed))
+        results.save(self.results, measurement, self._inputs(measurement, recomputed=recomputed))
         filter_file.reapply_filters(self.results, measurement.stitched, progress)
 
     def update_inspection(self, measurement: Measurement) -> None:
         """Store a measurement of which only the inspection has changed."""
-        results.save_document(self.results, measurement, self._inputs(recomputed=False))
+        results.save_document(self.results, measurement, self._inputs(measurement, recomputed=False))
 
-    def _inputs(self, *, recomputed: bool) -> dict[str, Any]:
+    def _inputs(self, measurement: Measurement, *, recomputed: bool) -> dict[str, Any]:
         contents = self.journal.contents()
         if contents is None:
             return {}
         now, before = inputs.current_inputs(contents), contents.results.get("inputs", {})
-        return now if recomputed else inputs.inspected_again(before, now) if before else {}
+        if not recomputed:
+            return inputs.inspected_again(before, now) if before else {}
+        used = {view.viewpoint_id for view in measurement.views}
+        return {**now, "stacks": {name: value for name, value in now["stacks"].items() if name in used}}
 
     def stale_results(self) -> tuple[str, ...]:
         """Return in sentences what has changed since the results were computed. Raises StorageError."""
@@ -383,7 +383,7 @@ class ProjectFolder:
 def _read_json(path: Path) -> Any:
     try:
         return json.loads(path.read_text(encoding="utf-8"))
-    except (OSError, ValueError) as error:
+    except (OSError, ValueError, RecursionError) as error:
         raise StorageError(f"{path} cannot be read: {error}.", "Restore the file from a backup, or create a new project.") from error
 
 

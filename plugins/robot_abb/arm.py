@@ -7,7 +7,7 @@ import numpy as np
 from measureapp.arrays import FloatArray
 from measureapp.errors import LimitError
 from measureapp.geometry.kinematics.arm import ArmModel
-from measureapp.geometry.kinematics.choice import by_preference
+from measureapp.geometry.kinematics.choice import driven
 from measureapp.geometry.transform import RigidTransform
 from measureapp.project.geometry.robot_file import read_robot
 
@@ -36,7 +36,7 @@ class Arm:
         return self._model.forward(np.deg2rad(joints_deg))
 
     def joints_for(self, base_from_flange: RigidTransform, present_deg: FloatArray) -> FloatArray:
-        """Return the joint angles (6,) for a pose that `by_preference` prefers.
+        """Return the joint angles (6,) for a pose that `driven` chooses.
 
         Raises
         ------
@@ -44,10 +44,10 @@ class Arm:
             Out of reach, at a singularity, or beyond a joint's limit in every configuration; says by how much.
         """
         try:
-            solutions = by_preference(self._model, base_from_flange, np.deg2rad(present_deg))
+            solution = driven(self._model, base_from_flange, np.deg2rad(present_deg))
         except LimitError as error:
             raise LimitError(error.message, f"{error.hint.removesuffix('.')}; nothing was moved.") from error
-        return np.rad2deg(solutions[0].joints_rad)
+        return np.rad2deg(solution.joints_rad)
 
     def check_limits(self, joints_deg: FloatArray) -> None:
         """Raise LimitError unless every joint angle (6,) is within its limits."""

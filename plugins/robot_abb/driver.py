@@ -86,7 +86,7 @@ class AbbRobot:
         return np.deg2rad(self._controller.joints_deg())
 
     def move_to(self, base_from_flange: RigidTransform, *, timeout_s: float) -> None:
-        """Move to a pose, in the configuration that `by_preference` puts first, and wait until settled; raises as `move_joints`."""
+        """Move to a pose, in the configuration that `driven` chooses, and wait until settled; raises as `move_joints`."""
         self._run(lambda present_deg: self._arm.joints_for(base_from_flange, present_deg), timeout_s)
 
     def move_joints(self, goal_rad: FloatArray, *, timeout_s: float) -> None:

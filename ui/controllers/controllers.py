@@ -78,6 +78,7 @@ class Controllers(QObject):
 
     def end(self, timeout_ms: int) -> bool:
         """Cancel all jobs and wait for their threads; return whether all have ended. The compilation of a kernel cannot be interrupted."""
+        self.planning.prediction.stop()
         for runner in self.runners:
             runner.queue.cancel_all()
         clock = QElapsedTimer()

@@ -66,8 +66,9 @@ class PlanPrediction(QObject):
         """Whether what was found belongs to the plan shown."""
         return self.now is not None and self.now.plan is self._plan and self._job is None and not self._timer.isActive()
 
-    def arm(self) -> ArmModel | None:
-        """Return the model of the rig's robot; None without one."""
+    @property
+    def arm_model(self) -> ArmModel | None:
+        """The model of the rig's robot; None without one."""
         from measureapp.errors import MeasureError
         from measureapp.project.geometry.robot_file import arm_of
 
@@ -93,6 +94,13 @@ class PlanPrediction(QObject):
             return
         self._timer.start()
 
+    def stop(self) -> None:
+        """Check nothing any more; the window is being closed."""
+        self._plan = None
+        self._timer.stop()
+        if self._job is not None:
+            self._job.cancel()
+
     @Slot()
     def _start(self) -> None:
         plan, rig, part = self._plan, self._session.rig, self._part.prepared
@@ -101,7 +109,7 @@ class PlanPrediction(QObject):
         if self._job is not None:
             self._timer.start()  # the cancelled one has not ended yet
             return
-        arm, known = self.arm(), self._known
+        arm, known = self.arm_model, self._known
         self._job = self._runner.run(
             "Checking the plan",
             lambda job: _predict(plan, Cell(rig, arm, part), known, job),

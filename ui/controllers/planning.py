@@ -168,7 +168,7 @@ class PlanningController(QObject):
             self._session.tell(*NO_RIG, "warning")
             return
         try:
-            found = viewpoint_facing(rig, self.prediction.arm(), self.free_name(), point_mm, normal)
+            found = viewpoint_facing(rig, self.prediction.arm_model, self.free_name(), point_mm, normal)
         except MeasureError as error:
             self._session.tell(error.message, error.hint, "warning")
             return
@@ -187,7 +187,7 @@ class PlanningController(QObject):
             self._session.tell(*NO_RIG, "warning")
             return
         asked = Wanted(self.plan, viewpoints, coverage)
-        self._runner.run("Generating a plan", lambda job: generate(asked, rig, self.prediction.arm(), part, job), self._show_generated)
+        self._runner.run("Generating a plan", lambda job: generate(asked, rig, self.prediction.arm_model, part, job), self._show_generated)
 
     @Slot(object)
     def _show_generated(self, made: GeneratedPlan) -> None:
@@ -203,7 +203,7 @@ class PlanningController(QObject):
         """Order the viewpoints so that the axes move least."""
         plan, rig = self.plan, self._session.rig
         if plan is not None and rig is not None:
-            arm = self.prediction.arm()
+            arm = self.prediction.arm_model
             self._runner.run("Ordering the viewpoints", lambda job: order(plan, rig, arm, job), self._show_ordered)
 
     @Slot(object)

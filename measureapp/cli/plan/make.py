@@ -41,6 +41,9 @@ def register(app: typer.Typer) -> None:
             typer.Option("--pose", help="4×4 matrix part_from_nominal (text or JSON). Default: upright in the middle of the table."),
         ] = None,
         samples: Annotated[int, typer.Option(min=50, max=50_000, help="Number of samples of the surface.")] = 5000,
+        candidates: Annotated[
+            int, typer.Option(min=24, max=20_000, help="Number of viewpoints to choose from; more take longer and may save one.")
+        ] = 2600,
         seed: Annotated[int, typer.Option(min=0, help="Of the samples; the same seed gives the same plan.")] = 1,
         unit: Annotated[
             LengthUnit | None, typer.Option("--unit", help="Unit of the nominal: mm, inch, m, cm or um. Default: mm, if that is plausible.")
@@ -57,7 +60,9 @@ def register(app: typer.Typer) -> None:
         from measureapp.project.rig_file import read_rig
 
         description = read_rig(rig)
-        settings = GeneratorSettings(name=out.stem, coverage=coverage, viewpoints=viewpoints, sigma_mm=sigma, samples=samples, seed=seed)
+        settings = GeneratorSettings(
+            name=out.stem, coverage=coverage, viewpoints=viewpoints, sigma_mm=sigma, samples=samples, candidates=candidates, seed=seed
+        )
         mesh = _read_nominal(nominal, unit)
         place = standing(mesh) if pose is None else read_transform(pose, "part", "nominal")
         extent_on_table(mesh.seen_from(place), description)

@@ -8,35 +8,57 @@ import numpy.typing as npt
 from measureapp.errors import LimitError
 from measureapp.geometry.kinematics.arm import ArmModel
 from measureapp.geometry.kinematics.inverse import JointSolution, inverse
-from measureapp.geometry.kinematics.singularity import GOAL_MARGINS, SingularityMargins, singularity_near
+from measureapp.geometry.kinematics.singularity import SingularityMargins, singularity_near
 from measureapp.geometry.transform import RigidTransform
 
 DRIVEN_MARGINS = SingularityMargins(shoulder_mm=5.0, elbow_rad=float(np.deg2rad(0.5)), wrist_rad=float(np.deg2rad(0.5)), condition=0.002)
-"""What even a goal without a better configuration keeps from singularities."""
+"""What even a goal given by hand keeps from singularities."""
 
 
-def by_preference(
-    model: ArmModel, base_from_flange: RigidTransform, present_rad: npt.ArrayLike, margins: SingularityMargins = DRIVEN_MARGINS
+def by_preference(model: ArmModel, base_from_flange: RigidTransform, present_rad: npt.ArrayLike) -> tuple[JointSolution, ...]:
+    """Return all solutions within the limits, the one first that is reached soonest from ``present_rad`` (6,).
+
+    The order depends on the arguments only: the time in which all joints, moving at once, get there; of equals, the sum of their times.
+    Raises LimitError as `inverse`.
+    """
+    present = np.asarray(present_rad, float)
+
+    def times_s(solution: JointSolution) -> tuple[float, float]:
+        seconds = np.abs(solution.joints_rad - present) / model.speeds_rad_s
+        return float(seconds.max()), float(seconds.sum())
+
+    return tuple(sorted(inverse(model, base_from_flange, present), key=times_s))
+
+
+def away_from_singularities(
+    model: ArmModel, base_from_flange: RigidTransform, present_rad: npt.ArrayLike, margins: SingularityMargins
 ) -> tuple[JointSolution, ...]:
-    """Return the solutions that may be driven to, the one to drive first: away from singularities, and then reached soonest.
-
-    The order depends on the arguments only. Solutions within `GOAL_MARGINS` of a singularity come last, those within ``margins`` are left
-    out; among the others the time counts in which all joints, moving at once, get there from ``present_rad`` (6,).
+    """Return the solutions of `by_preference` that keep ``margins`` from singularities.
 
     Raises
     ------
     LimitError
-        Out of reach, at a singularity, or beyond a joint's limit in every configuration; says by how much.
+        There is none: out of reach, beyond a joint's limit, or at a singularity in every configuration.
     """
-    present = np.asarray(present_rad, float)
-    solutions = inverse(model, base_from_flange, present)
+    solutions = by_preference(model, base_from_flange, present_rad)
     near = [singularity_near(solution, margins) for solution in solutions]
-    drivable = [solution for solution, problem in zip(solutions, near, strict=True) if not problem]
-    if not drivable:
-        raise LimitError(f"{model.name}: the pose has {near[0]}.", "Shift the pose by 10 mm or tilt it by a degree.")
+    if "" not in near:
+        raise LimitError(
+            f"{model.name}: every configuration is near a singularity, such as {near[0]}.",
+            "Shift the pose by 10 mm or tilt it by a degree.",
+        )
+    return tuple(solution for solution, problem in zip(solutions, near, strict=True) if not problem)
 
-    def rank(solution: JointSolution) -> tuple[bool, float, float]:
-        seconds = np.abs(solution.joints_rad - present) / model.speeds_rad_s
-        return bool(singularity_near(solution, GOAL_MARGINS)), float(seconds.max()), float(seconds.sum())
 
-    return tuple(sorted(drivable, key=rank))
+def driven(model: ArmModel, base_from_flange: RigidTransform, present_rad: npt.ArrayLike) -> JointSolution:
+    """Return the solution that is driven to when only the pose is given: the first of `by_preference`, so that no step by hand turns the arm over.
+
+    Raises
+    ------
+    LimitError
+        Out of reach, beyond a joint's limit in every configuration, or this one is at a singularity.
+    """
+    solution = by_preference(model, base_from_flange, present_rad)[0]
+    if near := singularity_near(solution, DRIVEN_MARGINS):
+        raise LimitError(f"{model.name}: the pose has {near}.", "Shift the pose by 10 mm or tilt it by a degree.")
+    return solution

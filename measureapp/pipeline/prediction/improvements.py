@@ -10,10 +10,15 @@ import numpy as np
 
 from measureapp.data.dimension import Dimension
 from measureapp.data.measurement import ViewResult
+from measureapp.data.mesh import Mesh
 from measureapp.data.plan import ExposureBracket, ScanPlan, Viewpoint
+from measureapp.geometry.transform import RigidTransform
 from measureapp.pipeline.prediction.calibration_draw import with_calibration_error
 from measureapp.pipeline.prediction.uncertainty import Job, Prediction, evaluate, exposing_of, predict_views
-from measureapp.pipeline.prediction.views import PredictedScene
+from measureapp.pipeline.prediction.views import PredictedScene, table_top_mm
+from measureapp.planning.coverage.samples import SurfaceSamples
+from measureapp.planning.coverage.scene import PartScene
+from measureapp.planning.coverage.visibility import seen_by
 from measureapp.planning.generate import images_time_s
 from measureapp.planning.next_views import between_angles, repeats
 from measureapp.planning.travel import AxisSpeeds, travel_times_s
@@ -25,6 +30,7 @@ HALF = 0.5
 LONGER = 2  # factor of all exposures
 FIXED = ("calibration", "scale")  # contributions that no viewpoint and no exposure reduces
 MOST_TRIED = 3  # of repeats, and of viewpoints between others
+BOX_MM, FEATURE_SAMPLES = 1.0, 1500  # around a feature; of all features
 LEAST_GAIN = 0.02  # of U: less is within what noise alone changes
 
 
@@ -85,7 +91,7 @@ def advise(plan: ScanPlan, scene: PredictedScene, job: Job, base: Prediction, pr
     trials: list[Trial] = []
     with RegistrationCache() as cache:
         unchanged = predict_views(plan, scene, PartOf(progress, 0.0, 0.2))
-        changes = _changes(plan, scene, unchanged)
+        changes = _changes(plan, scene, base, unchanged)
         for number, change in enumerate(changes):
             progress.report(0.2 + 0.8 * number / len(changes), 1, f"trying {change.words}")
             found = evaluate(with_calibration_error(change.views(), scene.rig), scene, job, cache=cache)
@@ -103,7 +109,7 @@ def answer_for(dimension: Dimension, trials: Sequence[Trial]) -> str:
     gains = [(trial, now - trial.uncertainties.get(dimension.name, now)) for trial in trials]
     helping = [(trial, gain) for trial, gain in gains if gain > LEAST_GAIN * now]
     if fixed > HALF * now:
-        words = f"{dimension.name}: no viewpoint or exposure can halve U; the calibration's share of it is {(fixed / now) ** 2:.0%}"
+        words = f"{dimension.name}: no viewpoint or exposure can halve U; the calibration alone gives {fixed / now:.0%} of it"
         return f"{words}. {_most(helping, dimension)}" if helping else f"{words}."
     halving = [(trial, gain) for trial, gain in helping if now - gain <= HALF * now]
     if halving:
@@ -121,30 +127,68 @@ def _most(helping: Sequence[tuple[Trial, float]], dimension: Dimension) -> str:
     return f"Most for its time: {trial.change}, U = {left:.4f} {dimension.unit} instead of {dimension.uncertainty:.4f}, for {trial.seconds:.0f} s."
 
 
-def _changes(plan: ScanPlan, scene: PredictedScene, unchanged: Sequence[ViewResult]) -> list[_Change]:
-    """Return the changes to be tried: the viewpoints that give most points first."""
+def _changes(plan: ScanPlan, scene: PredictedScene, base: Prediction, unchanged: Sequence[ViewResult]) -> list[_Change]:
+    """Return the changes to be tried: of repeats and of new viewpoints those that tell most about the measured features."""
     rig, exposing = scene.rig.description, exposing_of(plan)
-    points = {view.viewpoint_id: len(view.cloud) for view in unchanged}
-    own = sorted(plan, key=lambda viewpoint: -points.get(viewpoint.id, 0))
     changes = []
-    for words, wanted in (("repeating", repeats(own)), ("adding", between_angles(own, rig, arm_of(rig)))):
-        for viewpoint in wanted[:MOST_TRIED]:
+    for words, wanted in (("repeating", repeats(tuple(plan))), ("adding", between_angles(tuple(plan), rig, arm_of(rig)))):
+        for viewpoint in _most_informative(wanted, plan, scene, base)[:MOST_TRIED]:
             view = scene.predict(viewpoint, exposing(viewpoint))
             if view is not None and view.quality.accepted:
-                name = viewpoint.id.removesuffix("-again")
-                what = (
-                    f"{words} {name}"
-                    if words == "repeating"
-                    else f"{words} a viewpoint at table {viewpoint.table_deg:g}°, {_station(viewpoint)}"
-                )
-                changes.append(_Change(what, _seconds(plan, viewpoint, scene), viewpoint, lambda view=view: (*unchanged, view)))  # type: ignore[misc]
+                name = f"{words} {viewpoint.id.removesuffix('-again')}"
+                what = name if words == "repeating" else f"adding a viewpoint at table {viewpoint.table_deg:g}°, {_station(viewpoint)}"
+                views = _Fixed((*unchanged, view))
+                changes.append(_Change(what, _seconds(plan, viewpoint, scene), viewpoint, views))
     longer = _with_longer_exposures(plan)
     added = images_time_s(longer) - images_time_s(plan)
-    # the light of the part refers to the longest exposure of the plan, which is now longer
-    brighter = scene.with_brightness(LONGER)
+    brighter = scene.with_brightness(LONGER)  # the light of the part refers to the longest exposure of the plan, which is now longer
     words = f"all exposures {LONGER} times as long"
     changes.append(_Change(words, added, None, lambda: predict_views(longer, brighter, NoProgress())))
     return changes
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Fixed:
+    """Views that are predicted already."""
+
+    views: tuple[ViewResult, ...]
+
+    def __call__(self) -> tuple[ViewResult, ...]:
+        return self.views
+
+
+def _most_informative(viewpoints: Sequence[Viewpoint], plan: ScanPlan, scene: PredictedScene, base: Prediction) -> list[Viewpoint]:
+    """Return viewpoints by the information they add on the features, relative to what the plan has of them; the most first."""
+    if not viewpoints:
+        return []
+    rig = scene.rig.description
+    shift = RigidTransform.from_parts(np.eye(3), [0.0, 0.0, -table_top_mm(scene.rig)], "part", "part")
+    surface = scene.surface
+    mesh = Mesh(surface.vertices_mm, surface.triangles, "nominal").seen_from(shift @ scene.part_from_nominal)
+    samples = _feature_samples(base, scene, shift)
+    part = PartScene.of(mesh, rig)
+    known, new = (
+        np.nan_to_num(1.0 / np.square(seen_by(some, samples, rig, part).sigma_mm.astype(float)))
+        for some in (tuple(plan), tuple(viewpoints))
+    )
+    usual = float(np.median(new[new > 0])) if (new > 0).any() else 1.0
+    gains = (new / (known.sum(axis=0) + usual)).sum(axis=1)
+    return [viewpoints[number] for number in np.argsort(-gains, kind="stable")]
+
+
+def _feature_samples(base: Prediction, scene: PredictedScene, shift: RigidTransform) -> SurfaceSamples:
+    """Return points of the measured features in the frame `part` of planning; of the whole part where there are no features."""
+    stitched = base.stitched
+    points = scene.part_from_nominal.inverse().apply(stitched.points_mm)
+    inside = np.zeros(len(points), np.bool_)
+    for feature in base.features:
+        if feature.boundary_mm is not None:
+            around = np.asarray(feature.boundary_mm)
+            inside |= np.all((points >= around.min(axis=0) - BOX_MM) & (points <= around.max(axis=0) + BOX_MM), axis=1)
+    chosen = np.flatnonzero(inside) if inside.any() else np.arange(len(points))
+    chosen = chosen[:: max(1, len(chosen) // FEATURE_SAMPLES)]
+    normals = shift.rotate(np.asarray(stitched.normals[chosen], float))
+    return SurfaceSamples(shift.apply(stitched.points_mm[chosen]), normals, np.ones(len(chosen)))
 
 
 def _station(viewpoint: Viewpoint) -> str:

@@ -12,7 +12,7 @@ from measureapp.data.plan import Viewpoint
 from measureapp.data.rig import RigDescription
 from measureapp.errors import LimitError
 from measureapp.geometry.kinematics.arm import ArmModel
-from measureapp.geometry.kinematics.choice import by_preference
+from measureapp.geometry.kinematics.choice import away_from_singularities, driven
 from measureapp.geometry.kinematics.singularity import GOAL_MARGINS
 from measureapp.geometry.transform import RigidTransform
 from measureapp.planning.collision.build import PartSolid, cell_bodies, check_part_fits
@@ -34,6 +34,7 @@ class Cell:
     arm: ArmModel | None
     kept: ArmModel | None  # the arm with the margins that drivers keep from the limits of joints
     scene: Scene
+    has_part: bool
 
     @classmethod
     def of(cls, rig: RigDescription, arm: ArmModel | None, part: PartSolid | None = None) -> Cell:
@@ -52,7 +53,7 @@ class Cell:
         if part is not None:
             check_part_fits(part, rig)
         kept = None if arm is None else arm.with_margin(LIMIT_MARGIN_RAD)
-        return cls(rig, arm, kept, Scene.of(cell_bodies(rig, arm, part), rig.motion.clearance_mm, Mechanism(rig, arm)))
+        return cls(rig, arm, kept, Scene.of(cell_bodies(rig, arm, part), rig.motion.clearance_mm, Mechanism(rig, arm)), part is not None)
 
     # viewpoints
 
@@ -86,17 +87,18 @@ class Cell:
             return ()
 
     def placements(self, viewpoint: Viewpoint, present_rad: FloatArray | None = None) -> tuple[Placement, ...]:
-        """Return where the axes can be at a viewpoint, the configuration that is driven first; raises LimitError as `by_preference`."""
+        """Return where the axes can be at a viewpoint, the configuration that is driven first; raises LimitError as `away_from_singularities`."""
         if self.kept is None:
             return (Placement.at(viewpoint, None),)
-        solutions = by_preference(self.kept, viewpoint.flange.transform(), REST_RAD if present_rad is None else present_rad, GOAL_MARGINS)
+        present = REST_RAD if present_rad is None else present_rad
+        solutions = away_from_singularities(self.kept, viewpoint.flange.transform(), present, GOAL_MARGINS)
         return tuple(Placement.at(viewpoint, solution.joints_rad) for solution in solutions)
 
     def nearest(self, base_from_flange: RigidTransform, present: Placement) -> Placement:
-        """Return the placement with the flange at a pose, in the configuration that a driver chooses; raises LimitError as `by_preference`."""
+        """Return the placement with the flange at a pose, in the configuration that a driver chooses; raises LimitError as `driven`."""
         joints_rad = None
         if self.kept is not None:
-            joints_rad = by_preference(self.kept, base_from_flange, present.joints_from(REST_RAD))[0].joints_rad
+            joints_rad = driven(self.kept, base_from_flange, present.joints_from(REST_RAD)).joints_rad
         return replace(present, base_from_flange=base_from_flange.matrix, joints_rad=joints_rad)
 
     def encounter_at(self, placement: Placement) -> Encounter | None:
@@ -105,7 +107,11 @@ class Cell:
 
     def clearance_mm(self, placement: Placement) -> float:
         """Return the least distance of any two bodies that may meet; 0 where they touch or overlap."""
-        return self._sweep(placement, placement).least_mm()
+        return max(0.0, float(self.distances_mm(placement).min(initial=np.inf)))
+
+    def distances_mm(self, placement: Placement) -> FloatArray:
+        """Return the distance of every pair of `scene`, (pairs,); not above 0 where they touch or overlap."""
+        return self._sweep(placement, placement).distances_mm()
 
     # moves
 

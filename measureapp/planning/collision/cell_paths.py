@@ -9,7 +9,7 @@ from measureapp.data.fringe import AxisReadback
 from measureapp.data.leg import Leg
 from measureapp.data.plan import Viewpoint
 from measureapp.errors import LimitError, PlanError
-from measureapp.geometry.kinematics.inverse import inverse, nearest
+from measureapp.geometry.kinematics.choice import by_preference
 from measureapp.geometry.transform import RigidTransform
 from measureapp.planning.collision.cell import REST_RAD, Cell
 from measureapp.planning.collision.motion import Placement
@@ -49,7 +49,7 @@ def placement_of(cell: Cell, here: AxisReadback, joints_rad: FloatArray | None, 
     if cell.arm is None:
         return Placement(pose.matrix, None, here.guide_mm, here.table_rad)
     if joints_rad is None:
-        joints_rad = nearest(inverse(cell.arm, pose, before_rad), before_rad, cell.arm.speeds_rad_s).joints_rad
+        joints_rad = by_preference(cell.arm, pose, before_rad)[0].joints_rad
     off_mm = float(np.linalg.norm(cell.arm.forward(joints_rad).translation_mm - pose.translation_mm))
     if not off_mm <= MODEL_MM:
         raise LimitError(
@@ -66,17 +66,13 @@ def check_step(cell: Cell, start: AxisReadback, goal: AxisReadback, joints_rad: 
     ------
     PlanError
         Naming them.
-    LimitError
-        The robot cannot go there.
     """
     try:
         here = placement_of(cell, start, joints_rad)
-    except LimitError:  # not where the model of the arm can be: then the head at least
+        there = placement_of(cell, goal, None, here.joints_from(REST_RAD))
+    except LimitError:  # the model of the arm does not have these poses, so that its driver refuses them; the head can be checked
         cell = Cell.of(cell.rig, None)
-        here = placement_of(cell, start, None)
-    there = Placement(goal.base_from_flange.matrix, here.joints_rad, goal.guide_mm, goal.table_rad)
-    if cell.kept is not None and here.joints_rad is not None and not np.array_equal(goal.base_from_flange.matrix, here.base_from_flange):
-        there = cell.nearest(goal.base_from_flange, there)
+        here, there = placement_of(cell, start, None), placement_of(cell, goal, None)
     if met := cell.encounter_between(here, there, leaving=True):
         raise PlanError(f"At this step {met.words()}.", "Move another way; nothing was moved.")
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from measureapp.data.plan import Viewpoint
@@ -66,10 +66,10 @@ def check_collisions(
     PlanError
         The part is larger than the table.
     """
-    return check_in(Cell.of(rig, arm, part), tuple(plan), start, (*_notes(arm), *(() if part is not None else (NO_PART,))))
+    return check_in(Cell.of(rig, arm, part), tuple(plan), start)
 
 
-def check_in(cell: Cell, viewpoints: tuple[Viewpoint, ...], start: Placement | None, notes: tuple[str, ...] = ()) -> CollisionReport:
+def check_in(cell: Cell, viewpoints: Sequence[Viewpoint], start: Placement | None = None) -> CollisionReport:
     """Check viewpoints in a cell that is built already; as `check_collisions`."""
     at = {viewpoint.id: problem for viewpoint in viewpoints if (problem := cell.problem_at(viewpoint))}
     free = [viewpoint for viewpoint in viewpoints if viewpoint.id not in at]
@@ -86,10 +86,9 @@ def check_in(cell: Cell, viewpoints: tuple[Viewpoint, ...], start: Placement | N
             continue
         moves.append(Move(name, viewpoint.id, route, ""))
         here, name = route.end, viewpoint.id
-    return CollisionReport(at, tuple(moves), notes)
+    return CollisionReport(at, tuple(moves), _notes(cell))
 
 
-def _notes(arm: ArmModel | None) -> tuple[str, ...]:
-    if arm is None:
-        return (NO_ARM,)
-    return () if arm.bodies else (NO_SHAPE,)
+def _notes(cell: Cell) -> tuple[str, ...]:
+    arm = () if cell.arm is not None and cell.arm.bodies else (NO_ARM if cell.arm is None else NO_SHAPE,)
+    return (*arm, *(() if cell.has_part else (NO_PART,)))

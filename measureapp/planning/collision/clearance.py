@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
 from measureapp.arrays import FloatArray
 from measureapp.planning.collision.bodies import Body, BodyTable, Kind, Pair, pairs_of
+from measureapp.planning.collision.distance import distance_mm
 from measureapp.planning.collision.motion import CHANGES, Mechanism, Placement, samples
 
 STEP_MM = 2.0  # nothing travels further between two samples of a move: a clearance may be less than found by as much
@@ -58,16 +58,12 @@ class Sweep:
     """Distances of all pairs along one move, calculated where they are needed."""
 
     def __init__(self, scene: Scene, start: Placement, end: Placement) -> None:
-        import fcl
-
-        self._fcl = fcl
         self._bodies, self._pairs = scene.bodies, scene.pairs
         self._travels_mm = scene.travels @ scene.mechanism.changes(start, end)
         self.shares = samples(float(self._travels_mm.max(initial=0.0)), STEP_MM)
         self._frames = scene.mechanism.frames(start, end, self.shares)
         self._bounds_mm = scene.table.lower_bounds_mm(self._frames)
         self._apart_mm = np.array([pair.apart_mm for pair in scene.pairs])
-        self._objects: dict[int, Any] = {}
 
     def first_encounter(self, *, leaving: bool = False) -> Encounter | None:
         """Return what comes too close first along the move; None if nothing does.
@@ -83,14 +79,14 @@ class Sweep:
                 found = (*hit, self._pairs[number])
         if found is None:
             return None
-        index, distance_mm, pair = found
+        index, gap_mm, pair = found
         moving, other = sorted((self._bodies[pair.second], self._bodies[pair.first]), key=lambda body: SUBJECTS.index(body.kind))
         share = float(self.shares[index])
-        return Encounter(moving.name, other.name, max(0.0, distance_mm), share, pair.apart_mm, other.kind is Kind.KEEP_OUT)
+        return Encounter(moving.name, other.name, max(0.0, gap_mm), share, pair.apart_mm, other.kind is Kind.KEEP_OUT)
 
-    def least_mm(self) -> float:
-        """Return the least distance at the start of the move; 0 where bodies touch or overlap."""
-        return max(0.0, min((self._distance_mm(pair, 0) for pair in self._pairs), default=np.inf))
+    def distances_mm(self) -> FloatArray:
+        """Return the distance of every pair at the start of the move, (pairs,); not above 0 where they touch or overlap."""
+        return np.array([self._distance_mm(pair, 0) for pair in self._pairs])
 
     def _first(self, number: int, leaving: bool, before: int) -> tuple[int, float] | None:
         """Return the first sample before ``before`` at which a pair is too close, and its distance there."""
@@ -105,23 +101,15 @@ class Sweep:
         place = 0
         while place < len(near):
             index = int(near[place])
-            distance_mm = self._distance_mm(pair, index)
-            if distance_mm < apart_mm or distance_mm <= 0.0:
-                return index, distance_mm
-            ahead = max(1, int((distance_mm - apart_mm) / step_mm)) if step_mm > 0.0 else len(self.shares)
+            gap_mm = self._distance_mm(pair, index)
+            if gap_mm < apart_mm or gap_mm <= 0.0:
+                return index, gap_mm
+            ahead = max(1, int((gap_mm - apart_mm) / step_mm)) if step_mm > 0.0 else len(self.shares)
             place = int(np.searchsorted(near, index + ahead))
         return None
 
     def _distance_mm(self, pair: Pair, index: int) -> float:
-        """Return the distance of a pair at one sample; not above 0 where they touch or overlap."""
-        objects = [self._object(number, index) for number in (pair.first, pair.second)]
-        distance = float(self._fcl.distance(*objects, self._fcl.DistanceRequest(), self._fcl.DistanceResult()))
-        return distance - self._bodies[pair.first].solid.margin_mm - self._bodies[pair.second].solid.margin_mm
-
-    def _object(self, number: int, index: int) -> Any:
-        body = self._bodies[number]
-        if number not in self._objects:
-            self._objects[number] = self._fcl.CollisionObject(body.solid.geometry)
-        pose = self._frames[index, body.carrier] @ body.placed
-        self._objects[number].setTransform(self._fcl.Transform(pose[:3, :3], pose[:3, 3]))
-        return self._objects[number]
+        """Return the distance of a pair at one sample, margins included; not above 0 where they touch or overlap."""
+        one, other = self._bodies[pair.first], self._bodies[pair.second]
+        poses = [self._frames[index, body.carrier] @ body.carrier_from_solid for body in (one, other)]
+        return distance_mm(one.solid, poses[0], other.solid, poses[1]) - one.solid.margin_mm - other.solid.margin_mm

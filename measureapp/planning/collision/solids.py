@@ -16,13 +16,21 @@ GOLDEN_RAD = float(np.pi) * (3.0 - 5.0**0.5)
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Solid:
-    """A convex solid; what counts is everything within ``margin_mm`` of it."""
+    """A convex solid: the hull of points, widened to discs about z or to balls; everything within ``margin_mm`` of it counts as well."""
 
-    geometry: Any  # of python-fcl, centred where it wants to be
-    from_geometry: FloatArray  # (4, 4), that centre in the frame of the solid
+    geometry: Any  # the same for python-fcl, which has its middle at the origin
+    from_geometry: FloatArray  # (4, 4), that origin in the frame of the solid
+    points_mm: FloatArray  # (N, 3)
+    disc_mm: float  # radius of the discs
+    ball_mm: float  # radius of the balls
     low_mm: FloatArray  # (3,) bounds in the frame of the solid, without the margin
     high_mm: FloatArray
     margin_mm: float
+
+    def support_mm(self, direction: FloatArray) -> float:
+        """Return how far the solid reaches along a unit vector (3,) of its frame, without the margin."""
+        along = float((self.points_mm @ direction).max())
+        return along + self.disc_mm * float(np.hypot(direction[0], direction[1])) + self.ball_mm
 
     @property
     def corners_mm(self) -> FloatArray:
@@ -36,7 +44,8 @@ def box(low_mm: npt.ArrayLike, high_mm: npt.ArrayLike, margin_mm: float = 0.0) -
     import fcl
 
     low, high = np.asarray(low_mm, float), np.asarray(high_mm, float)
-    return Solid(fcl.Box(*(high - low)), _moved((low + high) / 2.0), low, high, margin_mm)
+    corners = np.array(np.meshgrid(*zip(low, high, strict=True))).reshape(3, 8).T
+    return Solid(fcl.Box(*(high - low)), _moved((low + high) / 2.0), corners, 0.0, 0.0, low, high, margin_mm)
 
 
 def cylinder(foot_mm: npt.ArrayLike, radius_mm: float, height_mm: float, margin_mm: float = 0.0) -> Solid:
@@ -45,7 +54,8 @@ def cylinder(foot_mm: npt.ArrayLike, radius_mm: float, height_mm: float, margin_
 
     foot, reach = np.asarray(foot_mm, float), np.array([radius_mm, radius_mm, 0.0])
     top = foot + np.array([0.0, 0.0, height_mm])
-    return Solid(fcl.Cylinder(radius_mm, height_mm), _moved((foot + top) / 2.0), foot - reach, top + reach, margin_mm)
+    geometry = fcl.Cylinder(radius_mm, height_mm)
+    return Solid(geometry, _moved((foot + top) / 2.0), np.array([foot, top]), radius_mm, 0.0, foot - reach, top + reach, margin_mm)
 
 
 def capsule(start_mm: npt.ArrayLike, end_mm: npt.ArrayLike, radius_mm: float, margin_mm: float = 0.0) -> Solid:
@@ -61,7 +71,7 @@ def capsule(start_mm: npt.ArrayLike, end_mm: npt.ArrayLike, radius_mm: float, ma
         across /= np.linalg.norm(across)
         from_geometry[:3, :3] = np.column_stack([across, np.cross(along, across), along])
     low, high = np.minimum(start, end) - radius_mm, np.maximum(start, end) + radius_mm
-    return Solid(fcl.Capsule(radius_mm, length), from_geometry, low, high, margin_mm)
+    return Solid(fcl.Capsule(radius_mm, length), from_geometry, np.array([start, end]), 0.0, radius_mm, low, high, margin_mm)
 
 
 def hull(points_mm: FloatArray, margin_mm: float = 0.0) -> Solid:
@@ -80,7 +90,8 @@ def hull(points_mm: FloatArray, margin_mm: float = 0.0) -> Solid:
     number[kept.vertices] = np.arange(len(vertices))
     faces = np.column_stack([np.full(len(kept.simplices), 3), number[_outward(kept)]]).ravel()
     geometry = fcl.Convex(vertices, len(kept.simplices), faces.astype(np.int32))
-    return Solid(geometry, np.eye(4), vertices.min(axis=0), vertices.max(axis=0), margin_mm + outside_mm)
+    low, high = vertices.min(axis=0), vertices.max(axis=0)
+    return Solid(geometry, np.eye(4), vertices, 0.0, 0.0, low, high, margin_mm + outside_mm)
 
 
 def _support(points_mm: FloatArray) -> FloatArray:

@@ -43,7 +43,7 @@ class Candidates:
         return Candidates(self.viewpoints + other.viewpoints, station, np.concatenate([self.heads, other.heads]))
 
 
-def grid_candidates(
+def checked_grid(
     extent: Extent,
     rig: RigDescription,
     arm: ArmModel | None,
@@ -74,6 +74,13 @@ def grid_candidates(
         if len(free) >= most:
             break
     return found, free
+
+
+def grid_candidates(
+    extent: Extent, rig: RigDescription, arm: ArmModel | None, progress: Progress, most: int = MOST_CANDIDATES
+) -> Candidates:
+    """Return the candidates of `checked_grid` without a check of collisions."""
+    return checked_grid(extent, rig, arm, None, progress, most)[0]
 
 
 def as_candidates(stations: Iterable[tuple[Station, Sequence[float], Sequence[float]]], rig: RigDescription) -> Candidates:

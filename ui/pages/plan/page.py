@@ -70,7 +70,7 @@ class PlanPage(ViewportPage):
         for button in (self.open_file, self.save_file, self.generate, self.use):
             self.action_row.addWidget(button)
         self.open_quiet = Button("Open a plan…", look, "open")
-        self.begin = Button("Add a viewpoint", look, "add", tip="Begin with one viewpoint that looks at the middle of the table")
+        self.begin = Button("Add a viewpoint", look, "add", tip="Begin with one viewpoint aimed at the middle of the table")
         for button in (self.begin, self.open_quiet):
             self.empty.add_quiet(button)
         fit = Button("Show all", look, "fit", "quiet", "Show everything from the front")
