@@ -277,7 +277,7 @@ def test_of_many_images_that_arrive_at_once_only_the_newest_is_converted(applica
     monkeypatch.setattr(page.pictures, "show_image", lambda camera, pixels, _exposure: shown.append((camera, int(pixels[0, 0]))))
     for level in range(50):
         application.session.images.put("left", e.ImageTaken("view-01", "left", 80_000, np.full((4, 4), level, np.uint8)))
-    page._tick()
+    page._take_images()
     assert shown == [("left", 49)]
 
 
@@ -309,3 +309,62 @@ def test_from_the_rig_to_clouds_in_the_window(application, window, qtbot, tmp_pa
     qtbot.waitUntil(lambda: not controllers.jobs.queue.busy, timeout=PATIENCE_MS)
     assert [view.viewpoint_id for view in session.views] == ["view01", "view02"]
     assert scan.tiles.words() == ["Processed"] * 2
+
+
+@pytest.fixture
+def scanned(application, page, tmp_path, plan, measurement):
+    """The page after a scan of a project with a nominal."""
+    project = ProjectFolder.create(tmp_path / "kept", ProjectSettings(name="kept", part="wheel", rig=application.session.rig))
+    project.save_plan(plan)
+    (project.path / "inspection").mkdir()
+    (project.path / "inspection" / "nominal.stl").write_bytes(b"")
+    application.session.open_project("kept", "wheel", project.path)
+    application.session.set_plan(plan)
+    application.session.set_measurement(measurement, {})
+    return page
+
+
+@pytest.fixture
+def proposed(plan, monkeypatch):
+    further = plan.viewpoints[0].model_copy(update={"id": "more-01"})
+    found = SimpleNamespace(
+        sufficient=0.93,
+        accessible=0.98,
+        expected=0.96,
+        median_sigma_mm=0.0112,
+        shares=lambda: {"too dark": 0.04},
+        proposals=(SimpleNamespace(viewpoint=further, share=0.03, seconds=41.0, reason="sees the slot"),),
+        plan=plan.model_copy(update={"viewpoints": (*plan.viewpoints, further)}),
+    )
+    monkeypatch.setattr("measureapp.pipeline.closed_loop.of_project.find_next_views", lambda *_, **__: found)
+    return found
+
+
+def test_what_is_missing_is_listed_with_causes_and_views_that_pay_which_are_scanned_on_request(application, scanned, proposed, quick, idle):
+    assert scanned.missing.isVisible()
+    scanned.missing.click()
+    idle()
+    words = [item.words.replace("\u00a0", " ") for item in scanned.missing_dialog.list.items]
+    assert words == [
+        "93.0 % of the surface is measured, of 98.0 % that does not touch the support.",
+        "4.0 % is missing: too dark.",
+        "more-01: + 3.0 % in 50 s.",
+        "With all of them 96.0 % are expected.",
+    ]
+    quick.gate.set()
+    quick.view_of = lambda name: application.session.views[0]
+    scanned.missing_dialog.scan.click()
+    idle()
+    assert [viewpoint.id for viewpoint in quick.requests[0].plan][-1] == "more-01"
+    assert quick.requests[0].resume and ProjectFolder.open(quick.requests[0].folder).plan() == proposed.plan
+
+
+def test_a_new_scan_of_the_same_part_begins_with_its_documents_and_calibration(application, scanned):
+    scanned.new.click()
+    chosen = scanned.setup.value()
+    folder = application.session.folder
+    assert (chosen.part, chosen.nominal, chosen.calibrated) == ("wheel", folder / "inspection" / "nominal.stl", folder)
+    assert chosen.folder is not None and not chosen.folder.exists()
+    assert scanned.back.isVisible()
+    scanned.back.click()
+    assert scanned.new.isVisible()
