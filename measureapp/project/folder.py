@@ -128,6 +128,7 @@ class ProjectFolder:
         StorageError
             Another window or command has locked it, or it is read-only.
         """
+        database.require_short(self.path)
         with lock_folder(self.path):
             if self.journal.contents() is None:
                 takeover.take_over(self.path)
