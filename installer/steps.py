@@ -77,7 +77,12 @@ def test(arguments: Sequence[str]) -> int:
         if not arguments and platform.machine() in X86:
             results.append(_older_processor(home))
         results += [] if kernels is None else [kernels.result()]
-    results.append(_check("pytest", [*pytest, *(arguments or _several_processes())], home))
+    several = _several_processes()
+    if arguments or not several:
+        results.append(_check("pytest", [*pytest, *arguments], home))
+    else:
+        results.append(_check("pytest", [*pytest, *several, "-m", "not slow and not timed"], home))
+        results.append(_check("timed tests", [*pytest, "-m", "timed and not slow"], home))
     print("== summary")
     for name, code, seconds in results:
         print(f"{name:<14}{'passed' if code == 0 else f'failed ({code})':<14}{seconds:7.1f} s")

@@ -29,29 +29,20 @@ from measureapp.inspection.settings import AlignmentSettings
 from measureapp.inspection.surface.deviation import signed_distances
 from measureapp.inspection.surface.nominal import NominalSurface
 from measureapp.peers.cell import rig_at, virtual_cell
-from measureapp.pipeline.assemble import assemble
 from measureapp.pipeline.events import Event
-from measureapp.pipeline.measure import check_space
-from measureapp.pipeline.run import Outcome, calibrate_rig, finish
-from measureapp.pipeline.scan import ScanOptions, scan
-from measureapp.pipeline.watch import Stopwatch
-from measureapp.planning.viewpoints import plan_around_part
-from measureapp.progress import PartOf, Progress
-from measureapp.project.folder import ProjectFolder, ProjectSettings
+from measureapp.pipeline.run import Outcome, scan_into_project
+from measureapp.pipeline.sample import SampleScan, sample_request
+from measureapp.progress import Progress
+from measureapp.project.folder import ProjectFolder
 from measureapp.project.geometry.files import write_mesh
-from measureapp.project.geometry.robot_file import arm_of
-from measureapp.project.rig_file import read_rig
-from measureapp.register.joint.registration_cache import RegistrationCache
 from measureapp.register.settings import StitchSettings
 from measureapp.register.stitch import stitch
-from measureapp.resources import resource
-from measureapp.simulate.parts import SAMPLES, make_part
+from measureapp.simulate.parts import make_part
+from measureapp.simulate.placing import UPRIGHT_DEG, place_part
 from measureapp.simulate.truth import Truth
 from measureapp.simulate.world import World
 
 OnEvent = Callable[[Event], None]
-DEFAULT_VIEWPOINTS = {"impeller": 26}
-OTHER_VIEWPOINTS = 8
 PLUGIN = "virtual_rig"
 ALIGNMENT_POINTS = 60_000
 ALIGNMENT_REACH_MM = 3.0
@@ -70,6 +61,14 @@ class DemoRequest:
     unit: LengthUnit = LengthUnit.MM  # of a mesh file
     bracket_s: float | None = None  # time budget per viewpoint for exposures chosen by a probe; None: default exposures
     through_drivers: bool = False  # robot, guide and table through their drivers and virtual peers
+    part_turn_deg: tuple[float, float, float] = UPRIGHT_DEG  # rotation about x, then y, then z, before it is put on the table
+
+    @property
+    def sample(self) -> SampleScan:
+        """The scan on the virtual rig."""
+        return SampleScan(
+            self.part, self.resolution, self.viewpoints, self.seed, self.patterns, self.unit, self.bracket_s, self.part_turn_deg
+        )
 
 
 def run_demo(request: DemoRequest, on_event: OnEvent, progress: Progress, control: RunControl | None = None) -> Outcome:
@@ -87,34 +86,13 @@ def run_demo(request: DemoRequest, on_event: OnEvent, progress: Progress, contro
     Cancelled
         From ``progress``.
     """
-    part = make_part(request.part, request.unit)
-    description = read_rig("paper").at_resolution(request.resolution)
-    unit = {} if request.unit is LengthUnit.MM else {"unit": str(request.unit)}
-    description = description.model_copy(update={"driver_settings": {"part": request.part, "seed": request.seed, **unit}})
-    plan = plan_around_part(
-        description,
-        part.name,
-        radius_mm=part.radius_mm,
-        height_mm=part.height_mm,
-        count=request.viewpoints if request.viewpoints is not None else DEFAULT_VIEWPOINTS.get(request.part, OTHER_VIEWPOINTS),
-        patterns=request.patterns,
-        arm=arm_of(description),
-    )
-    name = f"Demo: {part.name}, {request.resolution} resolution, {len(plan)} views, seed {request.seed}"
-    settings = ProjectSettings(name=name, part=part.name, rig=description)
-    check_space(ProjectFolder(request.folder, settings), description, plan)
-    project = ProjectFolder.create(request.folder, settings)
-    world = World(description, part, request.seed, project.settings.board)
-    watch = Stopwatch()
-    with project.lock(), _connected(world, request.through_drivers) as rig:
-        project.save_plan(plan)
-        _copy_nominal(project, request.part)
-        with watch.stage("total"), RegistrationCache() as registration_cache:
-            calibration = calibrate_rig(rig, project, on_event, PartOf(progress, 0.0, 0.3), watch).calibration
-            options = ScanOptions(request.bracket_s, control=control)
-            views = scan(rig, project, calibration, on_event, PartOf(progress, 0.3, 0.8), watch, options, registration_cache)
-            measurement = assemble(project, calibration, views, on_event, PartOf(progress, 0.8, 1.0), watch, registration_cache)
-        return _add_truth(finish(project, measurement, watch), world, project)
+    part = place_part(make_part(request.part, request.unit), request.part_turn_deg)
+    scan = sample_request(request.sample, request.folder)
+    world = World(scan.rig, part, request.seed)
+    with _connected(world, request.through_drivers) as rig:
+        outcome = scan_into_project(scan, on_event, progress, control, replace(rig, description=scan.rig))
+    assert outcome is not None  # the rig was calibrated
+    return _add_truth(outcome, world, ProjectFolder.open(request.folder))
 
 
 @contextmanager
@@ -130,12 +108,6 @@ def _connected(world: World, through_drivers: bool) -> Iterator[Rig]:
             yield replace(rig, place_on_table=virtual.place_on_table)
         finally:
             rig.close()
-
-
-def _copy_nominal(project: ProjectFolder, part: str) -> None:
-    """Copy the inspection program and nominal of a sample part into the project; a mesh file has neither."""
-    if part in SAMPLES:
-        project.save_inspection(resource(f"parts/{part}/program.toml"), resource(f"parts/{part}/nominal.stl"))
 
 
 def _add_truth(outcome: Outcome, world: World, project: ProjectFolder) -> Outcome:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QCloseEvent, QKeySequence, QResizeEvent, QShortcut
-from PySide6.QtWidgets import QFileDialog, QMainWindow, QMessageBox, QStackedWidget, QWidget
+from PySide6.QtWidgets import QFileDialog, QMainWindow, QStackedWidget, QWidget
 
 from measureapp.data.length_unit import LengthUnit
 from ui.controllers.controllers import Controllers
@@ -20,12 +20,13 @@ from ui.pages.calibration_chip import calibration_state
 from ui.pages.clouds.clouds import CloudsPage
 from ui.pages.inspection.inspection import InspectionPage
 from ui.pages.page import Page
-from ui.pages.plan import PlanPage
+from ui.pages.plan.page import PlanPage
 from ui.pages.report import ReportPage
 from ui.pages.rig.page import RigPage
-from ui.pages.scan import ScanPage
+from ui.pages.scan.page import ScanPage
 from ui.session import Message, Session
 from ui.widgets.basic import column, row
+from ui.widgets.closing_bar import ClosingBar
 from ui.widgets.header import HeaderBar
 from ui.widgets.help_dialog import HelpDialog
 from ui.widgets.job_strip import JobStrip
@@ -37,8 +38,8 @@ from ui.widgets.unit_dialog import UnitDialog
 CLOUDS = "Clouds and meshes (*.ply *.stl *.obj *.pcd *.xyz *.txt *.csv *.asc *.pts)"
 REFERENCES = "Nominals and inspection programs (*.stl *.ply *.obj *.step *.stp *.toml)"
 PAGES = (RigPage, CalibrationPage, PlanPage, ScanPage, CloudsPage, InspectionPage, ReportPage)
-SMALLEST = (1366, 768)
-TITLE_BARS = 72  # height of desktop bars
+SMALLEST = (1280, 720)
+TITLE_BARS = 72  # height of desktop bars on a screen of the smallest size
 DISK_INTERVAL_MS = 30_000
 DISK_LOW_BYTES = 5e9
 CLOSING_WAIT_MS = 20_000
@@ -57,6 +58,7 @@ class MainWindow(QMainWindow):
         self.header = HeaderBar(look)
         self.properties = PropertiesPanel(look)
         self.strip = JobStrip(look)
+        self.closing, self._may_stop = ClosingBar(look), False
         self.pages: dict[str, Page] = {kind.name: kind(look, session, controllers) for kind in PAGES}
         self.rail = Rail(look, {page.name: page.word for page in self.pages.values()})
         self.stack = QStackedWidget()
@@ -99,9 +101,10 @@ class MainWindow(QMainWindow):
         self.properties.fold(self.page.wants_room and self.width() < ROOMY_WIDTH)
 
     def closeEvent(self, event: QCloseEvent) -> None:
-        """Ask before a running job is cancelled; wait until its thread has ended."""
+        """Ask once before a running job is stopped; wait until its thread has ended."""
         running = self.controllers.jobs.queue.running
-        if running is not None and not running.quiet and not self._may_stop(running.title):
+        if running is not None and not running.quiet and not self._may_stop:
+            self.closing.ask(running.title)
             event.ignore()
             return
         self._disk_timer.stop()
@@ -111,21 +114,15 @@ class MainWindow(QMainWindow):
             page.close_page()
         event.accept()
 
-    def _may_stop(self, title: str) -> bool:
-        answer = QMessageBox.question(
-            self,
-            "Stop and close?",
-            f"{title} is still running. Closing cancels it; data stored so far is kept.",
-            QMessageBox.StandardButton.Close | QMessageBox.StandardButton.Cancel,
-            QMessageBox.StandardButton.Cancel,
-        )
-        return answer == QMessageBox.StandardButton.Close
+    def _stop_and_close(self) -> None:
+        self._may_stop = True
+        self.close()
 
     def _lay_out(self) -> None:
         middle = row(self.rail, self.stack, self.properties, spacing=0)
         middle.setStretch(1, 1)
-        whole = column(self.header, middle, self.strip, spacing=0)
-        whole.setStretch(1, 1)
+        whole = column(self.header, self.closing, middle, self.strip, spacing=0)
+        whole.setStretch(2, 1)
         centre = QWidget()
         centre.setLayout(whole)
         self.setCentralWidget(centre)
@@ -138,6 +135,8 @@ class MainWindow(QMainWindow):
         self.properties.actionClicked.connect(self._act)
         self.properties.decisionClicked.connect(self._decide)
         self.header.openClicked.connect(self._choose_project)
+        self.header.recentAsked.connect(lambda: self.header.show_recent(controllers.project.recent()))
+        self.header.recentClicked.connect(controllers.project.open)
         self.header.fileClicked.connect(self._choose_files)
         controllers.files.unitAsked.connect(self._ask_unit)
         controllers.files.measured.connect(lambda: self.show_page("inspection"))
@@ -146,7 +145,8 @@ class MainWindow(QMainWindow):
         self.header.role.valueChanged.connect(self._change_role)
         self.strip.cancelClicked.connect(controllers.jobs.cancel)
         self.strip.messagesClicked.connect(self._show_messages)
-        controllers.jobs.progressed.connect(self.strip.show_progress)
+        controllers.jobs.progressed.connect(self._show_progress)
+        self.closing.closeClicked.connect(self._stop_and_close)
         session.busyChanged.connect(self._show_busy)
         session.messageAdded.connect(self._show_message)
         session.projectChanged.connect(self._show_project)
@@ -183,8 +183,13 @@ class MainWindow(QMainWindow):
 
     def _show_busy(self) -> None:
         self.strip.show_job(self.session.busy_with)
+        if not self.session.busy_with:
+            self.closing.hide()
         if self.session.busy_with and self.session.role == "operator" and self.page is self.pages["rig"]:
             self.show_page("scan")
+
+    def _show_progress(self, share: float, note: str) -> None:
+        self.strip.show_progress(share, note, with_time=self.controllers.scanning.left() is None)
 
     def _follow_operator(self) -> None:
         """Show the operator the verdict after a scan."""

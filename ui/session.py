@@ -31,7 +31,8 @@ if TYPE_CHECKING:
     from measureapp.register.clouds.filter_chain import FilterChain
 
 Level = Literal["info", "done", "warning", "error"]
-ViewpointStatus = Literal["waiting", "moving", "capturing", "stored", "processed", "failed"]
+ViewpointStatus = Literal["waiting", "moving", "settling", "capturing", "checking", "storing", "stored", "processed", "skipped", "failed"]
+RunState = Literal["idle", "running", "pausing", "paused"]
 Role = Literal["operator", "engineer"]
 GraphicsState = Literal["preparing", "ready", "failed"]
 
@@ -68,6 +69,15 @@ class ViewpointState:
 
 
 @dataclass(frozen=True)
+class RunNow:
+    """The run of a plan at this moment; a pause has a cause and a remedy."""
+
+    state: RunState = "idle"
+    cause: str = ""
+    remedy: str = ""
+
+
+@dataclass(frozen=True)
 class DriverRow:
     """One device driver, or the reason why it could not be loaded."""
 
@@ -98,6 +108,7 @@ class Session(QObject):
     planChanged = Signal()
     calibrationChanged = Signal()
     viewpointsChanged = Signal()
+    runChanged = Signal()
     cloudsChanged = Signal()
     inspectionChanged = Signal()
     reportChanged = Signal()
@@ -120,6 +131,7 @@ class Session(QObject):
         self.cell = CellState()
         self.connection: Rig | None = None  # of the Rig page
         self.moving = False  # a job runs that may move axes
+        self.run = RunNow()
         self.drivers: tuple[DriverRow, ...] = ()
         self._reset()
 
@@ -215,6 +227,19 @@ class Session(QObject):
         """Set all viewpoints to waiting, in scan order."""
         self.viewpoints = {id_: ViewpointState(id_) for id_ in ids}
         self.viewpointsChanged.emit()
+
+    def await_viewpoints(self, ids: tuple[str, ...]) -> None:
+        """Set these viewpoints to waiting; others keep their state, in the order of the plan."""
+        known = {**self.viewpoints, **{id_: ViewpointState(id_) for id_ in ids}}
+        planned = [viewpoint.id for viewpoint in self.plan] if self.plan is not None else []
+        ordered = [id_ for id_ in planned if id_ in known]
+        self.viewpoints = {id_: known[id_] for id_ in (*ordered, *(id_ for id_ in known if id_ not in ordered))}
+        self.viewpointsChanged.emit()
+
+    def set_run(self, run: RunNow) -> None:
+        """Set the state of the run."""
+        self.run = run
+        self.runChanged.emit()
 
     def set_viewpoint(self, id_: str, status: ViewpointStatus, note: str = "") -> None:
         """Set the progress of one viewpoint."""

@@ -7,6 +7,7 @@ from typing import TypeVar
 
 from measureapp.acquire.control import RunControl
 from measureapp.acquire.events import AcquisitionEvent, RunEnded, RunStarted, ViewpointFailed
+from measureapp.acquire.motion import checked
 from measureapp.acquire.run import Run
 from measureapp.acquire.run_states import ViewpointState
 from measureapp.acquire.session import RigSession
@@ -134,9 +135,12 @@ def _left(control: RunControl) -> str:
 
 
 def run_once(rig: Rig, name: str, viewpoint: Viewpoint | None, task: Task[T], progress: Progress) -> None:
-    """Run ``task`` at one viewpoint, or where the axes are. Raises DeviceError where it fails."""
+    """Run ``task`` at one viewpoint, or where the axes are. Raises DeviceError where it fails.
+
+    A rig without checked paths gets those around an empty table.
+    """
     if viewpoint is None:
         Engine(rig).run_here(name, task, lambda _: None, progress)
         return
-    for failure in Engine(rig).run(name, (viewpoint,), task, lambda _: None, progress):
+    for failure in Engine(rig if rig.paths is not None else checked(rig, None)).run(name, (viewpoint,), task, lambda _: None, progress):
         raise DeviceError(failure.reason)

@@ -11,6 +11,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from measureapp.acquire.events import AcquisitionEvent, ImageTaken
+from measureapp.acquire.motion import joints_of
 from measureapp.acquire.session import RigSession
 from measureapp.arrays import read_only
 from measureapp.data.fringe import AxisReadback
@@ -18,8 +19,10 @@ from measureapp.devices.projector import PLAIN_LIGHT
 from measureapp.devices.rig import Rig
 from measureapp.errors import LimitError
 from measureapp.geometry.transform import RigidTransform
-from measureapp.planning.keep_out import check_step
+from measureapp.planning.collision.cell import Cell
+from measureapp.planning.collision.cell_paths import check_step
 from measureapp.progress import Progress
+from measureapp.project.geometry.robot_file import arm_of
 
 Axis = Literal["x", "y", "z", "rx", "ry", "rz", "guide", "table"]
 """Robot: position in the base, and rotation about the base's axes through the flange; guide; table."""
@@ -38,7 +41,7 @@ def jog(rig: Rig, axis: Axis, step: float, progress: Progress) -> AxisReadback:
     LimitError
         The step is larger than one by hand may be, or its goal lies outside the limits; nothing moved.
     PlanError
-        The head would enter a keep-out box; nothing moved.
+        Head or arm would come too close to something, or enter a keep-out box; nothing moved. The part on the table is not known here.
     DeviceError, Cancelled
         As `RigSession`; everything was stopped.
     """
@@ -49,7 +52,7 @@ def jog(rig: Rig, axis: Axis, step: float, progress: Progress) -> AxisReadback:
     with RigSession(rig, progress) as session:
         here = session.readback()
         goal = _goal(here, axis, step)
-        check_step(here, goal, rig.description)
+        check_step(Cell.of(rig.description, arm_of(rig.description)), here, goal, joints_of(rig))
         if axis == "guide":
             session.move_guide(goal.guide_mm)
         elif axis == "table":

@@ -1,16 +1,45 @@
-"""Whether the axes are where they were sent, and stay there."""
+"""How the axes get to a viewpoint, and whether they are where they were sent and stay there."""
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
+from dataclasses import replace
 from math import radians
 
 import numpy as np
 
+from measureapp.arrays import FloatArray
 from measureapp.data.fringe import AxisReadback
+from measureapp.data.leg import Leg
 from measureapp.data.plan import Viewpoint
 from measureapp.data.rig import MotionRules
+from measureapp.devices.rig import Rig
+from measureapp.devices.robot import JointRobot
 from measureapp.errors import MotionError
 from measureapp.geometry.transform import RigidTransform
+from measureapp.planning.collision.build import PartSolid
+from measureapp.planning.collision.cell import Cell
+from measureapp.planning.collision.cell_paths import CellPaths
+from measureapp.project.geometry.robot_file import arm_of
+
+
+def legs_to(viewpoint: Viewpoint, rig: Rig, readback: Callable[[], AxisReadback]) -> Sequence[Leg]:
+    """Return the moves to ``viewpoint``: those of the rig's checked paths, else table, guide and robot; raises as `Paths.legs_to`."""
+    if rig.paths is None:
+        goal = AxisReadback(viewpoint.flange.transform(), viewpoint.guide_mm, radians(viewpoint.table_deg))
+        return (Leg("table", goal), Leg("guide", goal), Leg("robot", goal))
+    here = readback()
+    return rig.paths.legs_to(viewpoint, here, joints_of(rig))
+
+
+def joints_of(rig: Rig) -> FloatArray | None:
+    """Read the joint angles (6,) back; None where the robot does not tell them."""
+    return rig.robot.joints_rad() if isinstance(rig.robot, JointRobot) else None
+
+
+def checked(rig: Rig, part: PartSolid | None) -> Rig:
+    """Return the same rig with checked paths around ``part`` on its table. Raises PlanError where the part is larger than the table."""
+    return replace(rig, paths=CellPaths(Cell.of(rig.description, arm_of(rig.description), part)))
 
 
 def confirm_reached(viewpoint: Viewpoint, readback: AxisReadback, rules: MotionRules) -> None:

@@ -7,23 +7,24 @@ import time
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from datetime import UTC, datetime
-from math import radians
 from types import TracebackType
 from typing import TypeVar
 
 from measureapp.acquire.device_call import call_device
-from measureapp.acquire.motion import confirm_reached, confirm_still
+from measureapp.acquire.motion import confirm_reached, confirm_still, legs_to
 from measureapp.acquire.states import read_states
 from measureapp.acquire.stopping import abort
 from measureapp.arrays import ImageArray
 from measureapp.data.conditions import Conditions
 from measureapp.data.fringe import AxisReadback
+from measureapp.data.leg import Leg
 from measureapp.data.plan import Viewpoint
 from measureapp.devices.camera import Camera, RendersImages
 from measureapp.devices.head import HardwareHead, Head, Shot, SoftwareHead
 from measureapp.devices.head_timing import frame_timeout_s
 from measureapp.devices.projector import DARK, TriggeringProjector
 from measureapp.devices.rig import Rig
+from measureapp.devices.robot import JointRobot
 from measureapp.errors import DeviceError, MeasureError
 from measureapp.geometry.transform import RigidTransform
 from measureapp.progress import Cancelled, NoProgress, Progress
@@ -106,10 +107,14 @@ class RigSession:
         return self.confirm_reached(viewpoint) if self.settle(viewpoint) else readback
 
     def move_axes(self, viewpoint: Viewpoint) -> None:
-        """Move table, guide and robot one after the other; raises as `move_to`, but does not read back."""
-        self.move_table(radians(viewpoint.table_deg))
-        self.move_guide(viewpoint.guide_mm)
-        self.move_robot(viewpoint.flange.transform())
+        """Move one axis after the other, on the checked path if the rig has paths; raises as `move_to`, but does not read back."""
+        for leg in legs_to(viewpoint, self.rig, self.readback):
+            if leg.axis == "table":
+                self.move_table(leg.goal.table_rad)
+            elif leg.axis == "guide":
+                self.move_guide(leg.goal.guide_mm)
+            else:
+                self._move_arm(leg)
 
     def confirm_reached(self, viewpoint: Viewpoint) -> AxisReadback:
         """Return the read-back of every axis. Raises MotionError where one is away from its goal."""
@@ -134,6 +139,13 @@ class RigSession:
     def move_guide(self, goal_mm: float) -> None:
         """Move the guide alone; raises as `move_to`, but does not read back."""
         self._move("The linear guide", lambda limit_s: self.rig.guide.move_to(goal_mm, timeout_s=limit_s))
+
+    def _move_arm(self, leg: Leg) -> None:
+        robot, goal_rad = self.rig.robot, leg.joints_rad
+        if goal_rad is None or not isinstance(robot, JointRobot):
+            self.move_robot(leg.goal.base_from_flange)
+        else:
+            self._move("The robot", lambda limit_s: robot.move_joints(goal_rad, timeout_s=limit_s))
 
     def move_robot(self, base_from_flange: RigidTransform) -> None:
         """Move the robot alone; raises as `move_to`, but does not read back."""

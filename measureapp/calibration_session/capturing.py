@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 
 from measureapp.acquire.engine import Engine
 from measureapp.acquire.events import AcquisitionEvent, ImageTaken, ViewpointRetaken
+from measureapp.acquire.motion import checked
 from measureapp.acquire.task import Task
 from measureapp.acquire.tasks.board import BoardTask
 from measureapp.acquire.tasks.board_fringes import BoardFringesTask
@@ -20,6 +21,7 @@ from measureapp.data.plan import Viewpoint
 from measureapp.devices.rig import Rig
 from measureapp.errors import DeviceError
 from measureapp.fringe.patterns.draw import pattern_images
+from measureapp.planning.collision.build import PartSolid
 from measureapp.progress import Progress
 
 OnImage = Callable[[str, str, ImageArray], None]  # viewpoint, camera or projector, newest image
@@ -43,6 +45,7 @@ def capture_views(
         elif isinstance(event, ViewpointRetaken):
             progress.report(0, 1, f"{event.viewpoint_id} is taken again. {event.reason}")
 
+    rig = checked(rig, PartSolid.board_on_stand())
     name = f"calibration: {session.setup.kind.name}"
     if session.setup.kind.uses_fringes:
         failed = Engine(rig).run(name, viewpoints, _fringe_task(rig, session, on_image, on_view), receive, progress)

@@ -32,6 +32,10 @@ def register(app: typer.Typer) -> None:
         through_drivers: Annotated[
             bool, typer.Option("--through-drivers", help="Move robot, guide and table through their drivers and virtual peers on loopback.")
         ] = False,
+        turn_deg: Annotated[
+            tuple[float, float, float],
+            typer.Option("--turn-deg", help="Rotate the part about x, then y, then z, before it is put on the table: a set-up for `join`."),
+        ] = (0.0, 0.0, 0.0),
         unit: Annotated[LengthUnit | None, typer.Option(help=UNIT_HELP)] = None,
         as_json: JsonOption = False,
     ) -> None:
@@ -41,7 +45,9 @@ def register(app: typer.Typer) -> None:
         if unit is None:
             _ask_unit(Path(part))
         folder = out or Path(f"demo-{Path(part).stem}-{resolution}")
-        request = DemoRequest(folder, part, resolution, viewpoints, seed, patterns, unit or LengthUnit.MM, auto_bracket, through_drivers)
+        request = DemoRequest(
+            folder, part, resolution, viewpoints, seed, patterns, unit or LengthUnit.MM, auto_bracket, through_drivers, turn_deg
+        )
         outcome = run_demo(request, report_event, TerminalProgress())
         deviation = outcome.document["truth_deviation"]
         lines = [

@@ -38,7 +38,7 @@ def register(app: typer.Typer) -> None:
             raise StorageError(f"{project} contains no measurement.", "Scan first, or recompute it: measureapp process PROJECT.")
         nominal = None if folder.nominal is None else read_mesh(folder.nominal)
         model = compose(measurement, nominal, progress=TerminalProgress())
-        files = write_documents(model, out or folder.report_pdf.parent, _kinds(pdf, csv, html))
+        files = write_documents(model, out or folder.report_pdf.parent, _kinds(pdf, csv, html), folder.report_template)
         document = {"files": dict(files), "verdict": None if model.verdict is None else model.verdict.value}
         reply(document, "\n".join([model.summary, *(str(path) for path in files.values())]), as_json)
 

@@ -15,6 +15,8 @@ from measureapp.errors import DeviceError, InputError
 
 if TYPE_CHECKING:
     from measureapp.acquire.control import RunControl
+    from measureapp.data.part_program import PartProgram
+    from measureapp.data.plan import ScanPlan
     from measureapp.pipeline import ScanRequest
 
 NOT_PROCESSED = (
@@ -27,7 +29,7 @@ def register(app: typer.Typer) -> None:
 
     @app.command()
     def scan(
-        plan: Annotated[Path, typer.Argument(help="Scan plan (JSON or TOML).")],
+        plan: Annotated[Path, typer.Argument(help="Scan plan (JSON or TOML), or a part program (.mpart).")],
         rig: Annotated[str, typer.Option("--rig", help="Rig description: a TOML file, or a name in resources/rigs.")],
         project: Annotated[Path, typer.Option("--project", help="Project folder, new or with a calibration of this rig.")],
         calibration: Annotated[
@@ -53,34 +55,50 @@ def register(app: typer.Typer) -> None:
         as_json: JsonOption = False,
     ) -> None:
         """Move, project, capture and store every viewpoint of a plan, then process the images."""
-        from measureapp.acquire.control import RunControl
-        from measureapp.cli.scan_log import ScanLog
         from measureapp.devices.recorded_rig import require_devices
-        from measureapp.pipeline import ScanRequest, scan_into_project
-        from measureapp.project.plan_file import read_plan
+        from measureapp.pipeline import ScanRequest
         from measureapp.project.rig_file import read_rig
 
         if per_viewpoint and auto_bracket is None:
             raise InputError("--per-viewpoint chooses no exposures by itself.", "Add --auto-bracket SECONDS.")
+        wanted, program = _plan_and_program(plan)
         request = ScanRequest(
-            read_plan(plan), read_rig(rig), project, resume, calibration, auto_bracket, per_viewpoint, tuple(retake or ())
+            wanted, read_rig(rig), project, resume, calibration, auto_bracket, per_viewpoint, tuple(retake or ()), part_program=program
         )
         require_devices(request.rig)
-        if dry_run:
-            raise typer.Exit(_rehearse(request, as_json))
-        control = RunControl(attended=sys.stdin is not None and sys.stdin.isatty())
-        log = ScanLog(request.plan, lambda: _wait_for_enter(control))
-        outcome = scan_into_project(request, log.note, TerminalProgress(), control)
-        document = {} if outcome is None else outcome.document
-        figures = {view["name"]: view for view in document.get("views", [])}
-        views = [{"name": name, **figures.get(name, {}), **state} for name, state in log.states.items()]
-        run = {"ended": log.ended.reason, "message": log.ended.message, "processed": outcome is not None, "views": views}
-        lines = [NOT_PROCESSED] if outcome is None else measurement_lines(outcome.measurement)
-        reply({**document, **run}, "\n".join(lines), as_json)
-        if any(state["state"] != "stored" for state in log.states.values()):
-            raise typer.Exit(DEVICE_FAILED)
-        if any("reason" in state for state in log.states.values()) or not (outcome is None or has_passed(outcome.measurement)):
-            raise typer.Exit(OUT_OF_TOLERANCE)
+        raise typer.Exit(_rehearse(request, as_json) if dry_run else _scan(request, as_json))
+
+
+def _plan_and_program(path: Path) -> tuple[ScanPlan, PartProgram | None]:
+    """Read a scan plan, or a part program and its plan."""
+    from measureapp.project.part_program_file import is_part_program, read_part_program
+    from measureapp.project.plan_file import read_plan
+
+    if not is_part_program(path):
+        return read_plan(path), None
+    program = read_part_program(path)
+    return program.plan, program
+
+
+def _scan(request: ScanRequest, as_json: bool) -> int:
+    """Scan, and reply with what became of every viewpoint; return the exit code."""
+    from measureapp.acquire.control import RunControl
+    from measureapp.cli.scan_log import ScanLog
+    from measureapp.pipeline import scan_into_project
+
+    control = RunControl(attended=sys.stdin is not None and sys.stdin.isatty())
+    log = ScanLog(request.plan, lambda: _wait_for_enter(control))
+    outcome = scan_into_project(request, log.note, TerminalProgress(), control)
+    document = {} if outcome is None else outcome.document
+    figures = {view["name"]: view for view in document.get("views", [])}
+    views = [{"name": name, **figures.get(name, {}), **state} for name, state in log.states.items()]
+    run = {"ended": log.ended.reason, "message": log.ended.message, "processed": outcome is not None, "views": views}
+    lines = [NOT_PROCESSED] if outcome is None else measurement_lines(outcome.measurement)
+    reply({**document, **run}, "\n".join(lines), as_json)
+    if any(state["state"] != "stored" for state in log.states.values()):
+        return DEVICE_FAILED
+    passed = outcome is None or has_passed(outcome.measurement)
+    return DONE if passed and not any("reason" in state for state in log.states.values()) else OUT_OF_TOLERANCE
 
 
 def _wait_for_enter(control: RunControl) -> None:

@@ -13,6 +13,7 @@ from measureapp.data.dimension import Dimension
 from measureapp.data.feature import Feature
 from measureapp.data.fringe import AxisReadback
 from measureapp.data.mesh import Mesh
+from measureapp.data.setups import JoinedSetUp
 from measureapp.data.validity import Validity
 from measureapp.geometry.transform import RigidTransform
 
@@ -73,3 +74,4 @@ class Measurement:
     settings: Mapping[str, Any] = field(default_factory=dict)  # patterns, exposures, thresholds (JSON-ready)
     timings_s: Mapping[str, float] = field(default_factory=dict)
     validity: Validity = field(default_factory=Validity)  # of the calibration, for these images
+    setups: tuple[JoinedSetUp, ...] = ()  # of a measurement that is joined from several; the calibration is that of the first one

@@ -154,6 +154,21 @@ class ScanPlan(Model):
     def __getitem__(self, place: int) -> Viewpoint:
         return tuple(self)[place]
 
+    def extends(self, former: ScanPlan) -> bool:
+        """Whether this plan takes the same images at all viewpoints of ``former``; it may have further ones."""
+        own = {viewpoint.id: viewpoint for viewpoint in self}
+
+        def same(viewpoint: Viewpoint) -> bool:
+            here = own.get(viewpoint.id)
+            return (
+                here is not None
+                and (here.flange, here.guide_mm, here.table_deg) == (viewpoint.flange, viewpoint.guide_mm, viewpoint.table_deg)
+                and self.exposures_of(here) == former.exposures_of(viewpoint)
+                and self.settle_of(here) == former.settle_of(viewpoint)
+            )
+
+        return self.patterns == former.patterns and all(same(viewpoint) for viewpoint in former)
+
     def exposures_of(self, viewpoint: Viewpoint) -> tuple[int, ...]:
         """Return the exposures of a viewpoint, from long to short, in µs."""
         return viewpoint.exposures_us or self.bracket.exposures_us

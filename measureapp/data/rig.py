@@ -7,6 +7,7 @@ from typing import Literal
 from pydantic import Field, model_validator
 from scipy.spatial.transform import Rotation
 
+from measureapp.data.cell import CellDescription, NamedBox
 from measureapp.data.model import Model
 from measureapp.geometry.transform import RigidTransform
 
@@ -120,18 +121,8 @@ class DriverChoice(Model):
     settings: dict[str, object] = Field(default_factory=dict)
 
 
-class KeepOutBox(Model):
-    """A box in the guide frame that the measuring head must not enter."""
-
-    name: str
-    low_mm: Vector
-    high_mm: Vector
-
-    @model_validator(mode="after")
-    def _has_a_volume(self) -> KeepOutBox:
-        if any(low >= high for low, high in zip(self.low_mm, self.high_mm, strict=True)):
-            raise ValueError("low_mm must be below high_mm in x, y and z")
-        return self
+class KeepOutBox(NamedBox):
+    """A box in the guide frame that neither the measuring head nor a moving link of the robot may enter."""
 
 
 class ParkPose(Model):
@@ -150,6 +141,7 @@ class MotionRules(Model):
     angle_tolerance_deg: float = Field(default=0.05, gt=0, description="largest difference of read-back and goal, robot and table")
     settle_s: float = Field(default=0.0, ge=0, le=60, description="wait after the last axis has settled, before images are taken")
     move_timeout_s: float = Field(default=120.0, gt=0, description="longest duration of one move of one axis")
+    clearance_mm: float = Field(default=15.0, ge=1, le=200, description="least distance that moving bodies keep from everything else")
     keep_out: tuple[KeepOutBox, ...] = ()
     park: ParkPose | None = None
 
@@ -177,6 +169,7 @@ class RigDescription(Model):
     links: dict[str, dict[str, object]] = Field(default_factory=dict, description="what drivers share: a serial line, a login, a world")
     head: HeadRules = HeadRules()
     motion: MotionRules = MotionRules()
+    cell: CellDescription = CellDescription()
     cameras: tuple[CameraDescription, ...] = Field(min_length=1)
     reference: str = Field(description="name of the reference camera")
     projector: ProjectorDescription

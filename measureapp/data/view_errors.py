@@ -1,4 +1,4 @@
-"""Error model of a stitched cloud: poses of the views, camera calibration, form errors of each cloud, and systematic errors of all."""
+"""Error model of a stitched cloud: poses of the views, camera calibration, form errors of each cloud, systematic errors, joint of set-ups."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from measureapp.arrays import FloatArray, IntArray, read_only
+from measureapp.arrays import BoolArray, FloatArray, IntArray, read_only
 from measureapp.geometry.transform import RigidTransform
 
 POSE = 6
@@ -27,11 +27,14 @@ class CloudDistortion:
     middle_mm: FloatArray  # (3,), origin of the polynomials
     reach_mm: FloatArray  # (3,), scale along each axis
     coefficients_mm: FloatArray  # (B, 3, K), of the products x^i y^j z^k by `POWERS`
+    views: BoolArray | None = None  # (V, K), which views each error distorts, if they have several calibrations; None: all
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "middle_mm", read_only(self.middle_mm, np.float64, (3,)))
         object.__setattr__(self, "reach_mm", read_only(self.reach_mm, np.float64, (3,)))
         object.__setattr__(self, "coefficients_mm", read_only(self.coefficients_mm, np.float64, (len(POWERS), 3, None)))
+        if self.views is not None:
+            object.__setattr__(self, "views", read_only(self.views, np.bool_, (None, self.count)))
 
     @property
     def count(self) -> int:
@@ -47,6 +50,11 @@ class CloudDistortion:
         """Return the displacements (N, K) of points (N, 3) along directions (N, 3), all in the camera's frame."""
         products = self.products(points_mm)
         return sum(((directions[:, axis, None] * products) @ self.coefficients_mm[:, axis] for axis in range(3)), np.zeros(()))
+
+    def of_view(self, number: int, points_mm: FloatArray, directions: FloatArray) -> FloatArray:
+        """Return `along` for the points of view ``number``; zero for the errors of another calibration."""
+        displaced = self.along(points_mm, directions)
+        return displaced if self.views is None else displaced * self.views[number]
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -138,9 +146,12 @@ class ViewErrors:
     form: FormErrors | None = None  # None where not known
     systematic: SystematicErrors | None = None  # None where not known
     scale: float = 0.0  # relative standard uncertainty of the length scale; 0: taken as exact
+    setup_motions: FloatArray | None = None  # (6V, J), motions by the errors of the joint of several set-ups; None: a single set-up
 
     def __post_init__(self) -> None:
         rows = POSE * len(self.poses)
+        if self.setup_motions is not None:
+            object.__setattr__(self, "setup_motions", read_only(self.setup_motions, np.float64, (rows, None)))
         object.__setattr__(self, "centres_mm", read_only(self.centres_mm, np.float64, (len(self.poses), 3)))
         object.__setattr__(self, "stitching_motions", read_only(self.stitching_motions, np.float64, (rows, None)))
         object.__setattr__(self, "calibration_motions", read_only(self.calibration_motions, np.float64, (rows, None)))
@@ -161,6 +172,7 @@ class ViewErrors:
             systematic=None
             if self.systematic is None
             else replace(self.systematic, motions=_rotate_motions(transform.rotation, self.systematic.motions)),
+            setup_motions=None if self.setup_motions is None else _rotate_motions(transform.rotation, self.setup_motions),
         )
 
     def along(self, points_mm: FloatArray, directions: FloatArray, view: IntArray) -> dict[str, FloatArray]:
@@ -174,6 +186,7 @@ class ViewErrors:
         calibration = np.zeros((len(points_mm), self.calibration_motions.shape[1]))
         form = np.zeros((len(points_mm), 0 if self.form is None else len(self.form.nodes_mm)))
         common = np.zeros((len(points_mm), 0 if self.systematic is None else self.systematic.count))
+        setups = np.zeros((len(points_mm), 0 if self.setup_motions is None else self.setup_motions.shape[1]))
         for number in np.unique(view):
             rows = np.flatnonzero(view == number)
             arms, across = points_mm[rows] - self.centres_mm[number], directions[rows]
@@ -184,20 +197,23 @@ class ViewErrors:
             back = self.poses[number].inverse()
             seen = back.apply(points_mm[rows]), back.rotate(across)
             if self.distortion is not None:
-                calibration[rows] += self.distortion.along(*seen)
+                calibration[rows] += self.distortion.of_view(int(number), *seen)
             if self.form is not None:
                 form[rows] = self.form.of(number, points_mm[rows]) + lever @ self.form.motions[block]
             if self.systematic is not None:
                 common[rows] = self.systematic.along(*seen) + lever @ self.systematic.motions[block]
+            if self.setup_motions is not None:
+                setups[rows] = lever @ self.setup_motions[block]
         scale = self.scale * np.sum((points_mm - self.centres_mm.mean(axis=0)) * directions, axis=1)[:, None]
         known = {
             "stitching": True,
             "calibration": self.distortion is not None,
             "form": self.form is not None,
             "common": self.systematic is not None,
+            "setups": self.setup_motions is not None,
             "scale": self.scale > 0,
         }
-        columns = (stitching, calibration, form, common, scale)
+        columns = (stitching, calibration, form, common, setups, scale)
         return {name: values for name, values in zip(known, columns, strict=True) if known[name]}
 
 
@@ -229,6 +245,7 @@ def remove_common_motion(errors: ViewErrors, points_mm: FloatArray, normals: Flo
         calibration_motions=rest("calibration", errors.calibration_motions),
         form=None if errors.form is None else replace(errors.form, motions=rest("form", errors.form.motions)),
         systematic=None if errors.systematic is None else replace(errors.systematic, motions=rest("common", errors.systematic.motions)),
+        setup_motions=None if errors.setup_motions is None else rest("setups", errors.setup_motions),
     )
 
 

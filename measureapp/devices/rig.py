@@ -9,11 +9,13 @@ from dataclasses import dataclass, field
 from statistics import median
 from typing import Protocol
 
+from measureapp.data.calibration import RigCalibration
 from measureapp.data.conditions import Conditions, LensSetting
 from measureapp.data.fringe import AxisReadback
 from measureapp.data.rig import RigDescription
 from measureapp.devices.camera import Camera
 from measureapp.devices.linear_guide import LinearGuideAxis
+from measureapp.devices.paths import Paths
 from measureapp.devices.projector import Projector
 from measureapp.devices.robot import Robot
 from measureapp.devices.rotary_table import RotaryTable
@@ -54,7 +56,9 @@ class Rig:
     place_on_table: Callable[[str], None]
     release: Callable[[], None] = field(default=lambda: None)  # of what the drivers share
     latch: StopLatch = field(default_factory=StopLatch)
+    paths: Paths | None = None  # of checked moves; None: every viewpoint is approached directly, unchecked
     in_use: threading.Lock = field(default_factory=threading.Lock)  # held by the session that moves and triggers
+    truth: Callable[[], RigCalibration | None] = field(default=lambda: None)  # of a simulated rig, only to be shown beside results
 
     @property
     def axes(self) -> tuple[Device, ...]:

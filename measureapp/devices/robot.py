@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Protocol
+from typing import Protocol, runtime_checkable
 
+from measureapp.arrays import FloatArray
 from measureapp.devices.status import DeviceStatus
 from measureapp.geometry.transform import RigidTransform
 
@@ -39,3 +40,14 @@ class Robot(Protocol):
 
     def close(self) -> None:
         """Log out and release what the driver holds at the controller. Harmless when repeated."""
+
+
+@runtime_checkable
+class JointRobot(Protocol):
+    """A robot whose joint angles can be read and commanded, so that it drives exactly the path that was checked."""
+
+    def joints_rad(self) -> FloatArray:
+        """Read the joint angles back, (6,). Raises DeviceError."""
+
+    def move_joints(self, goal_rad: FloatArray, *, timeout_s: float) -> None:
+        """Move all joints to their angles (6,), in proportion, and wait until settled; raises as `Robot.move_to`."""

@@ -9,9 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from measureapp.arrays import FloatArray
 from measureapp.calibrate.rig.cloud_errors import calibration_errors
-from measureapp.calibrate.rig.stitch_uncertainty import view_uncertainty
+from measureapp.calibrate.rig.stitch_uncertainty import RigUncertainty, view_uncertainty
 from measureapp.data.calibration import RigCalibration
 from measureapp.data.cloud import StitchedCloud
 from measureapp.data.measurement import Inspection, Measurement, ViewResult
@@ -81,9 +80,9 @@ def assemble(
         stitched = add_refused(stitched, views, choices)
     on_event(StitchReady(stitched))
     with watch.stage("surface"):
-        mesh = _compute_surface(stitched, on_event, PartOf(progress, 0.5, 0.7))
+        mesh = compute_surface(stitched, on_event, PartOf(progress, 0.5, 0.7))
     with watch.stage("inspection"):
-        inspection = _inspect(project, stitched, inspection_settings(calibrated, project.rig(), good), PartOf(progress, 0.7, 0.9))
+        inspection = inspect_stitched(project, stitched, inspection_settings(calibrated, project.rig(), good), PartOf(progress, 0.7, 0.9))
     if inspection is not None:
         on_event(InspectionReady(inspection))
     measurement = Measurement(
@@ -106,7 +105,7 @@ def assemble(
     return measurement
 
 
-def _compute_surface(stitched: StitchedCloud, on_event: Callable[[Event], None], progress: Progress) -> Mesh | None:
+def compute_surface(stitched: StitchedCloud, on_event: Callable[[Event], None], progress: Progress) -> Mesh | None:
     """Compute the surface; None if that fails, for example for lack of memory: no dimension depends on it."""
     try:
         return reconstruct_surface(stitched, progress=progress)
@@ -138,27 +137,31 @@ def _stitch(
         [view.part_from_camera for view in good],
         stitch_settings(calibrated, good),
         progress,
-        prior=PosePrior(
-            number_stations([view.readback for view in good]), _kinematic_covariance(project, good), _camera_errors(project, good)
-        ),
+        prior=pose_prior(project.rig_uncertainty(), good, _approaches(project, good)),
         accepted=choices.used,
         registration_cache=registration_cache,
     )
 
 
-def _kinematic_covariance(project: ProjectFolder, views: Sequence[ViewResult]) -> FloatArray | None:
-    """Return the joint covariance of the kinematic positions of the views; None if the calibration has no uncertainty."""
-    rig = project.rig_uncertainty()
+def pose_prior(rig: RigUncertainty | None, views: Sequence[ViewResult], approaches: Sequence[str] | None = None) -> PosePrior:
+    """Return what is known about the kinematic positions of views before registration.
+
+    Parameters
+    ----------
+    rig : joint covariance of the calibration; None: the stations alone are known
+    approaches : the robot's approach of each view; None: neighbouring views with equal robot poses are one approach
+    """
+    readbacks = [view.readback for view in views]
+    stations = number_stations(readbacks)
     if rig is None:
-        return None
-    return view_uncertainty(rig, [view.readback for view in views], _approaches(project, views)).pose_covariance
+        return PosePrior(stations)
+    return PosePrior(stations, view_uncertainty(rig, readbacks, approaches).pose_covariance, camera_errors(rig, views))
 
 
-def _camera_errors(project: ProjectFolder, views: Sequence[ViewResult]) -> CalibrationErrors | None:
-    """Propagate the uncertainty of the camera calibration to clouds and poses; None if the calibration has no uncertainty."""
-    rig = project.rig_uncertainty()
+def camera_errors(rig: RigUncertainty, views: Sequence[ViewResult]) -> CalibrationErrors | None:
+    """Propagate the uncertainty of the camera calibration to clouds and poses; None where it is not known, or there are no points."""
     clouds = [np.asarray(view.cloud.points_mm) for view in views if len(view.cloud)]
-    if rig is None or not clouds:
+    if not clouds:
         return None
     corners = np.stack([np.min([cloud.min(axis=0) for cloud in clouds], axis=0), np.max([cloud.max(axis=0) for cloud in clouds], axis=0)])
     return calibration_errors(rig, [view.readback for view in views], corners)
@@ -195,7 +198,10 @@ def inspection_settings(calibration: RigCalibration, rig: RigDescription, views:
     )
 
 
-def _inspect(project: ProjectFolder, stitched: StitchedCloud, settings: InspectionSettings, progress: Progress) -> Inspection | None:
+def inspect_stitched(
+    project: ProjectFolder, stitched: StitchedCloud, settings: InspectionSettings, progress: Progress
+) -> Inspection | None:
+    """Inspect a stitched cloud with the project's program and nominal; None without a program."""
     if project.program is None:
         return None
     from measureapp.inspection.dimensions import inspect

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from measureapp.acquire.engine import Engine
+from measureapp.acquire.motion import checked
 from measureapp.acquire.tasks.board import BoardTask
 from measureapp.calibrate.boards.find import find_board
 from measureapp.calibrate.boards.observation import Observation
@@ -17,6 +18,7 @@ from measureapp.devices.rig import Rig
 from measureapp.errors import CalibrationError
 from measureapp.pipeline.validity import check_before_scan
 from measureapp.planning.calibration_views import check_viewpoints
+from measureapp.planning.collision.build import PartSolid
 from measureapp.progress import Progress
 from measureapp.project.documents import calibration_id
 from measureapp.project.folder import ProjectFolder
@@ -41,7 +43,9 @@ def _check(project: ProjectFolder, rig: Rig, progress: Progress, limit_mm: float
     check_before_scan(rig, calibration)
     viewpoints = check_viewpoints(rig.description)
     views: list[BoardView] = []
-    Engine(rig).run("check of the calibration", viewpoints, BoardTask(views.append), lambda _: None, progress)
+    Engine(checked(rig, PartSolid.board_on_stand())).run(
+        "check of the calibration", viewpoints, BoardTask(views.append), lambda _: None, progress
+    )
     at = max(view.conditions.taken_at for view in views if view.conditions is not None)
     for view in views:
         project.save_check_view(at.replace(":", "").replace("+0000", ""), view)

@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from statistics import median
 
 import numpy as np
 
 from measureapp.calibrate.draft.draft import Known, Setup
+from measureapp.calibrate.draft.verdict import Verdict, evaluate
 from measureapp.calibrate.kinds.table import KINDS
 from measureapp.calibrate.rig.joint_solution import RigSolution
-from measureapp.calibration_session.observing import Position, observe, solve_observed
+from measureapp.calibration_session.observing import Position, RefusedImage, observe, solve_observed
 from measureapp.data.board import BoardDescription, BoardView
 from measureapp.data.calibration import CameraArrayCalibration, Provenance
 from measureapp.data.conditions import LensSetting
@@ -22,7 +23,21 @@ from measureapp.progress import PartOf, Progress
 from measureapp.project.frame_store import checksum
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class SolvedViews:
+    """The calibrated rig, the verdict on it, and the images in which the board was not detected."""
+
+    solution: RigSolution
+    verdict: Verdict
+    refused: tuple[RefusedImage, ...]
+
+
 def calibrate_from_views(views: Sequence[BoardView], board: BoardDescription, rig: RigDescription, progress: Progress) -> RigSolution:
+    """Calibrate the rig from images of the board; raises as `solve_views`."""
+    return solve_views(views, board, rig, progress).solution
+
+
+def solve_views(views: Sequence[BoardView], board: BoardDescription, rig: RigDescription, progress: Progress) -> SolvedViews:
     """Detect the board in all images, calibrate the cameras from them, then hand-eye, guide and axis.
 
     Raises
@@ -38,13 +53,16 @@ def calibrate_from_views(views: Sequence[BoardView], board: BoardDescription, ri
     sizes_px = {camera.name: (camera.width_px, camera.height_px) for camera in rig.cameras}
     positions = [Position(view.viewpoint_id, lambda view=view: view.images, view.readback) for view in views]  # type: ignore[misc]
     observed = observe(positions, board, None, PartOf(progress, 0.0, 0.5))
-    _, solved = solve_observed(observed, setup, {name: sizes_px[name] for name in names}, PartOf(progress, 0.5, 1.0))
+    sizes = {name: sizes_px[name] for name in names}
+    observed, solved = solve_observed(observed, setup, sizes, PartOf(progress, 0.5, 1.0))
     solution: RigSolution = solved.solution
     calibration = solution.calibration
     provenance = views_provenance(calibration.provenance.method, rig, views)
     own = replace(provenance, method=calibration.cameras.provenance.method)
     cameras = replace(_with_lenses(calibration.cameras, lenses), provenance=own)
-    return replace(solution, calibration=replace(calibration, cameras=cameras, provenance=provenance))
+    verdict = evaluate(replace(observed.draft(setup, sizes), solved=solved))
+    complete = replace(solution, calibration=replace(calibration, cameras=cameras, provenance=provenance))
+    return SolvedViews(complete, verdict, observed.refused)
 
 
 def _with_lenses(cameras: CameraArrayCalibration, lenses: Mapping[str, LensSetting]) -> CameraArrayCalibration:

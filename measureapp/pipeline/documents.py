@@ -22,7 +22,7 @@ def write_reports(project: ProjectFolder, measurement: Measurement) -> dict[str,
     """Write the report as PDF, CSV and JSON, and return all files of the measurement."""
     nominal = None if project.nominal is None else read_mesh(project.nominal, "nominal")
     model = compose(measurement, nominal)
-    write_pdf(model, project.report_pdf)
+    write_pdf(model, project.report_pdf, project.report_template)
     write_text(project.report_csv, csv_text(model))
     write_json(project.report_json, report_document(model))
     files = {

@@ -5,22 +5,34 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from measureapp.acquire.motion import joints_of
 from measureapp.acquire.states import read_states
+from measureapp.arrays import FloatArray
 from measureapp.data.calibration import RigCalibration
+from measureapp.data.fringe import AxisReadback
 from measureapp.data.plan import ScanPlan
 from measureapp.data.rig import RigDescription
 from measureapp.devices.head_timing import check_timing, period_us
 from measureapp.devices.link_budget import OnLink, check_link
 from measureapp.devices.projector import TriggeringProjector
 from measureapp.devices.rig import Rig
+from measureapp.devices.robot import JointRobot
 from measureapp.errors import DeviceError, LimitError, MeasureError, PlanError
 from measureapp.fringe.patterns.draw import check_determines_phase
 from measureapp.pipeline.measure import check_space, stack_bytes
+from measureapp.pipeline.part_on_table import part_on_table
 from measureapp.pipeline.validity import check_before_scan
-from measureapp.planning.keep_out import check_keep_out
-from measureapp.planning.reach import check_reach
+from measureapp.planning.collision.cell import Cell
+from measureapp.planning.collision.cell_paths import placement_of
+from measureapp.planning.collision.check import check_in
+from measureapp.planning.reach import check_reach, limit_violations
 from measureapp.project.folder import ProjectFolder
 from measureapp.project.geometry.robot_file import arm_of
+
+Start = tuple[AxisReadback, FloatArray | None]
+"""Where the axes are, and the joint angles (6,) where they can be read."""
+
+OWN_PATH = "The robot chooses its path between two poses itself: moves were checked as if all its joints moved in proportion."
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -42,21 +54,27 @@ class Preflight:
             raise kind(f"{len(self.problems)} things prevent the scan: {numbered}")
 
 
-def check_plan(plan: ScanPlan, rig: RigDescription, project: ProjectFolder) -> Preflight:
-    """Check what needs no device: ambiguity of the patterns, limits, reach, keep-out boxes, disk space."""
+def check_plan(plan: ScanPlan, rig: RigDescription, project: ProjectFolder, start: Start | None = None) -> Preflight:
+    """Check what needs no device: ambiguity of the patterns, limits, reach, collisions, disk space.
+
+    Parameters
+    ----------
+    start : where the axes are; None: at the park pose of the rig, else at the first viewpoint
+    """
+    notes: list[str] = []
     problems = _gather(
         lambda: check_determines_phase(plan.patterns),
         lambda: check_reach(plan, rig, arm_of(rig)),
-        lambda: check_keep_out(plan, rig),
+        lambda: notes.extend(_check_collisions(plan, rig, project, start)),
         lambda: check_space(project, rig, plan),
     )
-    return Preflight(problems, (), sum(stack_bytes(rig, plan, viewpoint) for viewpoint in plan), None)
+    return Preflight(problems, tuple(notes), sum(stack_bytes(rig, plan, viewpoint) for viewpoint in plan), None)
 
 
 def check_connected(plan: ScanPlan, rig: Rig, project: ProjectFolder, calibration: RigCalibration | None) -> Preflight:
-    """Check plan and connected devices: also the state of each, exposures and shutters, and the validity of the calibration."""
-    offline = check_plan(plan, rig.description, project)
-    warnings: list[str] = []
+    """Check plan and connected devices: also the state of each, the move from where the axes are, exposures and shutters, the calibration."""
+    offline = check_plan(plan, rig.description, project, _start(rig))
+    warnings = [*offline.warnings, *(() if isinstance(rig.robot, JointRobot) else (OWN_PATH,))]
 
     def validity() -> None:
         if calibration is not None:
@@ -81,6 +99,24 @@ def check_connected(plan: ScanPlan, rig: Rig, project: ProjectFolder, calibratio
     warnings += [sentence for sentence in check_link(linked, shortest_s) if sentence not in overloads]
     images_s = sum(period_us(rig.cameras, exposure_us) for exposure_us in used_us) * plan.patterns.count * 1e-6
     return Preflight(problems, tuple(warnings), offline.bytes, images_s)
+
+
+def _start(rig: Rig) -> Start | None:
+    """Read back where the axes are; None where one does not answer, which its state says."""
+    try:
+        return rig.readback(), joints_of(rig)
+    except DeviceError:
+        return None
+
+
+def _check_collisions(plan: ScanPlan, rig: RigDescription, project: ProjectFolder, start: Start | None) -> tuple[str, ...]:
+    """Refuse collisions of the viewpoints within reach; return what could not be checked."""
+    arm = arm_of(rig)
+    within = [viewpoint for viewpoint in plan if not limit_violations(viewpoint, rig, arm)]
+    cell = Cell.of(rig, arm, part_on_table(project))
+    report = check_in(cell, within, None if start is None else placement_of(cell, *start))
+    report.refuse()
+    return report.notes
 
 
 def _exposure_check(rig: Rig, exposure_us: int) -> Callable[[], None]:

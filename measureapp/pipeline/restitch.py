@@ -33,6 +33,11 @@ def restitch(project: ProjectFolder, choices: ViewChoices, on_event: Callable[[E
         raise InputError(
             f"{project.path} has no clouds yet.", "Scan the part, or compute them from stored images: measureapp process PROJECT."
         )
+    if measurement.setups:
+        raise InputError(
+            f"{project.path} is joined from several set-ups.",
+            "Choose the views in the project of their set-up, then compute this one again: measureapp process PROJECT.",
+        )
     check_choices(choices, [view.viewpoint_id for view in measurement.views])
     watch, rest = Stopwatch(), PartOf(progress, 0.1, 1.0)
     with project.lock():

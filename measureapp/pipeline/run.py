@@ -9,33 +9,29 @@ from pathlib import Path
 from typing import Any
 
 from measureapp.acquire.control import RunControl
-from measureapp.acquire.engine import Engine
-from measureapp.acquire.events import ImageTaken, ViewpointFailed
-from measureapp.acquire.tasks.board import BoardTask
-from measureapp.calibrate.rig.joint_solution import RigSolution
-from measureapp.calibrate.rig.stitch_uncertainty import uncertainty_of
+from measureapp.data.board import AnyBoard
 from measureapp.data.calibration import RigCalibration
 from measureapp.data.measurement import Measurement
+from measureapp.data.part_program import PartProgram
 from measureapp.data.plan import ScanPlan
 from measureapp.data.rig import RigDescription
-from measureapp.devices.connect import connect_rig
 from measureapp.devices.rig import Rig
 from measureapp.errors import CalibrationError, InputError
 from measureapp.pipeline.assemble import assemble
-from measureapp.pipeline.calibrate import calibrate_from_views
+from measureapp.pipeline.connecting import connected
 from measureapp.pipeline.documents import outcome_document, write_reports
 from measureapp.pipeline.events import CalibrationReady, Event
 from measureapp.pipeline.measure import compute_clouds
+from measureapp.pipeline.part_program import store_part_program
 from measureapp.pipeline.preflight import Preflight, check_connected, check_plan
 from measureapp.pipeline.recording.learn import calibrate_recording
 from measureapp.pipeline.recording.stages import is_recording
+from measureapp.pipeline.rig_calibration import calibrate_rig, solve_calibration
 from measureapp.pipeline.scan import ScanOptions, scan
 from measureapp.pipeline.validity import check_stored_images
 from measureapp.pipeline.watch import Stopwatch
-from measureapp.planning.calibration_views import calibration_viewpoints
 from measureapp.progress import PartOf, Progress
-from measureapp.project.folder import ProjectFolder, ProjectSettings
-from measureapp.project.geometry.robot_file import arm_of
+from measureapp.project.folder import DEFAULT_BOARD, ProjectFolder, ProjectSettings
 from measureapp.register.clouds.filter_chain import FilterChain
 from measureapp.register.joint.registration_cache import RegistrationCache
 
@@ -53,6 +49,17 @@ class Outcome:
 
 
 @dataclass(frozen=True, slots=True)
+class NewProject:
+    """What a project is created with."""
+
+    name: str
+    part: str
+    program: Path | None = None
+    nominal: Path | None = None
+    board: AnyBoard = DEFAULT_BOARD
+
+
+@dataclass(frozen=True, slots=True)
 class ScanRequest:
     """Plan, rig and project of a scan."""
 
@@ -64,44 +71,25 @@ class ScanRequest:
     bracket_s: float | None = None  # time budget per viewpoint for exposures chosen by a probe; None: exposures of the plan
     per_viewpoint: bool = False  # probe at every viewpoint, instead of once at the first
     retake: tuple[str, ...] = ()  # viewpoints taken again although their images are stored
+    part_program: PartProgram | None = None  # whose inspection program, nominal and report template become the project's
+    created: NewProject | None = None  # an existing project must have been created with the same; None: after the plan, or as it is
+    calibrate: bool = False  # calibrate first where there is no calibration; only a rig that places board and part itself can do both
+
+    def options(self, control: RunControl | None) -> ScanOptions:
+        """Return how the plan is run."""
+        return ScanOptions(self.bracket_s, self.per_viewpoint, self.retake, control)
 
 
-def calibrate_rig(rig: Rig, project: ProjectFolder, on_event: OnEvent, progress: Progress, watch: Stopwatch) -> RigSolution:
-    """Take images of the board from all sides, keep them, and solve the whole rig from them."""
-    viewpoints = calibration_viewpoints(rig.description, project.plan(), arm=arm_of(rig.description))
-    stored = {view.viewpoint_id for view in project.board_views()}
-    with watch.stage("calibration images"):
-        waiting = [viewpoint for viewpoint in viewpoints if viewpoint.id not in stored]
-        Engine(rig).run("calibration", waiting, BoardTask(project.save_board_view), _of_images(on_event), PartOf(progress, 0.0, 0.6))
-    return solve_calibration(project, on_event, PartOf(progress, 0.6, 1.0), watch)
-
-
-def _of_images(on_event: OnEvent) -> OnEvent:
-    """Pass on images and failures only: the viewpoints of a calibration are none of a scan."""
-
-    def receive(event: Event) -> None:
-        if isinstance(event, (ImageTaken, ViewpointFailed)):
-            on_event(event)
-
-    return receive
-
-
-def solve_calibration(project: ProjectFolder, on_event: OnEvent, progress: Progress, watch: Stopwatch) -> RigSolution:
-    """Calibrate the rig from the stored images of the board; raises CalibrationError when they do not suffice."""
-    with watch.stage("calibration"):
-        calibrated = calibrate_from_views(project.board_views(), project.settings.board, project.rig(), progress)
-        project.save_calibration(calibrated.calibration, uncertainty_of(calibrated))
-    on_event(CalibrationReady(calibrated.calibration))
-    return calibrated
-
-
-def scan_into_project(request: ScanRequest, on_event: OnEvent, progress: Progress, control: RunControl | None = None) -> Outcome | None:
+def scan_into_project(
+    request: ScanRequest, on_event: OnEvent, progress: Progress, control: RunControl | None = None, held: Rig | None = None
+) -> Outcome | None:
     """Connect the rig, run the plan into the project and process the images.
 
     Parameters
     ----------
     on_event : receives events one at a time, from several threads
-    control : pauses, resumes, skips and retakes from other threads
+    control : pauses, resumes, skips and retakes from other threads; a calibration that comes first ignores it
+    held : the connected rig; it stays connected. None: it is connected for the scan, and released after it
 
     Returns
     -------
@@ -117,44 +105,53 @@ def scan_into_project(request: ScanRequest, on_event: OnEvent, progress: Progres
     project = _project_of(request)
     check_plan(request.plan, request.rig, project).refuse()
     calibrated = _calibrated_for(request, project)
-    calibration = calibrated.calibration()
-    watch = Stopwatch()
-    with ExitStack() as held, RegistrationCache() as registration_cache:
-        rig = connect_rig(request.rig)
-        try:
+    calibration, watch = calibrated.calibration(), Stopwatch()
+    with ExitStack() as locked, watch.stage("total"), RegistrationCache() as registration_cache:
+        with connected(request.rig, held) as rig:
             check_connected(request.plan, rig, project, calibration).refuse()
             project = ProjectFolder.create(request.folder, project.settings)
-            held.enter_context(project.lock())
-            if calibration is not None and project.calibration() is None:
-                project.save_calibration(calibration, calibrated.rig_uncertainty())
-                project.copy_noise_from(calibrated)
-            project.save_plan(_plan_of(request, project))
-            options = ScanOptions(request.bracket_s, request.per_viewpoint, request.retake, control)
-            views = scan(rig, project, calibration, on_event, PartOf(progress, 0.0, 0.8), watch, options, registration_cache)
-        finally:
-            rig.close()
+            locked.enter_context(project.lock())
+            _fill(project, request, calibrated, calibration)
+            if calibration is None and request.calibrate:
+                calibration = calibrate_rig(rig, project, on_event, PartOf(progress, 0.0, 0.3), watch).solved.solution.calibration
+            part, options = PartOf(progress, 0.3 if request.calibrate else 0.0, 0.8), request.options(control)
+            views = scan(rig, project, calibration, on_event, part, watch, options, registration_cache)
         if calibration is None:
             return None
         measurement = assemble(project, calibration, views, on_event, PartOf(progress, 0.8, 1.0), watch, registration_cache)
-        return finish(project, measurement, watch)
+    return finish(project, measurement, watch)
 
 
-def rehearse(request: ScanRequest) -> Preflight:
-    """Connect the rig and check everything that would stop the scan; nothing moves and nothing is written."""
+def _fill(project: ProjectFolder, request: ScanRequest, calibrated: ProjectFolder, calibration: RigCalibration | None) -> None:
+    """Store plan, inspection program, nominal, part program and a calibration of another project in the project."""
+    if calibration is not None and project.calibration() is None:
+        project.save_calibration(calibration, calibrated.rig_uncertainty())
+        project.copy_noise_from(calibrated)
+    project.save_plan(_plan_of(request, project))
+    if request.created is not None and project.program is None and project.nominal is None:
+        project.save_inspection(request.created.program, request.created.nominal)
+    if request.part_program is not None:
+        store_part_program(project, request.part_program)
+
+
+def rehearse(request: ScanRequest, held: Rig | None = None) -> Preflight:
+    """Connect the rig, unless it is ``held``, and check everything that would stop the scan; nothing moves and nothing is written."""
     project = _project_of(request)
     calibration = _calibrated_for(request, project).calibration()
-    rig = connect_rig(request.rig)
-    try:
+    with connected(request.rig, held) as rig:
         return check_connected(request.plan, rig, project, calibration)
-    finally:
-        rig.close()
 
 
 def _project_of(request: ScanRequest) -> ProjectFolder:
     """Open the project, or prepare a new one without writing anything."""
+    part = request.plan.name if request.part_program is None else request.part_program.facts.name
+    new = request.created or NewProject(request.plan.name, part)
+    settings = ProjectSettings(name=new.name, part=new.part, rig=request.rig, board=new.board)
     if not (request.folder / "project.json").exists():
-        return ProjectFolder(request.folder, ProjectSettings(name=request.plan.name, part=request.plan.name, rig=request.rig))
+        return ProjectFolder(request.folder, settings)
     project = ProjectFolder.open(request.folder)
+    if request.created is not None and project.settings != settings:
+        raise InputError(f"{request.folder} contains another project ({project.name}).", "Choose another folder, or delete that one first.")
     if project.stored_viewpoints() and not request.resume and not request.retake:
         raise InputError(
             f"{request.folder} contains images already.", "Use --resume to take only the missing viewpoints, or scan into a new project."
@@ -180,7 +177,14 @@ def _calibrated_for(request: ScanRequest, project: ProjectFolder) -> ProjectFold
 
 
 def process_project(project: ProjectFolder, on_event: OnEvent, progress: Progress) -> Outcome:
-    """Recompute everything from the stored images: calibration (if its images are stored), clouds, stitching, dimensions, report."""
+    """Recompute everything from the stored images: calibration (if its images are stored), clouds, stitching, dimensions, report.
+
+    A project that is joined from several set-ups is joined again from their stored clouds.
+    """
+    from measureapp.pipeline.setups import is_joined, process_joined  # they finish a measurement as all runs do
+
+    if is_joined(project):
+        return process_joined(project, on_event, progress)
     watch = Stopwatch()
     with project.lock():
         calibration = _calibration_of(project, on_event, PartOf(progress, 0.0, 0.2), watch)
@@ -198,7 +202,7 @@ def _calibration_of(project: ProjectFolder, on_event: OnEvent, progress: Progres
     if is_recording(project):
         return calibrate_recording(project, on_event, progress, watch)
     if project.board_views():
-        return solve_calibration(project, on_event, progress, watch).calibration
+        return solve_calibration(project, on_event, progress, watch).solution.calibration
     calibration = project.calibration()
     if calibration is None:
         raise CalibrationError(f"{project.path} has neither a calibration nor images of the board.", "Calibrate the rig first.")

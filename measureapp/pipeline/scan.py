@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 from measureapp.acquire.control import RunControl
 from measureapp.acquire.engine import Engine
+from measureapp.acquire.motion import checked
 from measureapp.acquire.tasks.fringes import FringeTask
 from measureapp.data.calibration import RigCalibration
 from measureapp.data.measurement import ViewResult
@@ -19,12 +20,14 @@ from measureapp.fringe.patterns.draw import pattern_images
 from measureapp.pipeline.bracket import choose_at, propose_bracket
 from measureapp.pipeline.events import Event, ExposuresChosen, ValidityKnown
 from measureapp.pipeline.measure import check_space
+from measureapp.pipeline.part_on_table import part_on_table
 from measureapp.pipeline.processing import Processing
 from measureapp.pipeline.validity import check_before_scan
 from measureapp.pipeline.watch import Stopwatch
 from measureapp.planning.reach import check_reach
 from measureapp.progress import PartOf, Progress
 from measureapp.project.folder import ProjectFolder
+from measureapp.project.frame_store import DESCRIPTION
 from measureapp.project.geometry.robot_file import arm_of
 from measureapp.register.joint.registration_cache import RegistrationCache
 
@@ -75,7 +78,7 @@ def scan(
         The calibration is of other cameras or other lens settings; or it has expired, or was made at another temperature, and the
         rig's rules refuse that.
     PlanError
-        A viewpoint is out of reach; nothing was moved.
+        A viewpoint is out of reach, or the part is larger than the table; nothing was moved.
     StorageError
         There is not enough disk space, and nothing was moved; or stored images are gone.
     """
@@ -84,6 +87,7 @@ def scan(
     if plan is None:
         raise CalibrationError(f"{project.path} has no scan plan.", "Plan the scan first.")
     check_reach(plan, rig.description, arm_of(rig.description))
+    rig = checked(rig, part_on_table(project))
     on_event = _one_at_a_time(on_event)
     if calibration is not None:
         on_event(ValidityKnown(check_before_scan(rig, calibration)))
@@ -123,7 +127,8 @@ def _waiting(plan: ScanPlan, stored: set[str], retake: tuple[str, ...]) -> tuple
 
 def _check_kept(project: ProjectFolder, expected: set[str]) -> None:
     """Raise StorageError where images that were stored are not there any more: somebody removed the folder, or its disk is gone."""
-    missing = sorted(expected - set(project.stored_viewpoints()))
+    here = {name for name in project.stored_viewpoints() if (project.path / "stacks" / name / DESCRIPTION).is_file()}
+    missing = sorted(expected - here)
     if missing:
         raise StorageError(
             f"The images of {', '.join(missing[:8])}{', …' if len(missing) > 8 else ''} were stored in {project.path} and are gone.",

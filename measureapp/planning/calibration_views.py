@@ -14,6 +14,8 @@ from measureapp.data.plan import FlangePose, Motion, ScanPlan, Viewpoint
 from measureapp.data.rig import RigDescription
 from measureapp.geometry.kinematics.arm import ArmModel
 from measureapp.geometry.transform import RigidTransform, rotation_about
+from measureapp.planning.collision.build import PartSolid
+from measureapp.planning.collision.cell import Cell
 from measureapp.planning.reach import limit_violations
 from measureapp.planning.viewpoints import LookAt, viewpoint_looking_at
 
@@ -54,44 +56,45 @@ def calibration_viewpoints(
     all four sides. Turning it in the image meanwhile also gives hand-eye what Tsai and Lenz ask for (IEEE Trans. Robotics and
     Automation 5(3), 1989): large rotations about axes that are not parallel. From the stations of ``plan`` the board is viewed at several
     table angles: a part appears enlarged by twice the robot's error towards the table unless that error is known where the scan is made.
-    Viewpoints that the rig cannot reach are omitted. With ``arm``, a pose that its joints do not reach is replaced by the first of its
-    neighbours that they do: the same view from another place of the guide, then a lesser tilt of the board.
+    Viewpoints that the rig cannot reach are omitted. With ``arm``, a pose that its joints do not reach, or in which head, arm, board or table
+    would touch, is replaced by the first of its neighbours that is free: the same view from another place of the guide, then a lesser tilt of
+    the board, then the head turned over.
 
     Parameters
     ----------
     motions : which of these groups
     guide_at_zero : reach the same views with the guide at 0, as far as possible: the robot's base then stays where it is
-    arm : of the rig's robot, whose joint limits are then kept; None: its reach only
+    arm : of the rig's robot, whose joint limits and clearances are then kept; None: its reach only
     """
-    centre = _board_middle_mm(rig)
+    centre = board_middle_mm(rig)
+    cell = None if arm is None else Cell.of(rig, arm, PartSolid.board_on_stand())
     slides_mm = (0.0,) if guide_at_zero else NEIGHBOUR_SLIDES_MM  # whatever the slide, with the guide at 0 the robot is at one pose
     groups: dict[Motion, Callable[[], list[Viewpoint]]] = {
-        "robot": lambda: [_reachable(neighbours, rig, arm, guide_at_zero) for neighbours in _poses(rig, centre, slides_mm)],
+        "robot": lambda: [_reachable(neighbours, rig, cell, guide_at_zero) for neighbours in _poses(rig, centre, slides_mm)],
         "table": lambda: _axis(rig, centre),
         "guide": lambda: _passes(rig, centre, ("guide",)),
         "passes": lambda: _passes(rig, centre, ("below", "above")),
         "stations": lambda: _stations(plan),
     }
     candidates = (viewpoint for motion in groups if motion in motions for viewpoint in groups[motion]())
-    return tuple(seen for one in candidates if (seen := _seen(one, rig, arm, guide_at_zero)) is not None)
+    return tuple(seen for one in candidates if (seen := _seen(one, rig, cell, guide_at_zero)) is not None)
 
 
-def _seen(viewpoint: Viewpoint, rig: RigDescription, arm: ArmModel | None, guide_at_zero: bool) -> Viewpoint | None:
+def _seen(viewpoint: Viewpoint, rig: RigDescription, cell: Cell | None, guide_at_zero: bool) -> Viewpoint | None:
     """Return the viewpoint, with the guide at 0 if that is wanted; None if it, or the one it is made of, is out of reach."""
-    if limit_violations(viewpoint, rig, None if guide_at_zero else arm):
+    if limit_violations(viewpoint, rig):
         return None
-    if not guide_at_zero:
-        return viewpoint
-    slid = _with_guide_at_zero(viewpoint)
-    return None if limit_violations(slid, rig, arm) else slid
+    wanted = _with_guide_at_zero(viewpoint) if guide_at_zero else viewpoint
+    problem = limit_violations(wanted, rig) or (cell is not None and cell.problem_at(wanted))
+    return None if problem else wanted
 
 
-def _reachable(neighbours: Iterator[Viewpoint], rig: RigDescription, arm: ArmModel | None, guide_at_zero: bool) -> Viewpoint:
+def _reachable(neighbours: Iterator[Viewpoint], rig: RigDescription, cell: Cell | None, guide_at_zero: bool) -> Viewpoint:
     """Return the first viewpoint of ``neighbours`` within reach, or the very first; without an arm it is always the latter."""
     first = next(neighbours)
-    if arm is None:
+    if cell is None:
         return first
-    return next((one for one in chain([first], neighbours) if _seen(one, rig, arm, guide_at_zero) is not None), first)
+    return next((one for one in chain([first], neighbours) if _seen(one, rig, cell, guide_at_zero) is not None), first)
 
 
 def _with_guide_at_zero(viewpoint: Viewpoint) -> Viewpoint:
@@ -102,7 +105,7 @@ def _with_guide_at_zero(viewpoint: Viewpoint) -> Viewpoint:
 
 def check_viewpoints(rig: RigDescription) -> tuple[Viewpoint, ...]:
     """Plan a few viewpoints with the board in the image centre, which differ in every axis and so test each link of the chain."""
-    centre = _board_middle_mm(rig)
+    centre = board_middle_mm(rig)
     poses = [
         _BoardPose(LIGHT_DEG, lean, turn, rig.standoff_mm + DISTANCES_MM[1], (0, 0))
         for lean, turn in zip(LEANS_DEG, TURNS_DEG, strict=True)
@@ -115,7 +118,15 @@ def check_viewpoints(rig: RigDescription) -> tuple[Viewpoint, ...]:
     return tuple(view for view in turned if not limit_violations(view, rig))
 
 
-def _board_middle_mm(rig: RigDescription) -> FloatArray:
+def board_on_stand(centre_mm: FloatArray) -> RigidTransform:
+    """Return guide_from_board of a board on its stand at table angle 0, the frame `board` moved to the board's centre ``centre_mm`` (3,)."""
+    slope = np.deg2rad(BOARD_ELEVATION_DEG)
+    across, down = np.array([0.0, -1.0, 0.0]), np.array([-np.sin(slope), 0.0, -np.cos(slope)])
+    return RigidTransform.from_parts(np.column_stack([across, down, np.cross(across, down)]), centre_mm, "guide", "board")
+
+
+def board_middle_mm(rig: RigDescription) -> FloatArray:
+    """Return the centre (3,) of a board on its stand, in the guide frame."""
     return np.array(rig.table.centre_in_guide_mm) + np.array([0.0, 0.0, BOARD_ABOVE_TABLE_MM])
 
 
@@ -159,18 +170,17 @@ def _poses(rig: RigDescription, centre: FloatArray, slides_mm: Sequence[float]) 
 
 
 def _neighbours(rig: RigDescription, name: str, centre: FloatArray, pose: _BoardPose, slides_mm: Sequence[float]) -> Iterator[Viewpoint]:
-    """Yield the viewpoint of ``pose``, then the same view from other places of the guide, then with lesser tilts of the board."""
-    for tilt_share in TILT_SHARES:
-        tilted = replace(pose, tilt_deg=pose.tilt_deg * tilt_share)
-        for slide_mm in slides_mm:
-            yield _viewpoint(rig, name, centre, tilted, slide_mm)
+    """Yield the viewpoint of ``pose``, then the same view from other places of the guide, with lesser tilts of the board, upside down."""
+    for turn_deg in (0.0, 180.0):
+        for tilt_share in TILT_SHARES:
+            tilted = replace(pose, tilt_deg=pose.tilt_deg * tilt_share, turn_deg=pose.turn_deg + turn_deg)
+            for slide_mm in slides_mm:
+                yield _viewpoint(rig, name, centre, tilted, slide_mm)
 
 
 def _viewpoint(rig: RigDescription, name: str, centre: FloatArray, pose: _BoardPose, slide_mm: float = 0.0) -> Viewpoint:
     """Return the viewpoint that gives this pose of the board on its stand; ``slide_mm`` offsets the guide."""
-    slope = np.deg2rad(BOARD_ELEVATION_DEG)
-    across, down = np.array([0.0, -1.0, 0.0]), np.array([-np.sin(slope), 0.0, -np.cos(slope)])
-    guide_from_board = RigidTransform.from_parts(np.column_stack([across, down, np.cross(across, down)]), centre, "guide", "board")
+    guide_from_board = board_on_stand(centre)
     guide_from_head = guide_from_board @ pose.head_from_board(rig).inverse()
     guide_mm = round(SLIDE_SHARE * float(guide_from_head.translation_mm[1]) + slide_mm, 1)
     base_from_guide = RigidTransform.from_parts(np.eye(3), [0.0, -guide_mm, 0.0], "base", "guide")

@@ -18,6 +18,7 @@ from measureapp.data.dimension import Dimension, Verdict
 from measureapp.data.feature import Feature
 from measureapp.data.fringe import AxisReadback
 from measureapp.data.measurement import Alignment, Inspection
+from measureapp.data.setups import JoinedSetUp
 from measureapp.data.validity import CheckRecord, Drift, Validity
 from measureapp.geometry.transform import RigidTransform
 
@@ -149,6 +150,16 @@ def placement_from(document: Mapping[str, Any]) -> ViewPlacement:
     """Return the placement of a document."""
     transforms = {name: transform_from(document[name]) for name in ("part_from_camera", "kinematic")}
     return ViewPlacement(**_attributes({**document, **transforms, "held_by_axes": tuple(document.get("held_by_axes", ()))}))
+
+
+def setup_document(setup: JoinedSetUp) -> dict[str, Any]:
+    """Return a joined set-up as JSON."""
+    return _plain(setup)
+
+
+def setup_from(document: Mapping[str, Any]) -> JoinedSetUp:
+    """Return the joined set-up of a document."""
+    return JoinedSetUp(**{**document, "part_from_setup": transform_from(document["part_from_setup"])})
 
 
 def loop_closure_document(loop_closure: LoopClosure | None) -> dict[str, Any] | None:

@@ -6,7 +6,7 @@ plan.json           scan plan
 calibration/        views/ (images of the board and read-backs), cameras.json, rig.json, rig_uncertainty.npz,
                     noise.json (measured camera noise), former/, checks/, history.jsonl
 stacks/             raw fringe images: permanent
-inspection/         program.toml and its nominal, in mm; former/: replaced nominals
+inspection/         program.toml and its nominal, in mm; former/: replaced nominals; report.typ: template of the report
 view_choices.json   views accepted or refused by hand
 results/            clouds, stitched cloud, mesh, measurement.json: recomputed by `process`; filters.npz, filtered_cloud.ply
 report/             reports
@@ -37,7 +37,6 @@ from measureapp.progress import NoProgress
 from measureapp.project import filter_file, inputs, results, takeover
 from measureapp.project.atomic import remove, replacing, write_text
 from measureapp.project.calibration import board_views, store
-from measureapp.project.calibration.store import RIG_UNCERTAINTY
 from measureapp.project.folder_lock import lock_folder
 from measureapp.project.frame_store import FrameStore
 from measureapp.project.geometry.files import write_mesh
@@ -56,7 +55,7 @@ if TYPE_CHECKING:
 
 DEFAULT_BOARD = CheckerboardDescription(columns=14, rows=11, square_mm=15.0)
 ModelT = TypeVar("ModelT", bound=BaseModel)
-PROGRAM, NOMINAL, FORMER = "program.toml", "nominal", "former"
+PROGRAM, NOMINAL, FORMER, REPORT_TEMPLATE = "program.toml", "nominal", "former", "report.typ"
 VIEW_CHOICES = "view_choices.json"
 
 
@@ -150,9 +149,9 @@ class ProjectFolder:
         return _read_model(path, ScanPlan) if path.exists() else None
 
     def save_plan(self, plan: ScanPlan) -> None:
-        """Store the scan plan. Raises InputError when images of another plan are stored already."""
-        if self.frames.list_stored() and self.plan() != plan:
-            raise InputError(f"{self.path} contains images of another plan.", "Scan into a new project.")
+        """Store the scan plan; where images are stored already, it may only add viewpoints. Raises InputError for any other change."""
+        if self.frames.list_stored() and not ((former := self.plan()) and plan.extends(former)):
+            raise InputError(f"{self.path} contains images of another plan.", "Scan into a new project, or only add viewpoints.")
         write_text(self.path / "plan.json", plan.model_dump_json(indent=2))
 
     def stored_viewpoints(self) -> tuple[str, ...]:
@@ -201,7 +200,7 @@ class ProjectFolder:
         """Return the uncertainty of the calibration, if it is stored. Raises StorageError when it is damaged."""
         from measureapp.project.calibration.rig_uncertainty_file import read_rig_uncertainty
 
-        calibration, path = self.calibration(), self.path / "calibration" / RIG_UNCERTAINTY
+        calibration, path = self.calibration(), self.path / "calibration" / store.RIG_UNCERTAINTY
         self.journal.check(path)
         return read_rig_uncertainty(path, calibration) if calibration is not None and path.exists() else None
 
@@ -282,6 +281,17 @@ class ProjectFolder:
             with replacing(kept) as temporary:
                 shutil.copyfile(source, temporary)
         remove(*(set(folder.glob(f"{NOMINAL}.*")) - {kept}))
+
+    def save_report_template(self, template: bytes) -> None:
+        """Store a template (Typst) that the PDF report uses from then on. Raises StorageError."""
+        with replacing(self.path / "inspection" / REPORT_TEMPLATE) as temporary:
+            temporary.write_bytes(template)
+
+    @property
+    def report_template(self) -> Path | None:
+        """File of the report's template, if the project has its own."""
+        path = self.path / "inspection" / REPORT_TEMPLATE
+        return path if path.exists() else None
 
     def former_nominals(self) -> tuple[Path, ...]:
         """Return the archived nominals, oldest first."""

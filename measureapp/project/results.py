@@ -23,6 +23,8 @@ from measureapp.project.documents import (
     placement_from,
     readback_document,
     readback_from,
+    setup_document,
+    setup_from,
     transform_document,
     transform_from,
     validity_document,
@@ -72,6 +74,7 @@ def _document(measurement: Measurement, inputs: Mapping[str, Any] | None) -> dic
         "views": [_view_document(view) for view in measurement.views],
         "placements": [placement_document(placement) for placement in measurement.stitched.placements],
         "notes": dict(measurement.stitched.notes),
+        **({"setups": [setup_document(setup) for setup in measurement.setups]} if measurement.setups else {}),
         "ring": loop_closure_document(measurement.stitched.loop_closure),
         "validity": validity_document(measurement.validity),
         "inspection": None if measurement.inspection is None else inspection_document(measurement.inspection),
@@ -100,6 +103,7 @@ def load(folder: Path, calibration: RigCalibration) -> Measurement | None:
             mesh=read_mesh(folder / MESH, "part") if (folder / MESH).exists() else None,
             inspection=None if document["inspection"] is None else inspection_from(document["inspection"]),
             validity=validity_from(document.get("validity", {})),
+            setups=tuple(setup_from(setup) for setup in document.get("setups", ())),
         )
     except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError, InputError, FrameMismatch) as error:
         reason = error.message if isinstance(error, MeasureError) else f"{error}."

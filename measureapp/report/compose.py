@@ -12,6 +12,7 @@ from measureapp.data.calibration import CameraCalibration, RigCalibration
 from measureapp.data.dimension import Dimension, Verdict
 from measureapp.data.measurement import Alignment, Measurement
 from measureapp.data.mesh import Mesh
+from measureapp.data.setups import JoinedSetUp
 from measureapp.data.validity import Validity
 from measureapp.errors import InspectionError
 from measureapp.inspection.alignment.best_fit import best_fit
@@ -57,6 +58,7 @@ def compose(
         header=_header(measurement),
         sections=(
             Section("Cloud and alignment", _cloud_facts(measurement, deviation, why_not)),
+            Section("Set-ups", _setup_facts(measurement.setups)),
             Section(
                 "Calibration",
                 (*_validity_facts(measurement.validity), *_calibration_facts(measurement.calibration), *_length_facts(dimensions)),
@@ -164,6 +166,25 @@ def _alignment_facts(alignment: Alignment) -> list[Fact]:
     if alignment.undetermined:
         facts.append(Fact("Not determined by the points", ", ".join(alignment.undetermined)))
     return facts + [Fact("About the alignment", note) for note in alignment.notes]
+
+
+def _setup_facts(setups: Sequence[JoinedSetUp]) -> tuple[Fact, ...]:
+    """Return the set-ups of a joined measurement: how each was joined, and the uncertainty of its joint."""
+    words = {
+        "overlap": "joined by common surface",
+        "spheres": "joined by reference spheres",
+        "nominal": "joined by common surface and nominal",
+    }
+    return tuple(
+        Fact(
+            setup.name,
+            "defines the part frame"
+            if setup.method == "reference"
+            else f"{words[setup.method]}, {percent(setup.overlap)} common; joint σ {number(setup.sigma_mm, 4)} mm and "
+            f"{number(setup.sigma_deg, 4)}°, residual {number(setup.residual_mm)} mm",
+        )
+        for setup in setups
+    )
 
 
 def _validity_facts(validity: Validity) -> tuple[Fact, ...]:

@@ -17,10 +17,18 @@ DocumentKind = Literal["pdf", "csv", "json", "html"]
 ALL_KINDS: tuple[DocumentKind, ...] = ("pdf", "csv", "json", "html")
 
 
-def write_documents(model: ReportModel, folder: Path, kinds: Iterable[DocumentKind] = ALL_KINDS) -> Mapping[DocumentKind, Path]:
-    """Write `report.pdf`, `.csv`, `.json`, `.html` into ``folder``, each whole or not at all. Raises StorageError."""
+def write_documents(
+    model: ReportModel, folder: Path, kinds: Iterable[DocumentKind] = ALL_KINDS, template: Path | None = None
+) -> Mapping[DocumentKind, Path]:
+    """Write `report.pdf`, `.csv`, `.json`, `.html` into ``folder``, each whole or not at all; ``template`` is that of the PDF.
+
+    Raises
+    ------
+    StorageError
+        A document cannot be written, or the template has an error.
+    """
     writers: dict[DocumentKind, Callable[[ReportModel, Path], Path]] = {
-        "pdf": write_pdf,
+        "pdf": lambda model, path: write_pdf(model, path, template),
         "csv": write_csv,
         "json": write_report_json,
         "html": write_html,

@@ -10,7 +10,7 @@ from measureapp.data.calibration import RigCalibration
 from measureapp.data.dimension import Dimension
 from measureapp.data.feature import Feature
 from measureapp.data.measurement import Alignment, Measurement
-from measureapp.project.documents import validity_document
+from measureapp.project.documents import setup_document, validity_document
 from measureapp.report.model import ReportModel, ViewLine
 
 
@@ -145,6 +145,7 @@ def measurement_document(measurement: Measurement) -> dict[str, Any]:
         "program": None if inspection is None else inspection.program,
         "alignment": None if inspection is None else alignment_document(inspection.alignment),
         "dimensions": [] if inspection is None else [dimension_document(dimension) for dimension in inspection.dimensions],
+        **({"setups": [setup_document(setup) for setup in measurement.setups]} if measurement.setups else {}),
         "calibration": calibration_document(measurement.calibration),
         "validity": validity_document(measurement.validity),
         "settings": dict(measurement.settings),

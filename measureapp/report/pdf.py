@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import tempfile
 from pathlib import Path
 from typing import Any
 
@@ -11,11 +10,11 @@ import numpy as np
 
 from measureapp.data.dimension import Dimension, Verdict
 from measureapp.data.measurement import Measurement
-from measureapp.errors import StorageError
 from measureapp.project.atomic import replacing
 from measureapp.report.compose import compose
 from measureapp.report.model import DeviationSummary, Fact, ReportModel, ViewLine
 from measureapp.report.part_pictures import diverging_colours
+from measureapp.report.typeset import typeset
 from measureapp.report.words import (
     COLOURS,
     NEUTRAL,
@@ -31,7 +30,6 @@ from measureapp.report.words import (
 from measureapp.resources import resource
 
 TEMPLATE = "report/report.typ"
-TYPST_MAIN = "main.typ"
 SCALE_STOPS = 21
 
 
@@ -65,23 +63,12 @@ def model_page_images(model: ReportModel, ppi: float = 110.0, template: Path | N
 
 
 def _typeset(model: ReportModel, template: Path | None, **options: Any) -> tuple[bytes, ...]:
-    """Typeset the report in a temporary folder."""
-    import typst
-
-    source = template or resource(TEMPLATE)
-    files = {TYPST_MAIN: source.read_bytes(), "report.json": json.dumps(typst_document(model)).encode()}
+    """Typeset the report with its pictures."""
+    files = {"report.json": json.dumps(typst_document(model)).encode()}
     files |= {f"picture{n}.png": picture.png for n, picture in enumerate(model.pictures)}
     if model.deviation is not None:
         files["deviation.png"] = model.deviation.picture.png
-    try:
-        with tempfile.TemporaryDirectory(prefix="measureapp-report-") as folder:
-            for name, data in files.items():
-                (Path(folder) / name).write_bytes(data)
-            made = typst.compile(str(Path(folder) / TYPST_MAIN), root=folder, **options)
-    except (typst.TypstError, RuntimeError) as error:
-        hint = "Correct the template, or use the built-in one."
-        raise StorageError(f"{source}: the report template has an error: {error}.", hint) from error
-    return tuple(bytes(page) for page in made) if isinstance(made, list) else (bytes(made),)
+    return typeset(template or resource(TEMPLATE), files, **options)
 
 
 def typst_document(model: ReportModel) -> dict[str, Any]:

@@ -13,6 +13,7 @@ from measureapp.data.calibration import (
     CameraCalibration,
     HandEye,
     LinearGuide,
+    ProjectorCalibration,
     Provenance,
     RigCalibration,
     RotationAxis,
@@ -55,6 +56,11 @@ class Truth:
     robot: RobotErrors | None  # None: a perfect axis
     guide: GuideErrors | None
     table: TableErrors | None
+
+    def with_projector(self) -> RigCalibration:
+        """Return the true calibration including the projector."""
+        projector = ProjectorCalibration(self.projector, self.camera_from_projector)
+        return replace(self.calibration, cameras=replace(self.calibration.cameras, projector=projector))
 
 
 def draw_truth(rig: RigDescription, board: BoardDescription, errors: RigErrors, seed: int) -> Truth:

@@ -7,12 +7,11 @@ import numpy as np
 from measureapp.arrays import FloatArray
 from measureapp.errors import LimitError
 from measureapp.geometry.kinematics.arm import ArmModel
-from measureapp.geometry.kinematics.inverse import inverse, nearest
-from measureapp.geometry.kinematics.singularity import SingularityMargins, singularity_near
+from measureapp.geometry.kinematics.choice import driven
 from measureapp.geometry.transform import RigidTransform
 from measureapp.project.geometry.robot_file import read_robot
 
-MARGINS = SingularityMargins(shoulder_mm=5.0, elbow_rad=float(np.deg2rad(0.5)), wrist_rad=float(np.deg2rad(0.5)), condition=0.002)
+ROUNDING_DEG = 1e-6
 
 
 class Arm:
@@ -37,21 +36,26 @@ class Arm:
         return self._model.forward(np.deg2rad(joints_deg))
 
     def joints_for(self, base_from_flange: RigidTransform, present_deg: FloatArray) -> FloatArray:
-        """Return the joint angles (6,) for a pose that are reached first from the present ones.
+        """Return the joint angles (6,) for a pose that `driven` chooses.
 
         Raises
         ------
         LimitError
             Out of reach, at a singularity, or beyond a joint's limit in every configuration; says by how much.
         """
-        present_rad = np.deg2rad(present_deg)
         try:
-            solutions = inverse(self._model, base_from_flange, present_rad)
+            solution = driven(self._model, base_from_flange, np.deg2rad(present_deg))
         except LimitError as error:
             raise LimitError(error.message, f"{error.hint.removesuffix('.')}; nothing was moved.") from error
-        found = nearest(solutions, present_rad, self._model.speeds_rad_s)
-        if near := singularity_near(found, MARGINS):
+        return np.rad2deg(solution.joints_rad)
+
+    def check_limits(self, joints_deg: FloatArray) -> None:
+        """Raise LimitError unless every joint angle (6,) is within its limits."""
+        low_deg, high_deg = np.rad2deg(self._model.limits_rad).T
+        beyond = np.maximum(low_deg - joints_deg, joints_deg - high_deg)
+        if not beyond.max() <= ROUNDING_DEG:  # NaN is refused, too
+            joint = int(np.nanargmax(beyond)) if np.isfinite(beyond).any() else 0
             raise LimitError(
-                f"{self._model.name}: the pose has {near}.", "Shift the pose by 10 mm or tilt it by a degree; nothing was moved."
+                f"{self._model.name}: joint {joint + 1} at {joints_deg[joint]:.2f}° is outside {low_deg[joint]:.4g}…{high_deg[joint]:.4g}°.",
+                "Choose a goal inside the limits; nothing was moved.",
             )
-        return np.rad2deg(found.joints_rad)

@@ -81,8 +81,16 @@ class AbbRobot:
             self._check_model(pose, after)
         return pose
 
+    def joints_rad(self) -> FloatArray:
+        """Read the joint angles back, (6,). Raises DeviceError."""
+        return np.deg2rad(self._controller.joints_deg())
+
     def move_to(self, base_from_flange: RigidTransform, *, timeout_s: float) -> None:
-        """Move and wait until settled.
+        """Move to a pose, in the configuration that `driven` chooses, and wait until settled; raises as `move_joints`."""
+        self._run(lambda present_deg: self._arm.joints_for(base_from_flange, present_deg), timeout_s)
+
+    def move_joints(self, goal_rad: FloatArray, *, timeout_s: float) -> None:
+        """Move every joint to its angle (6,), all in proportion, and wait until settled.
 
         Raises
         ------
@@ -95,17 +103,9 @@ class AbbRobot:
         DeviceLost
             The controller does not answer any more, or has been restarted.
         """
-        if not self._moving.acquire(blocking=False):
-            raise DeviceError(f"{self.name} is moving already.", "Wait until the move has ended.")
-        try:
-            if self._fault is not None:
-                raise self._fault
-            self._move(base_from_flange, time.monotonic() + timeout_s, self._stops.count)
-        except (DeviceLost, MotionError) as error:
-            self._fault = self._fault or error
-            raise
-        finally:
-            self._moving.release()
+        goal_deg = np.rad2deg(goal_rad)
+        self._arm.check_limits(goal_deg)
+        self._run(lambda _: goal_deg, timeout_s)
 
     def status(self) -> DeviceStatus:
         """Read the state, for display."""
@@ -142,9 +142,22 @@ class AbbRobot:
             if not isinstance(self._fault, DeviceLost):
                 self._quietly(self._mailbox.release)
 
-    def _move(self, goal: RigidTransform, end: float, stops: int) -> None:
+    def _run(self, goal_deg_from: Callable[[FloatArray], FloatArray], timeout_s: float) -> None:
+        if not self._moving.acquire(blocking=False):
+            raise DeviceError(f"{self.name} is moving already.", "Wait until the move has ended.")
+        try:
+            if self._fault is not None:
+                raise self._fault
+            self._move(goal_deg_from, time.monotonic() + timeout_s, self._stops.count)
+        except (DeviceLost, MotionError) as error:
+            self._fault = self._fault or error
+            raise
+        finally:
+            self._moving.release()
+
+    def _move(self, goal_deg_from: Callable[[FloatArray], FloatArray], end: float, stops: int) -> None:
         present_deg = self._controller.joints_deg()
-        goal_deg = self._arm.joints_for(goal, present_deg)
+        goal_deg = goal_deg_from(present_deg)
         self._mailbox.claim()
         self._ladder.keep_alive(self._settings.loss_s)
         with self._stopped_on_failure(stops):

@@ -17,6 +17,7 @@ from measureapp.errors import DeviceError, InputError
 from measureapp.geometry.transform import RigidTransform
 from measureapp.peers.positions import PositionsAsked
 from measureapp.simulate.parts import make_part
+from measureapp.simulate.placing import place_part
 from measureapp.simulate.world import TableContent, World
 
 from .axes import VirtualGuide, VirtualRobot, VirtualTable
@@ -72,7 +73,8 @@ def _build(description: RigDescription, chosen: VirtualRigSettings) -> Rig:
     strangers = sorted(set(chosen.world.knocked_deg) - {camera.name for camera in description.cameras})
     if strangers:
         raise DeviceError(f"Virtual rig: setting world.knocked_deg names camera {strangers[0]!r}.", "Name cameras of this rig.")
-    world = World(description, make_part(chosen.part, chosen.unit), chosen.seed, chosen.board, chosen.world)
+    part = place_part(make_part(chosen.part, chosen.unit), chosen.part_turn_deg)
+    world = World(description, part, chosen.seed, chosen.board, chosen.world)
     clock = clock_of(chosen.time_scale)
     if not chosen.follows:
         return rig_of(world, clock)
@@ -113,4 +115,5 @@ def rig_of(world: World, clock: Clock | None = None, follow: Callable[[], None] 
         guide=VirtualGuide(world, time),
         table=VirtualTable(world, time),
         place_on_table=place_on_table,
+        truth=lambda: world.truth().with_projector(),
     )

@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from measureapp.data.cell import CellDescription
 from measureapp.data.conditions import LensSetting
 from measureapp.data.fringe import FringeStack
 from measureapp.data.plan import ExposureBracket, FlangePose, ScanPlan, Viewpoint
@@ -21,6 +22,8 @@ from measureapp.fringe.patterns.draw import pattern_images
 from measureapp.geometry.transform import RigidTransform
 from measureapp.progress import Cancelled
 from measureapp.project.rig_file import read_rig
+
+DEEP_FLOOR = CellDescription(floor_mm=-2000.0)  # the flange starts at the origin of the base, where no arm could be
 
 WIDTH, HEIGHT, SIGMA = 96, 64, 1.0
 FULL_LIGHT_US = 120_000.0  # exposure at which white on albedo 1 saturates
@@ -238,7 +241,7 @@ def _pushed(pose: RigidTransform | None) -> RigidTransform:
 def fake_rig(cell: Cell) -> Rig:
     cameras = {name: FakeCamera(name, cell, str(number)) for number, name in enumerate(("left", "right"))}
     return Rig(
-        description=read_rig("paper").model_copy(update={"exposures_us": (100_000, 80_000, 60_000, 40_000, 20_000)}),
+        description=read_rig("paper").model_copy(update={"exposures_us": (100_000, 80_000, 60_000, 40_000, 20_000), "cell": DEEP_FLOOR}),
         cameras=cameras,
         projector=FakeProjector("projector", cell),
         robot=FakeAxis("robot", cell, "robot", _pushed),

@@ -216,6 +216,7 @@ class CancelledAfter:
             raise Cancelled
 
 
+@pytest.mark.timed
 @pytest.mark.parametrize("device", ["robot", "guide", "table", "left", "projector"])
 def test_cancelling_reaches_a_call_that_blocks(rig, cell, device):
     cell.fault = once(device, 1, "blocked")

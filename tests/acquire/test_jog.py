@@ -57,7 +57,7 @@ def test_a_step_too_large_for_a_hand_is_refused_and_nothing_moves(rig, cell, axi
 
 def test_a_step_into_a_keep_out_box_is_refused_and_one_out_of_it_is_not(rig, cell):
     here = jog(rig, "guide", 0.0, NoProgress())
-    low, high = np.array([20.0, -100.0, -100.0]), np.array([60.0, 100.0, 100.0])
+    low, high = np.array([280.0, -100.0, -100.0]), np.array([340.0, 100.0, 100.0])  # the head reaches 255 mm from the flange's axis
     at = here.base_from_flange.translation_mm + np.array([0.0, here.guide_mm, 0.0])
     box = KeepOutBox(name="pillar", low_mm=tuple(at + low), high_mm=tuple(at + high))
     fenced = replace(rig, description=rig.description.model_copy(update={"motion": MotionRules(keep_out=(box,))}))

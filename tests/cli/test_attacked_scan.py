@@ -114,6 +114,7 @@ def test_a_view_with_a_wrong_image_is_refused_and_the_others_are_kept(
     assert stored(tmp_path) == ["v0"]
 
 
+@pytest.mark.timed
 def test_ctrl_c_during_a_move_stops_every_device_is_told_and_leaves_a_project_to_resume(
     plugins: Path, arguments: Scan, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -12,6 +12,7 @@ from measureapp.errors import DeviceTimeout
 from measureapp.progress import Cancelled
 
 
+@pytest.mark.timed
 def test_a_stop_ends_a_wait_at_once() -> None:
     stops = Stops()
     attempt = stops.begin("Waiting", 5.0)

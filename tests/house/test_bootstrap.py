@@ -300,13 +300,16 @@ def test_test_runs_every_check_and_returns_the_worst(installer, called, capsys) 
     assert "failed (2)" in capsys.readouterr().out
 
 
-@pytest.mark.parametrize(("workers", "shared"), [(1, []), (3, ["-n", "3", "--dist", "loadfile", "--no-loadscope-reorder"])])
+@pytest.mark.parametrize(
+    ("workers", "shared"), [(1, []), (3, ["-n", "3", "--dist", "loadfile", "--no-loadscope-reorder", "-m", "not slow and not timed"])]
+)
 def test_the_whole_suite_compiles_first_and_runs_in_as_many_processes_as_there_is_room_for(
     installer, called, monkeypatch, capsys, workers, shared
 ) -> None:
     monkeypatch.setattr(installer.machine, "workers", lambda: workers)
     assert installer.steps.perform("test", []) == 0
-    assert called.commands[-1] == ["python", "-m", "pytest", *shared]
+    timed = [["python", "-m", "pytest", "-m", "timed and not slow"]] if shared else []
+    assert called.commands[-1 - len(timed) :] == [["python", "-m", "pytest", *shared], *timed]
     assert ["python", "-c", installer.steps.COMPILE_KERNELS] in called.commands[:-1]
     assert "kernels       passed" in capsys.readouterr().out
 

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[2]
-MOTIONS = {"move_to"}  # of axes; finding the reference counts as one
+MOTIONS = {"move_to", "move_joints"}  # of axes; finding the reference counts as one
 EXPOSURES = {"arm", "trigger", "play", "next_frame", "set_exposure_us", "wait_ready"}  # of cameras and projector
 HANDS = ("measureapp/acquire/", "measureapp/devices/", "measureapp/peers/")
 

@@ -17,7 +17,7 @@ from measureapp.devices.connect import connect_rig
 from measureapp.errors import CalibrationError, DeviceError
 from measureapp.pipeline.board_check import check_with_board
 from measureapp.pipeline.events import Event, ValidityKnown
-from measureapp.pipeline.run import calibrate_rig
+from measureapp.pipeline.rig_calibration import calibrate_rig
 from measureapp.pipeline.scan import scan
 from measureapp.pipeline.validity import check_before_scan, validity_of
 from measureapp.pipeline.watch import Stopwatch
@@ -149,7 +149,7 @@ def test_a_knock_of_a_camera_that_does_not_exist_is_refused(rig: RigDescription)
 def test_over_rigs_clean_scans_are_silent_and_every_knock_is_named(tmp_path: Path, rig: RigDescription, seed: int) -> None:
     clean = described(rig, seed)
     project = ProjectFolder.create(tmp_path / "calibrated", ProjectSettings(name="calibrated", part="gypsum", rig=clean))
-    calibrated = calibrate_rig(connect_rig(clean), project, lambda _: None, NoProgress(), Stopwatch()).rig.calibration
+    calibrated = calibrate_rig(connect_rig(clean), project, lambda _: None, NoProgress(), Stopwatch()).solved.solution.calibration
     _, validity = scanned(tmp_path / "clean", clean, calibrated)
     assert validity.drift is not None and (validity.drift.status, validity.all_warnings) == ("good", ())
     for name in CAMERAS:

@@ -50,7 +50,7 @@ def test_damaged_results_do_not_keep_a_project_shut(qtbot, application, window, 
 def test_a_project_of_a_later_version_says_so(project):
     path = project.path / "project.json"
     path.write_text(json.dumps(json.loads(path.read_text(encoding="utf-8")) | {"schema_version": 9}), encoding="utf-8")
-    with pytest.raises(StorageError, match="has format 9; this version reads format 1") as refused:
+    with pytest.raises(StorageError, match="has format 9; this version reads formats up to 1") as refused:
         ProjectFolder.open(project.path)
     assert "version of MeasureApp" in refused.value.hint
 
@@ -136,3 +136,17 @@ def test_a_project_that_cannot_be_written_is_filtered_for_looking_and_says_so(
     told = application.session.messages[-1]
     assert told.level == "warning" and "Not saved" in told.text and "permissions" in told.hint
     assert application.session.filtered.points_mm[:, 2].min() >= 60.0
+
+
+def test_the_projects_opened_last_are_offered_and_one_that_is_gone_is_not(qtbot, application, window, project, tmp_path):
+    other = ProjectFolder.create(tmp_path / "other", ProjectSettings(name="A & B", part="gypsum", rig=project.rig()))
+    for folder in (project.path, other.path):
+        opened(qtbot, application, folder)
+    assert application.controllers.project.recent() == ((other.path, "A & B"), (project.path, "part"))
+    menu = window.header.open.menu()
+    menu.aboutToShow.emit()
+    assert [action.text() for action in menu.actions() if not action.isSeparator()] == ["Choose a folder…", "A && B", "part"]
+    menu.actions()[-1].trigger()
+    qtbot.waitUntil(lambda: application.session.folder == project.path, timeout=PATIENCE_MS)
+    (other.path / "project.json").unlink()
+    assert application.controllers.project.recent() == ((project.path, "part"),)

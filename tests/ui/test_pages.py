@@ -43,7 +43,8 @@ def test_an_empty_page_says_it_in_a_sentence_with_one_filled_button(window, name
     page = window.pages[name]
     assert page.is_empty
     assert page.empty.text.text().endswith(".")
-    assert plain(page.empty.button.text()) == ("Calibrate the whole rig…" if name == "calibration" else "Run the demo")
+    own = {"calibration": "Calibrate the whole rig…", "plan": "Generate a plan…", "scan": "Set up a scan"}
+    assert plain(page.empty.button.text()) == own.get(name, "Run the demo")
     visible = [
         button for button in page.findChildren(type(page.empty.button)) if button.isVisible() and button.property("role") == "primary"
     ]
@@ -110,27 +111,14 @@ def test_a_poor_solution_is_named(filled, application, calibration):
     assert "✗" in filled.header.calibration.text()
 
 
-def test_the_plan_page_lists_viewpoints_and_a_click_on_the_drawing_selects(filled, plan):
+def test_the_plan_page_lists_the_viewpoints_of_the_project(filled, plan):
     page = filled.pages["plan"]
     filled.show_page("plan")
-    rows = page.table.texts()
-    assert [row[1] for row in rows] == [viewpoint.id for viewpoint in plan]
-    assert plain(rows[1][3]) == "20.0 mm"
-    page.drawing.stationClicked.emit(2)
+    rows = page.tree.rows
+    assert [rows.name_at(rows.index(row, 0)) for row in range(rows.rowCount())] == [viewpoint.id for viewpoint in plan]
+    assert plain(rows.data(rows.index(1, 3))) == "20.0 mm"
+    page.tree.select((plan.viewpoints[2].id,))
     assert page.properties.title == plan.viewpoints[2].id
-
-
-def test_the_station_of_a_viewpoint_turns_against_the_table(rig, plan):
-    import numpy as np
-
-    from ui.pages.plan import station
-
-    first, last = (station(rig, plan.viewpoints[index], "waiting") for index in (0, 3))
-    assert np.linalg.norm(first.direction) == pytest.approx(1.0)
-    straight = plan.viewpoints[3].model_copy(update={"guide_mm": plan.viewpoints[0].guide_mm})
-    opposite = station(rig, straight, "waiting")
-    assert opposite.position_mm[:2] == pytest.approx([-first.position_mm[0], -first.position_mm[1]], abs=1e-6)
-    assert last.id == plan.viewpoints[3].id
 
 
 def test_the_scan_page_shows_each_viewpoint_in_its_state(filled):
@@ -148,9 +136,9 @@ def test_the_scan_page_shows_the_newest_image_of_a_camera(filled, application):
     page = filled.pages["scan"]
     application.session.images.put("right", ImageTaken("view-02", "right", 80_000, np.full((30, 40), 90, np.uint8)))
     page._take_images()
-    assert not page.images["right"].is_empty
-    assert page.images["left"].is_empty
-    assert plain(page.images["right"].caption) == "right · 80 ms"
+    assert not page.pictures.images["right"].is_empty
+    assert page.pictures.images["left"].is_empty
+    assert plain(page.pictures.images["right"].caption) == "right · 80 ms"
     assert page.pictures_title.text() == "Images of view-02"
 
 
@@ -289,7 +277,7 @@ def test_a_click_on_a_tile_asks_for_the_images_of_its_viewpoint(filled, applicat
     page = filled.pages["scan"]
     filled.show_page("scan")
     with qtbot.waitSignal(page.tiles.tileClicked) as told:
-        qtbot.mouseClick(page.tiles, Qt.MouseButton.LeftButton, pos=page.tiles.box(2).center().toPoint())
+        qtbot.mouseClick(page.tiles.widget(), Qt.MouseButton.LeftButton, pos=page.tiles.box(2).center().toPoint())
     assert told.args == ["view-03"]
 
 

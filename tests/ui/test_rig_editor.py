@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtWidgets import QFileDialog, QLineEdit, QMessageBox
+from PySide6.QtWidgets import QFileDialog, QLineEdit
 
 from measureapp.data.rig import DriverChoice, MotionRules
 from measureapp.devices.plugin_loader import load_all
@@ -156,13 +156,12 @@ def test_comments_of_a_file_are_not_deleted_without_a_warning(edited, composed, 
     editor.saveAsked.connect(lambda rig, where: asked.append(where))
     editor.save.click()
     assert asked == []
-    assert "mine.toml has comments" in editor.box.text()
+    assert "mine.toml has comments" in editor.question.words.text()
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(tmp_path / "other"), ""))
-    buttons = {button.text().replace("&", ""): button for button in editor.box.buttons()}
-    buttons["Save as…"].click()
+    editor.question.buttons["Save as…"].click()
     assert asked == [tmp_path / "other.toml"]
     editor.save.click()
-    {button.text().replace("&", ""): button for button in editor.box.buttons()}["Save without comments"].click()
+    editor.question.buttons["Save without comments"].click()
     assert asked[-1] == path
 
 
@@ -204,6 +203,7 @@ def test_cancel_changes_nothing(application, window, rig, qtbot):
     page, editor = opened_from_page(application, window, qtbot)
     enter(editor, "rig", "fields", "name", "My cell")
     editor.cancel.click()
+    editor.question.buttons["Discard changes"].click()
     assert application.session.rig is rig
     assert page.editing.editor is None
     assert page.editing.button.isEnabled()
@@ -217,7 +217,7 @@ def test_an_operator_cannot_edit_a_rig(application, window, rig, qtbot):
     assert not page.editing.button.isVisible()
 
 
-@pytest.mark.parametrize("answer", [QMessageBox.StandardButton.Yes, QMessageBox.StandardButton.Cancel])
+@pytest.mark.parametrize("answer", ["Allow", "Cancel"])
 def test_a_driver_from_outside_is_loaded_once_a_person_has_allowed_its_fingerprint(
     application, window, rig, qtbot, tmp_path, monkeypatch, answer
 ):
@@ -230,16 +230,36 @@ def test_a_driver_from_outside_is_loaded_once_a_person_has_allowed_its_fingerpri
     row = editor.drivers_list.selected()
     assert row.folder == folder
     assert editor.drivers_list.allow.isVisible()
-    asked = []
-    monkeypatch.setattr(QMessageBox, "question", lambda *words: asked.append(words[2]) or answer)
+    question = editor.question
     editor.drivers_list.allow.click()
-    qtbot.waitUntil(lambda: bool(asked) and not application.controllers.editing.queue.busy, timeout=PATIENCE_MS)
-    assert str(folder) in asked[0]
-    assert fingerprint(folder) in asked[0]
+    qtbot.waitUntil(question.isVisible, timeout=PATIENCE_MS)
+    assert str(folder) in question.words.text()
+    assert fingerprint(folder) in question.words.text()
+    question.buttons[answer].click()
+    qtbot.waitUntil(lambda: not question.isVisible() and not application.controllers.editing.queue.busy, timeout=PATIENCE_MS)
     states = {row.folder: row.problem for row in editor.drivers_list.rows}
-    assert (states[folder] == "") == (answer == QMessageBox.StandardButton.Yes)
+    assert (states[folder] == "") == (answer == "Allow")
     assert window.header.devices.text() != "1 driver failed", "a driver that waits for permission is no fault"
     editor.reject()
+
+
+def test_changes_are_not_lost_by_closing_the_editor_without_a_question(edited, composed):
+    editor = edited(composed)
+    finished = []
+    editor.finished.connect(finished.append)
+    enter(editor, "rig", "fields", "name", "My cell")
+    editor.close()
+    assert not finished
+    assert "not saved" in editor.question.words.text()
+    editor.question.buttons["Keep editing"].click()
+    assert editor.value().name == "My cell"
+    editor.cancel.click()
+    editor.question.buttons["Discard changes"].click()
+    assert finished
+    untouched = edited(composed)
+    untouched.finished.connect(finished.append)
+    untouched.close()
+    assert len(finished) == 2
 
 
 def test_two_links_with_one_name_are_refused(edited, composed):

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import sys
 import threading
 from types import SimpleNamespace
 
 import pytest
-from PySide6.QtWidgets import QMessageBox
+from PySide6.QtWidgets import QApplication
 
 from measureapp.acquire import events as e
 from measureapp.errors import InputError
@@ -20,7 +19,7 @@ def demo(monkeypatch, measurement):
     """Replaces the real demo: sends its events, waits at the gate, reports on."""
     state = SimpleNamespace(gate=threading.Event(), requests=[], error=None)
 
-    def run_demo(request, on_event, progress):
+    def scan_into_project(request, on_event, progress, _control, _held):
         state.requests.append(request)
         progress.report(0, 4, "Calibrating")
         on_event(p.CalibrationReady(measurement.calibration))
@@ -38,8 +37,7 @@ def demo(monkeypatch, measurement):
         on_event(e.RunEnded("done"))
         return SimpleNamespace(measurement=measurement, document={}, files={}, filters=None)
 
-    fake = SimpleNamespace(DemoRequest=lambda *values: SimpleNamespace(values=values), run_demo=run_demo)
-    monkeypatch.setitem(sys.modules, "measureapp.demo", fake)
+    monkeypatch.setattr("measureapp.pipeline.run.scan_into_project", scan_into_project)
     yield state
     state.gate.set()
 
@@ -70,9 +68,10 @@ def test_the_demo_runs_from_its_button_and_ends_with_dimensions_shown(started, w
     assert [row[5] for row in window.pages["inspection"].side.table.texts()] == ["Pass", "Fail", "Not proven", "Not measured"]
     assert "demo is complete" in window.strip.words
     assert not window.strip.cancel.isVisible()
-    folder, part, resolution, viewpoints, seed, patterns, _unit = demo.requests[0].values
-    assert (part, resolution, viewpoints, seed, patterns) == ("gypsum", "half", 8, 1, "three-close")
-    assert "gypsum" in folder.name
+    request = demo.requests[0]
+    assert request.rig.driver_settings == {"part": "gypsum", "seed": 1} and request.rig.cameras[0].width_px == 1296
+    assert len(request.plan) == 8 and request.calibrate and request.resume
+    assert "gypsum" in request.folder.name and request.created.nominal.is_file()
 
 
 def test_cancel_stops_the_demo_and_keeps_what_is_known(started, window, demo, qtbot):
@@ -104,16 +103,28 @@ def test_a_second_demo_waits_for_the_first(started, demo, qtbot):
     assert len(demo.requests) == 1
 
 
-def test_closing_during_a_job_asks_and_can_be_refused(started, window, demo, qtbot, monkeypatch):
-    monkeypatch.setattr(QMessageBox, "question", lambda *_: QMessageBox.StandardButton.Cancel)
+def test_closing_during_a_job_asks_once_without_blocking_and_can_be_refused(started, window, demo, qtbot):
     assert not window.close()
-    assert window.isVisible()
-    monkeypatch.setattr(QMessageBox, "question", lambda *_: QMessageBox.StandardButton.Close)
+    assert window.isVisible() and window.closing.isVisible()
+    assert "still running" in window.closing.words.text()
+    assert window.header.stop.isVisible() and window.header.stop.isEnabled()
+    assert QApplication.activeModalWidget() is None
+    window.closing.stay.click()
+    assert not window.closing.isVisible()
+    assert not window.close()
     demo.gate.set()
-    assert window.close()
+    window.closing.stop_and_close.click()
+    assert not window.isVisible()
     running = started.controllers.jobs.queue.running
     assert running is None or running.isFinished()
     qtbot.waitUntil(lambda: idle(started), timeout=10_000)
+
+
+def test_the_question_about_closing_goes_with_the_job(started, window, demo, qtbot):
+    window.close()
+    demo.gate.set()
+    qtbot.waitUntil(lambda: idle(started), timeout=10_000)
+    assert not window.closing.isVisible()
 
 
 def test_an_error_nobody_caught_is_shown_as_a_sentence(application, window):

@@ -12,12 +12,13 @@ from ui.controllers.collecting import CollectingController
 from ui.controllers.collecting_nouns import RigSetup
 from ui.controllers.demo import DemoController
 from ui.controllers.jobs import JobRunner
-from ui.controllers.rig_connection import VIRTUAL
+from ui.controllers.rig_connection import VIRTUAL, truth_of
 from ui.controllers.stored_sessions import project_on_disk
 from ui.session import Session
 
 if TYPE_CHECKING:
     from measureapp.calibrate.draft.draft import Kind, Known
+    from measureapp.calibration_session.snapshot import Snapshot
     from measureapp.data.rig import RigDescription
     from ui.look.demo_settings import Resolution
     from ui.workers.job import Job
@@ -91,17 +92,14 @@ class CalibratingController(QObject):
 
     def conclude(self) -> None:
         """Solve the collected observations from scratch and evaluate the result."""
-        from measureapp.calibrate.draft.draft import Known
-
-        collected, truth = self.collecting.collected, self.collecting.capture.truth
+        collected, rig = self.collecting.collected, self.collecting.capture.rig
         if collected is None or self._job is not None:
             return
         self.forget_result()
         snapshot, known = collected.snapshot(), self._known
-        true = Known() if truth is None else Known(truth.cameras, truth)
         self._job = self._solving.run(
             "Evaluating the result",
-            lambda job: results.conclude(job, snapshot, known, true),
+            lambda job: results.conclude(job, snapshot, known, _truth_of(rig, snapshot)),
             self._keep,
             on_stopped=self._end_job,
             on_failed=self._tell_failure,
@@ -173,3 +171,11 @@ class CalibratingController(QObject):
             self._job.cancel()
         self.forget_result()
         self.collecting.close()
+
+
+def _truth_of(rig: RigDescription | None, snapshot: Snapshot) -> Known:
+    """Return the ground truth of a virtual rig for display; runs on a job's thread."""
+    from measureapp.calibrate.draft.draft import Known
+
+    truth = None if rig is None else truth_of(rig, snapshot.setup.board)
+    return Known() if truth is None else Known(truth.cameras, truth)

@@ -15,11 +15,14 @@ from ui.controllers.filtering import FilteringController
 from ui.controllers.growing import GrowingController
 from ui.controllers.holes import HolesController
 from ui.controllers.jobs import JobRunner
+from ui.controllers.planning import PlanningController
 from ui.controllers.programming import ProgrammingController
 from ui.controllers.project import ProjectController
 from ui.controllers.recent_calibration import RecentCalibrationController
+from ui.controllers.rig_calibrating import RigCalibratingController
 from ui.controllers.rig_control import RigControl
 from ui.controllers.rig_editing import RigEditing
+from ui.controllers.scanning import ScanController
 from ui.controllers.startup import StartupController
 from ui.controllers.stored_images import StoredImagesController
 from ui.controllers.view_choices import ViewChoicesController
@@ -40,9 +43,12 @@ class Controllers(QObject):
         self.explaining = JobRunner(session, self)
         self.solving = JobRunner(session, self)
         self.editing = JobRunner(session, self)
+        self.predicting = JobRunner(session, self)
         self.rig = RigControl(session, self.jobs, self)
         self.rig_editing = RigEditing(session, self.editing, self.rig, self)
-        self.demo = DemoController(session, self.jobs, self)
+        self.scanning = ScanController(session, self.jobs, self.rig, self)
+        self.rig_calibrating = RigCalibratingController(session, self.jobs, self)
+        self.demo = DemoController(session, self.jobs, self.rig, self.scanning, self)
         self.project = ProjectController(session, self.jobs, self)
         self.documents = DocumentsController(session, self.jobs, self)
         self.comparison = ComparisonController(session, self.background, self)
@@ -53,6 +59,7 @@ class Controllers(QObject):
         self.filtering = FilteringController(session, self.jobs, self)
         self.growing = GrowingController(session, self.jobs, self)
         self.programming = ProgrammingController(session, self.jobs, self)
+        self.planning = PlanningController(session, self.jobs, self.predicting, self)
         self._session, self._calibrating = session, dict[str, CalibratingController]()
         self.recent_calibration = RecentCalibrationController(session, self.background, self)
         self.startup = StartupController(session, self.background, self)
@@ -66,11 +73,12 @@ class Controllers(QObject):
 
     @property
     def runners(self) -> tuple[JobRunner, ...]:
-        """All queues: foreground jobs, background jobs, drawing, explanation of views, solving of calibrations, editing of rigs."""
-        return self.jobs, self.background, self.drawing, self.explaining, self.solving, self.editing
+        """All queues: foreground jobs, background jobs, drawing, explanation of views, solving of calibrations, editing of rigs, plans."""
+        return self.jobs, self.background, self.drawing, self.explaining, self.solving, self.editing, self.predicting
 
     def end(self, timeout_ms: int) -> bool:
         """Cancel all jobs and wait for their threads; return whether all have ended. The compilation of a kernel cannot be interrupted."""
+        self.planning.prediction.stop()
         for runner in self.runners:
             runner.queue.cancel_all()
         clock = QElapsedTimer()

@@ -1,23 +1,23 @@
-"""The demo: complete measurement on the virtual rig."""
+"""The demo: a ready-made scan on the virtual rig, which is calibrated first."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal, Slot
 
 from measureapp.data.length_unit import LengthUnit, likely_unit
 from ui.controllers.jobs import JobRunner
-from ui.controllers.run_events import RunEvents
+from ui.controllers.rig_control import RigControl
+from ui.controllers.scanning import ScanController
 from ui.look.demo_settings import DemoSettings
 from ui.look.paths import demo_folder, next_demo_folder
 from ui.session import Session
 
 if TYPE_CHECKING:
-    from measureapp.pipeline.events import Event
-    from measureapp.pipeline.run import Outcome
+    from measureapp.pipeline.run import ScanRequest
     from ui.workers.job import Job
 
 
@@ -31,16 +31,17 @@ class MeshQuestion:
 
 
 class DemoController(QObject):
-    """Runs the demo and shows its progress."""
+    """Chooses the part and settings of the ready-made scan, and starts it as any other scan."""
 
     meshReady = Signal(object, object)  # Path, LengthUnit
     unitAsked = Signal(object)  # MeshQuestion
 
-    def __init__(self, session: Session, runner: JobRunner, parent: QObject | None = None) -> None:
+    def __init__(
+        self, session: Session, runner: JobRunner, rig: RigControl, scanning: ScanController, parent: QObject | None = None
+    ) -> None:
         super().__init__(parent)
-        self._session = session
-        self._runner = runner
-        self._events = RunEvents(session, self)
+        self._session, self._runner = session, runner
+        self._rig, self._scanning = rig, scanning
         self.folder: Path | None = None
         self.settings = DemoSettings()
 
@@ -63,64 +64,31 @@ class DemoController(QObject):
 
     @Slot()
     def run(self) -> None:
-        """Calibrate the virtual rig, scan, stitch, measure and report."""
+        """Choose the virtual rig, calibrate it, scan, stitch, measure and report."""
         if self._runner.queue.running is not None and not self._runner.queue.running.quiet:
             self._session.tell(f"{self._session.busy_with} is still running.", "Wait until it has finished, or cancel it.", "warning")
             return
         settings = self.settings
         folder = next_demo_folder(self.folder or demo_folder(settings))
+        self._rig.disconnect_rig()
         self._session.open_project(folder.name, settings.part, folder)
-        self._runner.run(
-            f"Demo: {Path(settings.part).stem}",
-            self._work(settings, folder),
-            self._finish,
-            on_event=self._apply,
-            moves=True,
-        )
+        self._scanning.run(f"Demo: {Path(settings.part).stem}", lambda _job: _request(settings, folder), "demo")
 
-    def _work(self, settings: DemoSettings, folder: Path) -> Any:
-        events = self._events
 
-        def work(job: Job) -> Outcome:
-            job.report(0, 1, "Preparing the virtual rig")
-            from measureapp.demo import DemoRequest, run_demo
+def _request(settings: DemoSettings, folder: Path) -> ScanRequest:
+    """Return the scan of the demo; runs on a job's thread."""
+    from measureapp.pipeline.sample import SampleScan, sample_request
 
-            request = DemoRequest(
-                folder, settings.part, settings.resolution, settings.viewpoints, settings.seed, settings.patterns, settings.unit
-            )
-            return run_demo(request, events.sink(job), job)
-
-        return work
-
-    @Slot(object)
-    def _apply(self, event: Event) -> None:
-        self._read_plan()
-        self._events.apply(event)
-
-    def _read_plan(self) -> None:
-        """Show the plan as soon as the run has written it."""
-        folder = self._session.folder
-        if self._session.plan is None and folder is not None and (folder / "plan.json").is_file():
-            from measureapp.project.folder import ProjectFolder
-
-            project = ProjectFolder.open(folder)
-            self._session.set_rig(project.rig())
-            self._session.set_plan(project.plan())
-
-    @Slot(object)
-    def _finish(self, outcome: Outcome) -> None:
-        self._read_plan()
-        self._session.set_measurement(outcome.measurement, outcome.files, outcome.filters)
-        inspection = outcome.measurement.inspection
-        passing = sum(1 for dimension in inspection.dimensions if dimension.verdict == "pass") if inspection else 0
-        summary = f" {passing} of {len(inspection.dimensions)} dimensions pass." if inspection else ""
-        self._session.tell(f"The demo is complete.{summary}", "", "done")
+    chosen = SampleScan(settings.part, settings.resolution, settings.viewpoints, settings.seed, settings.patterns, settings.unit)
+    return sample_request(chosen, folder)
 
 
 def read_mesh_size(path: Path, job: Job) -> MeshQuestion:
     """Read the size of a mesh; runs on a job's thread. Raises InputError when it cannot be used."""
-    from measureapp.simulate.part_file import mesh_span
+    import numpy as np
+
+    from measureapp.project.geometry.files import read_mesh
 
     job.report(0, 1, path.name)
-    span = mesh_span(path)
+    span = float(np.ptp(read_mesh(path).vertices_mm, axis=0).max())
     return MeshQuestion(path, span, likely_unit(span))

@@ -105,13 +105,14 @@ def page_images(measurement: Measurement, folder: Path | None, job: Job) -> tupl
     from measureapp.report.compose import compose
     from measureapp.report.pdf import model_page_images
 
-    nominal = None
+    nominal, template = None, None
     if folder is not None and (folder / "project.json").exists():
-        path = ProjectFolder.open(folder).nominal
-        nominal = None if path is None else read_mesh(path, "nominal")
+        project = ProjectFolder.open(folder)
+        nominal = None if project.nominal is None else read_mesh(project.nominal, "nominal")
+        template = project.report_template
     model = compose(measurement, nominal)
     job.report(1, 2, "Rendering the pages")
-    return tuple(model_page_images(model))
+    return tuple(model_page_images(model, template=template))
 
 
 def export(kind: str, source: Path | None, measurement: Measurement, target: Path, job: Job) -> Path:

@@ -57,6 +57,12 @@ class ProjectController(QObject):
         """Open the project in ``folder``."""
         self._runner.run("Opening project", lambda job: read_project(folder, job), self._show)
 
+    def recent(self) -> tuple[tuple[Path, str], ...]:
+        """Return folder and name of the projects that were opened last and are still there."""
+        from measureapp.project.recent_projects import recent_file, recent_projects
+
+        return tuple((Path(project.folder), project.name) for project in recent_projects(recent_file()))
+
     @Slot()
     def process(self) -> None:
         """Recompute the open project from its stored images."""
@@ -102,13 +108,15 @@ class ProjectController(QObject):
 
 
 def read_project(folder: Path, job: Job) -> ReadProject:
-    """Read a project folder; runs on a job's thread."""
+    """Read a project folder, which is then one of the last ones opened; runs on a job's thread."""
     job.report(0, 3, "Reading the project")
     from measureapp.pipeline.validity import known_validity
     from measureapp.project.folder import ProjectFolder
+    from measureapp.project.recent_projects import recent_file, remember_project
     from measureapp.project.results import MESH, STITCHED
 
     project = ProjectFolder.open(folder)
+    remember_project(recent_file(), folder, project.name)
     calibration = project.calibration()
     job.report(1, 3, "Reading clouds")
     measurement, damage = None, None

@@ -5,11 +5,10 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from ui.controllers import collecting_work as work
-from ui.controllers.rig_connection import RigConnection, truth_of
+from ui.controllers.rig_connection import RigConnection
 from ui.workers.job import Job
 
 if TYPE_CHECKING:
-    from measureapp.data.calibration import RigCalibration
     from measureapp.data.plan import ScanPlan, Viewpoint
     from measureapp.data.rig import RigDescription
     from ui.controllers.collecting import CollectingController
@@ -34,12 +33,6 @@ class RigCapture:
         self.connection: RigConnection | None = None  # since the first view was taken
         self._planned: tuple[ScanPlan | None, tuple[Viewpoint, ...]] | None = None  # of a plan
         self._more = 0  # views beyond those planned that are still to be taken
-
-    @property
-    def truth(self) -> RigCalibration | None:
-        """The ground truth of the virtual rig; for display with a result, never for the calibration."""
-        collected = self._collecting.collected
-        return None if collected is None or self.rig is None else truth_of(self.rig, collected.setup.board)
 
     @property
     def viewpoints_left(self) -> tuple[Viewpoint, ...]:

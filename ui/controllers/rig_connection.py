@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
-
-from measureapp.errors import DeviceError
 
 if TYPE_CHECKING:
     from measureapp.data.board import BoardDescription
@@ -31,47 +29,36 @@ def connect(description: RigDescription, board: BoardDescription, held: Rig | No
     Raises
     ------
     DeviceError
-        A device does not answer, or the rig's seed is not a whole number.
+        A device does not answer.
     PluginError
         The driver cannot be loaded.
+    InputError
+        A setting of a driver is invalid, for example the seed of the virtual rig.
     """
-    if description.driver != VIRTUAL:
-        if held is not None and held.description == description:
-            return RigConnection(held, borrowed=True)
-        from measureapp.devices.connect import connect_rig
+    from measureapp.devices.connect import connect_rig
 
-        return RigConnection(connect_rig(description))
-    from measureapp.devices.plugin_loader import load_driver
-    from measureapp.simulate.parts import make_part
-    from measureapp.simulate.world import World
-
-    world = World(description, make_part(PART), _seed(description), board)
-    return RigConnection(load_driver(None, VIRTUAL, "rig").module.rig_of(world))
+    if description.driver == VIRTUAL:
+        return RigConnection(connect_rig(_with_board(description, board)))
+    if held is not None and held.description == description:
+        return RigConnection(held, borrowed=True)
+    return RigConnection(connect_rig(description))
 
 
 def truth_of(description: RigDescription, board: BoardDescription) -> RigCalibration | None:
     """Return the ground truth of a virtual rig, including its projector; None for a real rig.
 
-    It depends only on the description and its seed, so it is available before the rig is connected.
-
-    Raises
-    ------
-    DeviceError
-        The rig's seed is not a whole number.
+    It depends only on the description, so it is available before images are taken; runs on a job's thread. Raises as `connect`.
     """
     if description.driver != VIRTUAL:
         return None
-    from measureapp.data.calibration import ProjectorCalibration
-    from measureapp.simulate.options import WorldOptions
-    from measureapp.simulate.truth import draw_truth
-
-    truth = draw_truth(description, board, WorldOptions().errors, _seed(description))
-    projector = ProjectorCalibration(truth.projector, truth.camera_from_projector)
-    return replace(truth.calibration, cameras=replace(truth.calibration.cameras, projector=projector))
+    rig = connect(description, board).rig
+    try:
+        return rig.truth()
+    finally:
+        rig.close()
 
 
-def _seed(description: RigDescription) -> int:
-    seed = description.driver_settings.get("seed", 1)
-    if not isinstance(seed, int):
-        raise DeviceError(f"The seed {seed!r} of the virtual rig is not a whole number.", "Correct `seed` in its driver_settings.")
-    return seed
+def _with_board(description: RigDescription, board: BoardDescription) -> RigDescription:
+    """Return the description of the virtual rig with this board, and a part that costs no time."""
+    settings = {**description.driver_settings, "part": PART, "board": board.model_dump(mode="json")}
+    return description.model_copy(update={"driver_settings": settings})

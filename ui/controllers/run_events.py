@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Slot
 
-from ui.session import Session
+from ui.session import RunNow, Session, ViewpointStatus
 from ui.workers.job import Job
 
 if TYPE_CHECKING:
@@ -14,6 +15,19 @@ if TYPE_CHECKING:
 
     from measureapp.acquire.events import AcquisitionEvent, ImageTaken, RunEnded
     from measureapp.pipeline.events import Event, ProcessingEvent, ValidityKnown
+
+
+ENTERED: Mapping[str, tuple[ViewpointStatus, str]] = {  # state of a run's viewpoint -> state and note shown
+    "waiting": ("waiting", ""),
+    "moving": ("moving", ""),
+    "confirming": ("moving", ""),
+    "settling": ("settling", ""),
+    "capturing": ("capturing", ""),
+    "checking": ("checking", ""),
+    "storing": ("storing", ""),
+    "skipped": ("skipped", ""),
+    "kept": ("stored", "earlier images kept"),
+}
 
 
 class RunEvents(QObject):
@@ -52,10 +66,28 @@ class RunEvents(QObject):
         session = self._session
         match event:
             case e.RunStarted():
-                session.start_viewpoints(event.viewpoint_ids)
+                session.await_viewpoints(event.viewpoint_ids)
                 session.tell("The scan started.")
+            case e.RunPaused():
+                session.set_run(RunNow("paused", event.message, event.hint))
+                session.tell(event.message, event.hint, "warning")
+            case e.RunResumed():
+                session.set_run(RunNow("running"))
+                session.tell("The scan continues.")
+            case e.RunEnded():
+                self._report_end(event)
+            case _:
+                self._apply_viewpoint(event)
+
+    def _apply_viewpoint(self, event: AcquisitionEvent) -> None:
+        from measureapp.acquire import events as e
+
+        session = self._session
+        match event:
             case e.ViewpointStarted():
                 session.set_viewpoint(event.viewpoint_id, "moving")
+            case e.ViewpointEntered():
+                self._enter(event.viewpoint_id, str(event.state))
             case e.ImageTaken():
                 self._show_capture(event)
             case e.ViewpointRetaken():
@@ -64,10 +96,13 @@ class RunEvents(QObject):
             case e.ViewpointStored():
                 session.set_viewpoint(event.viewpoint_id, "stored", f"{event.seconds:.1f} s")
             case e.ViewpointFailed():
-                session.set_viewpoint(event.viewpoint_id, "failed", event.reason)
+                if event.viewpoint_id in session.viewpoints:  # not one of a calibration
+                    session.set_viewpoint(event.viewpoint_id, "failed", event.reason)
                 session.tell(f"Viewpoint {event.viewpoint_id} failed: {event.reason}", "The scan continues with the next one.", "warning")
-            case e.RunEnded():
-                self._report_end(event)
+            case e.ViewpointSkipped():
+                session.tell(f"Viewpoint {event.viewpoint_id} was skipped.", "Retake it if you need it after all.")
+            case e.ViewpointQueued():
+                session.tell(f"Viewpoint {event.viewpoint_id}: {event.reason}")
 
     def _apply_processing(self, event: ProcessingEvent) -> None:
         from measureapp.pipeline import events as e
@@ -90,6 +125,12 @@ class RunEvents(QObject):
                 session.set_inspection(event.inspection)
             case e.ValidityKnown():
                 self._report_validity(event)
+
+    def _enter(self, viewpoint_id: str, state: str) -> None:
+        """Show the state of a viewpoint; one that failed or was stored has an event of its own."""
+        if viewpoint_id in self._session.viewpoints and state in ENTERED:
+            status, note = ENTERED[state]
+            self._session.set_viewpoint(viewpoint_id, status, note)
 
     def _show_capture(self, event: ImageTaken) -> None:
         known = self._session.viewpoints.get(event.viewpoint_id)

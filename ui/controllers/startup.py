@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from measureapp.devices.plugin_loader import PluginRow
     from ui.workers.job import Job
 
-WARM_UP = ("scipy.optimize", "scipy.spatial", "numba", "open3d", "trimesh", "measureapp.pipeline.warm_up", "measureapp.demo")
+WARM_UP = ("scipy.optimize", "scipy.spatial", "numba", "open3d", "trimesh", "measureapp.pipeline.warm_up", "measureapp.pipeline.sample")
 IMPORTED_SHARE = 0.3
 IMPORT_TRIALS = 5
 DEFAULT_RIG = "paper"

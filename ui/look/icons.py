@@ -13,6 +13,8 @@ NAMES = {
     "inspection": "ruler",
     "report": "file-text",
     "run": "play",
+    "pause": "pause",
+    "skip": "skip-forward",
     "cancel": "x-circle",
     "stop": "hand-palm",
     "connect": "link",
@@ -57,6 +59,10 @@ NAMES = {
     "hand-eye": "link",
     "axis": "arrows-clockwise",
     "guide": "arrows-left-right",
+    "copy": "copy",
+    "ungroup": "arrows-out-simple",
+    "up": "arrow-up",
+    "down": "arrow-down",
     "camera": "camera",
 }
 

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+import re
 from datetime import datetime
 from pathlib import PurePath
 
 NOTHING = "–"
 THIN = "\u2009"
 MINUS = "\u2212"
+UNIT_AFTER_NUMBER = re.compile(r"(?<=\d) (?=(?:mm|µm|px|ppm|ms|µs|s|min|h|K|kB|MB|GB|TB)\b|[%°])")
 POINT_REASONS = {  # why a pixel has no point, by the names that documents use
     "point": "Measured",
     "seen by another": "Measured by another camera",
@@ -47,6 +49,15 @@ def percent(value: float | None, digits: int = 1, *, signed: bool = False) -> st
     return NOTHING if value is None else quantity(100.0 * value, "%", digits, signed=signed)
 
 
+def keep_units(words: str) -> str:
+    """Return ``words`` with non-breaking spaces between numbers and their units, so that no line ends between them.
+
+    >>> keep_units("adds 0.006 mm to 300 mm") == "adds 0.006\u00a0mm to 300\u00a0mm"
+    True
+    """
+    return UNIT_AFTER_NUMBER.sub("\u00a0", words)
+
+
 def counted(value: int) -> str:
     """Format a count with thousands separators."""
     return f"{value:,}".replace(",", "\u00a0" if value < 10_000 else THIN)
@@ -65,6 +76,21 @@ def duration(seconds: float) -> str:
     if whole < 3600:
         return f"{whole // 60} min {whole % 60:02d} s"
     return f"{whole // 3600} h {whole % 3600 // 60:02d} min"
+
+
+def rough_duration(seconds: float) -> str:
+    r"""Format an estimated duration without digits that nobody knows: ``20 s``, ``4 min``, ``1 h 10 min``.
+
+    >>> rough_duration(17.0), rough_duration(200.0), rough_duration(4100.0)
+    ('20\xa0s', '4\xa0min', '1\xa0h 10\xa0min')
+    """
+    if seconds <= 60:
+        return f"{max(10, 10 * math.ceil(seconds / 10))}\u00a0s"
+    minutes = math.ceil(seconds / 60)
+    if minutes < 60:
+        return f"{minutes}\u00a0min"
+    hours, rest = divmod(10 * math.ceil(minutes / 10), 60)
+    return f"{hours}\u00a0h" + (f" {rest}\u00a0min" if rest else "")
 
 
 def exposure(microseconds: int) -> str:

@@ -14,14 +14,14 @@ from ui.look.look import Look
 from ui.pages.page import Page
 from ui.session import Session
 from ui.viewport.cloud_view import CloudView
-from ui.viewport.layers import CloudLayer, SurfaceLayer
+from ui.viewport.layers import CloudLayer, Label, LineLayer, SurfaceLayer
 from ui.viewport.shuffled_cloud import ShuffledCloud, shuffle
 from ui.widgets.basic import Button
 from ui.widgets.empty_state import EmptyState
 from ui.workers.job import Job
 
 ROOM_FOR_WORDS = 1150  # px
-LEAST_PICTURE, LEAST_SIDE = 556, 400  # px, the page's margins included
+LEAST_PICTURE, LEAST_SIDE = 556, 368  # px, the page's margins included
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,6 +30,8 @@ class Picture:
 
     clouds: tuple[CloudLayer, ...] = ()
     surface: SurfaceLayer | None = None
+    lines: tuple[LineLayer, ...] | None = None  # None: those shown stay
+    labels: tuple[Label, ...] | None = None
 
 
 Composer = Callable[[Job], Picture]
@@ -43,7 +45,7 @@ class ViewportPage(Page):
         self.view = CloudView(look)
         self.is_composing = False
         self._stale = True
-        self.tool_buttons: tuple[Button, ...] = ()  # above the picture; icons only if the page is narrow
+        self._tool_buttons: tuple[Button, ...] = ()
         self.side: QWidget | None = None  # next to the picture; narrower if the page is narrow
         self.side_width = 0
         QShortcut(QKeySequence.StandardKey.Undo, self, self.undo_last, context=Qt.ShortcutContext.WidgetWithChildrenShortcut)
@@ -51,6 +53,17 @@ class ViewportPage(Page):
         session.graphicsChanged.connect(self._use_graphics)
         look.changed.connect(self.redraw)
         self._use_graphics()
+
+    @property
+    def tool_buttons(self) -> tuple[Button, ...]:
+        """The buttons above the picture; icons only if the page is narrow."""
+        return self._tool_buttons
+
+    @tool_buttons.setter
+    def tool_buttons(self, buttons: tuple[Button, ...]) -> None:
+        self._tool_buttons = buttons
+        for button in buttons:
+            button.allow_compact()
 
     def composer(self) -> Composer | None:
         """Return the function that composes the picture in a thread from immutable data; None if there is nothing to show."""
@@ -81,6 +94,10 @@ class ViewportPage(Page):
         picture, cloud = prepared
         self.view.set_surface(picture.surface)
         self.view.set_clouds(picture.clouds, cloud)
+        if picture.lines is not None:
+            self.view.set_lines(picture.lines)
+        if picture.labels is not None:
+            self.view.set_labels(picture.labels)
         self._stop_composing()
         if self._stale:
             self.redraw()

@@ -40,6 +40,7 @@ class CloudView(QWidget):
     """
 
     pointPicked = Signal(int, int)  # layer, index in the layer
+    rayClicked = Signal(object, object)  # origin and direction, where a click hits no point
 
     def __init__(self, look: Look, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -52,6 +53,7 @@ class CloudView(QWidget):
         self._surface: SurfaceLayer | None = None
         self._lines: tuple[LineLayer, ...] = ()
         self._labels: tuple[Label, ...] = ()
+        self._framing: tuple[np.ndarray | None, tuple[float, float, float]] | None = None
         self._placeholder = QLabel(PREPARING, alignment=Qt.AlignmentFlag.AlignCenter)
         self._placeholder.setProperty("role", "soft")
         self._placeholder.setWordWrap(True)
@@ -113,6 +115,13 @@ class CloudView(QWidget):
             self._scene.keep_framed = True
             self._refresh()
 
+    def frame(self, points_mm: np.ndarray | None, direction: tuple[float, float, float]) -> None:
+        """Open the camera on these points (N, 3), None: on everything, from a direction; a camera that was moved by hand stays."""
+        self._framing = (points_mm, direction)
+        if self._scene is not None:
+            self._scene.frame(*self._framing)
+            self._refresh()
+
     def look_at(self, points_mm: np.ndarray) -> None:
         """Move the camera to these points (N, 3) without rotation."""
         if self._scene is not None and len(points_mm):
@@ -168,6 +177,8 @@ class CloudView(QWidget):
         self._scene, self._view = scene, view
         view.clicked.connect(self._pick)
         self._apply_theme()
+        if self._framing is not None:
+            scene.frame(*self._framing)
         scene.set_cloud(self._cloud)
         scene.set_surface(self._surface)
         scene.set_lines(self._lines)
@@ -180,6 +191,8 @@ class CloudView(QWidget):
         found = self._scene.pick(x_px, y_px) if self._scene is not None else None
         if found is not None:
             self.pointPicked.emit(*found)
+        elif self._scene is not None:
+            self.rayClicked.emit(*self._scene.ray(x_px, y_px))
 
     def _apply_theme(self) -> None:
         if self._scene is not None:

@@ -42,6 +42,8 @@ class Scene:
         self._extent: dict[str, np.ndarray] = {}
         self._labels: tuple[Label, ...] = ()
         self.keep_framed = True  # until the user moves the camera
+        self._opening = OPENING_DIRECTION
+        self._framed_mm: np.ndarray | None = None  # (N, 3), what the camera is opened on; None: everything
 
     def set_background(self, top: tuple[float, float, float], bottom: tuple[float, float, float]) -> None:
         """Set the colours (0…1) of the background."""
@@ -188,15 +190,20 @@ class Scene:
         self._replace("labels", [label_actor(label) for label in labels])
 
     def reset_camera(self) -> None:
-        """Show everything from the front, slightly from above."""
+        """Show everything, or what `frame` names, slightly from above."""
         camera = self.renderer.GetActiveCamera()
         camera.SetFocalPoint(0.0, 0.0, 0.0)
-        camera.SetPosition(OPENING_DIRECTION)
+        camera.SetPosition(self._opening)
         camera.SetViewUp(0.0, 0.0, 1.0)
         bounds = self._all_bounds()
         self.renderer.ResetCamera(bounds)
-        self._fill_picture([points for points in self._extent.values() if len(points)])
+        shown = [points for points in self._extent.values() if len(points)]
+        self._fill_picture(shown if self._framed_mm is None else [self._framed_mm])
         self.renderer.ResetCameraClippingRange(bounds)
+
+    def frame(self, points_mm: np.ndarray | None, direction: tuple[float, float, float]) -> None:
+        """Open the camera on these points (N, 3) from a direction; None: on everything."""
+        self._framed_mm, self._opening = points_mm, direction
 
     def look_at(self, points_mm: np.ndarray) -> None:
         """Move the camera to these points (N, 3) without rotation, with a margin of at least `CLOSEST_MM`."""
@@ -221,6 +228,14 @@ class Scene:
             if len(near) and float(place[near, 2].min()) < best:
                 best, chosen = float(place[near, 2].min()), start + int(near[np.argmin(place[near, 2])])
         return None if chosen < 0 else self._cloud.origin(chosen)
+
+    def ray(self, x_px: float, y_px: float) -> tuple[np.ndarray, np.ndarray]:
+        """Return origin and direction (3,) of the ray through a pixel of the picture; y from the bottom."""
+        size = np.maximum(self.renderer.GetSize(), 1)
+        x, y = 2.0 * np.array([x_px, y_px]) / size - 1.0
+        ends = np.array([[x, y, -1.0, 1.0], [x, y, 1.0, 1.0]]) @ np.linalg.inv(self._projection()).T
+        near, far = ends[:, :3] / ends[:, 3:]
+        return near, (far - near) / np.linalg.norm(far - near)
 
     def _projection(self) -> np.ndarray:
         camera = self.renderer.GetActiveCamera()

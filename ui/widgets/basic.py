@@ -6,11 +6,12 @@ from typing import Literal
 
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QResizeEvent
-from PySide6.QtWidgets import QFormLayout, QFrame, QHBoxLayout, QLabel, QLayout, QPushButton, QSizePolicy, QVBoxLayout, QWidget
+from PySide6.QtWidgets import QFormLayout, QFrame, QHBoxLayout, QLabel, QLayout, QPushButton, QScrollArea, QSizePolicy, QVBoxLayout, QWidget
 
 from ui.look.look import Look
 
 TextRole = Literal["body", "title", "heading", "strong", "soft", "small", "caption", "figure", "field", "problem"]
+COMPACT_WIDTH = 40  # px, of a button that shows its icon only
 ButtonRole = Literal["normal", "primary", "quiet", "message", "stop"]
 
 
@@ -65,6 +66,10 @@ class Button(QPushButton):
         look.changed.connect(self._redraw)
         self._redraw()
 
+    def allow_compact(self) -> None:
+        """Require room for the icon only; `set_compact` shows it without text before the text would be cut."""
+        self.setMinimumWidth(COMPACT_WIDTH)
+
     def set_compact(self, compact: bool) -> None:
         """Show the icon without text, with the text in the tooltip."""
         self.setText("" if compact else f"\u2009{self._words}")
@@ -78,6 +83,17 @@ class Button(QPushButton):
     def _redraw(self) -> None:
         if self._icon:
             self.setIcon(self._look.icon(self._icon, "accent_on" if self._role in ("primary", "stop") else "soft"))
+
+
+def scrolled(content: QWidget, width: int = 0) -> QScrollArea:
+    """Return a scroll area around ``content``, which is never wider than it; ``width``: fixed, room for the scroll bar included."""
+    area = QScrollArea()
+    area.setWidgetResizable(True)
+    area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+    area.setWidget(content)
+    if width:
+        area.setFixedWidth(width)
+    return area
 
 
 class Form(QFormLayout):

@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from pathlib import Path
+
 from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QWidget
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QMenu, QWidget
 
 from ui.look.look import Look
 from ui.widgets.basic import Button, ElidedLabel, column, row
 from ui.widgets.segments import Segments
+
+ROOM_FOR_WORDS = 1400  # px
 
 
 class Chip(QFrame):
@@ -46,6 +52,8 @@ class HeaderBar(QFrame):
     """Project and part on the left, chips in the middle, role and theme on the right."""
 
     openClicked = Signal()
+    recentAsked = Signal()
+    recentClicked = Signal(object)  # Path
     fileClicked = Signal()
     helpClicked = Signal()
     stopClicked = Signal()
@@ -61,8 +69,12 @@ class HeaderBar(QFrame):
         self.disk = Chip(look, "disk")
         self.role = Segments({"operator": "Operator", "engineer": "Engineer"})
         self.role.setValue("engineer")
-        self.open = Button("Open project…", look, "open", "quiet", "Open a project folder (Ctrl+O)")
-        self.open.clicked.connect(self.openClicked)
+        self.open = Button("Open project…", look, "open", "quiet", "Open a project folder (Ctrl+O), or one of the last")
+        self._recent = QMenu(self)
+        self._recent.aboutToShow.connect(self.recentAsked)
+        self.open.setMenu(self._recent)
+        self.open.allow_compact()
+        self.show_recent(())
         self.file = Button("", look, "file", "quiet", "Inspect a cloud or mesh from a file, against a nominal or by a program")
         self.file.clicked.connect(self.fileClicked)
         self.stop = Button("Stop", look, "stop", "stop", "Stop all axes, lamps and cameras (Esc). This is no safety function.")
@@ -83,11 +95,28 @@ class HeaderBar(QFrame):
         look.changed.connect(self._redraw)
         self._redraw()
 
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Shorten the widest button where there is little room."""
+        super().resizeEvent(event)
+        self.open.set_compact(self.width() < ROOM_FOR_WORDS)
+
     def show_project(self, name: str, part: str) -> None:
         """Show project and part."""
         self.project.set_words(name or "No project open")
         self.part.set_words(part)
         self.part.setVisible(bool(part))
+
+    def show_recent(self, projects: Sequence[tuple[Path, str]]) -> None:
+        """Offer a folder to be chosen, and these projects by folder and name."""
+        self._recent.clear()
+        self._recent.addAction("Choose a folder…", self.openClicked.emit)
+        if projects:
+            self._recent.addSection("Opened last")
+        for folder, name in projects:
+            action = self._recent.addAction(name.replace("&", "&&"))
+            action.setToolTip(str(folder))
+            action.triggered.connect(lambda _=False, chosen=folder: self.recentClicked.emit(chosen))
+        self._recent.setToolTipsVisible(True)
 
     def _other_shade(self) -> None:
         self._look.set_shade("light" if self._look.theme.shade == "dark" else "dark")

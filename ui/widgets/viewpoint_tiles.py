@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from PySide6.QtCore import QRectF, QSize, Qt, Signal
-from PySide6.QtGui import QMouseEvent, QPainter, QPaintEvent
-from PySide6.QtWidgets import QSizePolicy, QWidget
+from PySide6.QtGui import QMouseEvent, QPainter, QPaintEvent, QPen, QResizeEvent
+from PySide6.QtWidgets import QScrollArea, QSizePolicy, QWidget
 
 from ui.look.look import Look
 from ui.look.painting import set_letters, write_elided
@@ -15,20 +15,33 @@ from ui.look.painting import set_letters, write_elided
 WORDS = {
     "waiting": "Waiting",
     "moving": "Moving",
+    "settling": "Settling",
     "capturing": "Capturing",
+    "checking": "Checking",
+    "storing": "Storing",
     "stored": "Stored",
     "processed": "Processed",
+    "skipped": "Skipped",
     "failed": "Failed",
 }
+ACTIVE = ("moving", "settling", "capturing", "checking", "storing")
 COLOURS = {
     "waiting": "faint",
-    "moving": "verdict_not_proven",
-    "capturing": "verdict_not_proven",
+    **dict.fromkeys(ACTIVE, "verdict_not_proven"),
     "stored": "accent",
     "processed": "verdict_pass",
+    "skipped": "faint",
     "failed": "verdict_fail",
 }
-SIGNS = {"stored": "disk", "processed": "pass", "failed": "fail", "moving": "again", "capturing": "scan"}
+SIGNS = {
+    **dict.fromkeys(ACTIVE, "scan"),
+    "stored": "disk",
+    "processed": "pass",
+    "skipped": "skip",
+    "failed": "fail",
+    "moving": "again",
+}
+MOST_ROWS = 2  # visible at once in a `TileList`
 TILE_WIDTH, TILE_HEIGHT, GAP = 152, 56, 8  # wide enough for "34–37 % decoded"
 
 
@@ -51,6 +64,7 @@ class ViewpointTiles(QWidget):
         super().__init__()
         self._look = look
         self.tiles: tuple[Tile, ...] = ()
+        self.chosen = ""
         policy = QSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Fixed)
         policy.setHeightForWidth(True)
         self.setSizePolicy(policy)
@@ -64,6 +78,11 @@ class ViewpointTiles(QWidget):
         self.tiles = tuple(tiles)
         if grown:
             self.updateGeometry()
+        self.update()
+
+    def choose(self, name: str) -> None:
+        """Mark a tile; empty: none."""
+        self.chosen = name
         self.update()
 
     def words(self) -> list[str]:
@@ -110,9 +129,11 @@ class ViewpointTiles(QWidget):
     def _draw(self, painter: QPainter, box: QRectF, tile: Tile) -> None:
         theme = self._look.theme
         colour = theme.colour(COLOURS[tile.status])
-        painter.setPen(theme.colour("line"))
+        chosen = tile.name == self.chosen
+        painter.setPen(QPen(theme.colour("accent" if chosen else "line"), 2.0 if chosen else 1.0))
         painter.setBrush(theme.colour("surface"))
-        painter.drawRoundedRect(box.adjusted(0.5, 0.5, -0.5, -0.5), 6, 6)
+        inset = 1.0 if chosen else 0.5
+        painter.drawRoundedRect(box.adjusted(inset, inset, -inset, -inset), 6, 6)
         painter.setPen(Qt.PenStyle.NoPen)
         painter.setBrush(colour)
         painter.drawRoundedRect(QRectF(box.left() + 8, box.top() + 10, 4, box.height() - 20), 2, 2)
@@ -128,3 +149,63 @@ class ViewpointTiles(QWidget):
         set_letters(painter, size)
         painter.setPen(self._look.theme.colour(colour))
         write_elided(painter, box, words, edge | Qt.AlignmentFlag.AlignLeft)
+
+
+class TileList(QScrollArea):
+    """`ViewpointTiles` in at most two rows; more are scrolled to, and the one under way stays visible."""
+
+    tileClicked = Signal(str)
+
+    def __init__(self, look: Look) -> None:
+        super().__init__()
+        self._inner = ViewpointTiles(look)
+        self._inner.tileClicked.connect(self.tileClicked)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setWidget(self._inner)
+        self._fit()
+
+    @property
+    def tiles(self) -> tuple[Tile, ...]:
+        """The tiles shown."""
+        return self._inner.tiles
+
+    @property
+    def chosen(self) -> str:
+        """Name of the chosen tile; empty: none."""
+        return self._inner.chosen
+
+    def choose(self, name: str) -> None:
+        """Mark a tile; empty: none."""
+        self._inner.choose(name)
+
+    def words(self) -> list[str]:
+        """Return the state of each tile."""
+        return self._inner.words()
+
+    def box(self, place: int) -> QRectF:
+        """Return the rectangle of a tile within this widget."""
+        return self._inner.box(place).translated(self._inner.pos().x(), self._inner.pos().y())
+
+    def show_tiles(self, tiles: Sequence[Tile]) -> None:
+        """Show these tiles."""
+        self._inner.show_tiles(tiles)
+        self._fit()
+        active = next((place for place, tile in enumerate(tiles) if tile.status in ACTIVE), None)
+        if active is not None:
+            box = self._inner.box(active)
+            self.ensureVisible(int(box.center().x()), int(box.center().y()), 0, TILE_HEIGHT // 2)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Arrange the tiles anew."""
+        super().resizeEvent(event)
+        self._fit()
+
+    def _fit(self) -> None:
+        most = MOST_ROWS * (TILE_HEIGHT + GAP) - GAP
+        width = self.width()
+        height = self._inner.heightForWidth(width)
+        if height > most:
+            width -= self.verticalScrollBar().sizeHint().width() + GAP
+            height = self._inner.heightForWidth(width)
+        self._inner.setFixedSize(max(TILE_WIDTH, width), height)
+        self.setFixedHeight(min(height, most))

@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QLabel, QScrollArea, QWidget
 
 from ui.controllers.result import Result, ValueRow
 from ui.look.look import Look
-from ui.look.wording import NOTHING, quantity
+from ui.look.wording import NOTHING, keep_units, quantity
 from ui.widgets.basic import Button, card, clear, column, label, row
 from ui.widgets.data_table import Cell, DataTable, number
 from ui.widgets.segments import Segments
@@ -76,7 +76,7 @@ class ResultPage(QWidget):
         self._result = result
         self.none.hide()
         self._whole.show()
-        self.verdict.setText(result.verdict)
+        self.verdict.setText(keep_units(result.verdict))
         self._show_sign()
         names = list(dict.fromkeys(one.estimate.group for one in result.rows))
         clear(self._group_place)
@@ -98,7 +98,7 @@ class ResultPage(QWidget):
         for view, reason in result.rejected:
             self._facts.addWidget(_paragraph(f"View {view} rejected: {reason}"))
         self.show_checked(result)
-        self.comparison.setText(result.comparison)
+        self.comparison.setText(keep_units(result.comparison))
         self._compared.setVisible(bool(result.comparison))
         self._show_rows()
 
@@ -114,9 +114,9 @@ class ResultPage(QWidget):
         self._held_back.setVisible(result is not None and bool(result.held_back))
         if result is not None and result.held_back:
             self._result = result
-            self.verdict.setText(result.verdict)
+            self.verdict.setText(keep_units(result.verdict))
             self._show_sign()
-            self.held_back.setText(result.held_back)
+            self.held_back.setText(keep_units(result.held_back))
 
     def _show_rows(self) -> None:
         if self._result is not None:
@@ -132,7 +132,7 @@ class ResultPage(QWidget):
 
 def _paragraph(words: str) -> QLabel:
     """A small text with its full height, which a layout does not ask a wrapped label for."""
-    made = label(words, "small", wrap=True)
+    made = label(keep_units(words), "small", wrap=True)
     made.ensurePolished()
     made.setMinimumHeight(made.heightForWidth(SIDE - 2 * MARGIN))
     return made

@@ -35,7 +35,7 @@ def collect_answer(
         "shortfalls": snapshot.draft.shortfalls,
         "coach": None if advice is None else _advice(advice),
         "estimates": [],
-        "verdict": None if verdict is None else _verdict(verdict),
+        "verdict": None if verdict is None else verdict_answer(verdict),
         "comparison": None if comparison is None else _comparison(comparison),
     }
     if snapshot.solved is not None:
@@ -108,7 +108,8 @@ def _advice(advice: Advice) -> dict[str, Any]:
     return {"sentences": advice.sentences, "gauges": gauges, "ghost": ghost}
 
 
-def _verdict(verdict: Verdict) -> dict[str, Any]:
+def verdict_answer(verdict: Verdict) -> dict[str, Any]:
+    """Return the JSON answer of a verdict."""
     return {
         "level": verdict.level,
         "sentence": verdict.sentence,

@@ -13,9 +13,20 @@ from measureapp.errors import InputError
 from measureapp.geometry.transform import RigidTransform
 
 JOINTS = 6
+Point = tuple[float, float, float]
 MOST_EQUIVALENTS = 1000  # joint angles that differ by whole turns only; six joints of ±360° have 729
 TURN_RAD = 2.0 * np.pi
 ORTHONORMAL_TOLERANCE = 1e-9
+
+
+@dataclass(frozen=True, slots=True)
+class LinkBody:
+    """A box or a capsule around a part of a link, in the base frame while all joints are at 0, whatever the frames of the model."""
+
+    link: int  # 0: the base, which does not move; 6: the flange
+    ends_mm: tuple[Point, Point]  # opposite corners of a box, lower one first; ends of the axis of a capsule
+    radius_mm: float = 0.0  # 0: a box
+    margin_mm: float = 10.0  # added all around: hoses, covers, tolerances
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -37,6 +48,7 @@ class ArmModel:
     last_from_flange: FloatArray  # (4, 4), flange in the frame of link 6, z out of the flange; mm
     limits_rad: FloatArray  # (6, 2), lower and upper
     speeds_rad_s: FloatArray  # (6,), largest
+    bodies: tuple[LinkBody, ...] = ()  # of the links; empty: their shape is unknown
     _motions: FloatArray = field(init=False, repr=False)  # (6, 4, 12), matrix of each joint: constant, sine and cosine terms side by side
 
     def __post_init__(self) -> None:

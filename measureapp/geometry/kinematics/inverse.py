@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -68,22 +67,6 @@ def inverse(model: ArmModel, base_from_flange: RigidTransform, current_rad: npt.
     if not solutions:
         raise beyond_limits(model, found)
     return solutions
-
-
-def nearest(solutions: Sequence[JointSolution], from_joints_rad: npt.ArrayLike, speeds_rad_s: npt.ArrayLike) -> JointSolution:
-    """Return the solution that is reached first from ``from_joints_rad`` (6,), all joints moving at once; of equals, by the sum of times.
-
-    Parameters
-    ----------
-    speeds_rad_s : (6,), as `ArmModel.speeds_rad_s`
-    """
-    start, speeds = np.asarray(from_joints_rad, float), np.asarray(speeds_rad_s, float)
-
-    def times_s(solution: JointSolution) -> tuple[float, float]:
-        seconds = np.abs(solution.joints_rad - start) / speeds
-        return float(seconds.max()), float(seconds.sum())
-
-    return min(solutions, key=times_s)
 
 
 def _goal(base_from_flange: RigidTransform) -> FloatArray:

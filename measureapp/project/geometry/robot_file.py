@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
 from typing import Literal
 
 import numpy as np
-from pydantic import Field, ValidationError
+from pydantic import Field, ValidationError, model_validator
 
 from measureapp.data.model import Model, first_problem
 from measureapp.data.rig import RigDescription
 from measureapp.errors import InputError
-from measureapp.geometry.kinematics.arm import ArmModel
+from measureapp.geometry.kinematics.arm import ArmModel, LinkBody, Point
 from measureapp.geometry.kinematics.dh import DhRow, arm_from_dh
 from measureapp.project.geometry.urdf import read_urdf
 from measureapp.project.text_document import read_toml
@@ -37,18 +38,43 @@ class JointRow(Model):
         return DhRow(float(np.deg2rad(self.theta_offset_deg)), self.d_mm, self.a_mm, float(np.deg2rad(self.alpha_deg)))
 
 
+class BodyRow(Model):
+    """A box or a capsule around a part of a link, in the base frame while all joints are at 0."""
+
+    link: int = Field(ge=0, le=6, description="0: the base, 6: the flange")
+    ends_mm: tuple[Point, Point] = Field(
+        description="opposite corners of a box, lower one first; with a radius, ends of the axis of a capsule"
+    )
+    radius_mm: float = Field(default=0.0, ge=0, le=LONGEST_MM, description="of a capsule; 0: a box")
+    margin_mm: float = Field(default=10.0, ge=0, le=LONGEST_MM, description="added all around: hoses, covers, tolerances")
+
+    @model_validator(mode="after")
+    def _has_a_volume(self) -> BodyRow:
+        if self.radius_mm == 0.0 and any(low >= high for low, high in zip(*self.ends_mm, strict=True)):
+            raise ValueError("the first corner of a box must be below the second one in x, y and z")
+        return self
+
+    def body(self) -> LinkBody:
+        """Return the body as the arm model holds it."""
+        return LinkBody(self.link, self.ends_mm, self.radius_mm, self.margin_mm)
+
+
 class RobotFile(Model):
     """A six-axis arm; the flange is the frame after the last row, z out of the flange."""
 
     schema_version: Literal[1] = 1
     name: str = Field(min_length=1)
     joints: tuple[JointRow, ...] = Field(min_length=6, max_length=6)
+    bodies: tuple[BodyRow, ...] = Field(
+        default=(), description="bodies of the links, for collision checks; none given: capsules are assumed"
+    )
 
     def model(self) -> ArmModel:
         """Return the arm; raises InputError when limits are impossible."""
         limits_deg = [joint.limits_deg for joint in self.joints]
         speeds_deg_s = [joint.speed_deg_s for joint in self.joints]
-        return arm_from_dh(self.name, [joint.row() for joint in self.joints], np.deg2rad(limits_deg), np.deg2rad(speeds_deg_s))
+        arm = arm_from_dh(self.name, [joint.row() for joint in self.joints], np.deg2rad(limits_deg), np.deg2rad(speeds_deg_s))
+        return replace(arm, bodies=tuple(row.body() for row in self.bodies))
 
 
 def read_robot(name_or_path: str | Path) -> ArmModel:

@@ -17,6 +17,7 @@ from measureapp.project.geometry.ply import Ply
 VIEW, STITCHING, CALIBRATION, BEND, BOX = "view_pose", "stitching_error", "calibration_error", "cloud_bend", "cloud_bend_box"
 FORM, NODE, FOLLOWING = "cloud_form", "cloud_form_node", "cloud_form_motion"
 COMMON, COMMON_FOLLOWING = "common_error", "common_error_motion"
+SETUPS, BENT_VIEW = "setup_error", "cloud_bend_view"
 MATRIX = tuple(f"m{row}{column}" for row in range(4) for column in range(4))
 CENTRE = ("x", "y", "z")
 
@@ -30,6 +31,8 @@ def error_elements(errors: ViewErrors | None) -> dict[str, dict[str, Any]]:
     arrays = {STITCHING: errors.stitching_motions, CALIBRATION: errors.calibration_motions}
     if errors.distortion is not None:
         arrays[BEND] = errors.distortion.coefficients_mm
+        if errors.distortion.views is not None:
+            arrays[BENT_VIEW] = errors.distortion.views.astype(np.uint8)
         elements[BOX] = dict(zip(CENTRE, np.stack([errors.distortion.middle_mm, errors.distortion.reach_mm]).T, strict=True))
     if errors.form is not None:
         arrays[FOLLOWING] = errors.form.motions
@@ -39,6 +42,8 @@ def error_elements(errors: ViewErrors | None) -> dict[str, dict[str, Any]]:
         arrays[COMMON_FOLLOWING] = errors.systematic.motions
         sizes = np.full(errors.systematic.count, errors.systematic.size_mm)
         elements[COMMON] = dict(zip((*CENTRE, "size"), np.column_stack([errors.systematic.nodes, sizes]).T, strict=True))
+    if errors.setup_motions is not None:
+        arrays[SETUPS] = errors.setup_motions
     return elements | {name: {"value": array.ravel()} for name, array in arrays.items() if array.size}
 
 
@@ -54,7 +59,9 @@ def errors_from(path: Path, ply: Ply, frame: str) -> ViewErrors | None:
         distortion = None
         if BEND in ply.elements:
             middle, reach = _table(ply.elements[BOX], CENTRE)
-            distortion = CloudDistortion(middle, reach, _numbers(ply, BEND).reshape(len(POWERS), 3, calibration_motions.shape[1]))
+            count = calibration_motions.shape[1]
+            views = _numbers(ply, BENT_VIEW).reshape(len(table), count) > 0 if BENT_VIEW in ply.elements else None
+            distortion = CloudDistortion(middle, reach, _numbers(ply, BEND).reshape(len(POWERS), 3, count), views)
         form = None
         if FORM in ply.elements:
             sizes, reaches = _table(ply.elements[FORM], ("size", "reach")).T
@@ -64,7 +71,8 @@ def errors_from(path: Path, ply: Ply, frame: str) -> ViewErrors | None:
         if COMMON in ply.elements:
             nodes = _table(ply.elements[COMMON], (*CENTRE, "size"))
             common = SystematicErrors(nodes[:, :3], float(nodes[0, 3]), _numbers(ply, COMMON_FOLLOWING).reshape(rows, len(nodes)))
-        made = ViewErrors(poses, table[:, 16:], stitching_motions, calibration_motions, distortion, form, common)
+        setups = _numbers(ply, SETUPS).reshape(rows, -1) if SETUPS in ply.elements else None
+        made = ViewErrors(poses, table[:, 16:], stitching_motions, calibration_motions, distortion, form, common, setup_motions=setups)
     except (LookupError, ValueError, FrameMismatch) as error:
         raise InputError(
             f"{path} is damaged: what it says of its views' errors is not whole.", "Stitch again, or copy the file again."
@@ -72,6 +80,7 @@ def errors_from(path: Path, ply: Ply, frame: str) -> ViewErrors | None:
     numbers = [made.stitching_motions, made.calibration_motions, made.centres_mm]
     numbers += [] if made.form is None else [made.form.nodes_mm, made.form.sizes_mm, made.form.reaches_mm, made.form.motions]
     numbers += [] if made.systematic is None else [made.systematic.nodes, np.array(made.systematic.size_mm), made.systematic.motions]
+    numbers += [] if made.setup_motions is None else [made.setup_motions]
     if not all(np.isfinite(array).all() for array in numbers):
         raise InputError(f"{path} says of its views what is not a number.", "Stitch again, or copy the file again.")
     return made

@@ -55,12 +55,17 @@ class PreparedCloud:
         return max(1.0, float(np.sqrt(np.mean(np.sum((self.points_mm - self.centroid_mm) ** 2, axis=1))))) if len(self) else 1.0
 
 
-def prepare(cloud: PointCloud, voxel_mm: float) -> PreparedCloud:
-    """Voxel thinning in the camera's frame, without voxels on edges or borders, with single points, or viewed at a grazing angle."""
+def prepare(cloud: PointCloud, voxel_mm: float, least_cosine: float = LEAST_COSINE) -> PreparedCloud:
+    """Voxel thinning in the camera's frame, without voxels on edges or borders, with single points, or viewed at a grazing angle.
+
+    Parameters
+    ----------
+    least_cosine : of the viewing angle; -1 keeps all points, as of a cloud that no single camera measured
+    """
     from measureapp.register.grid.kernels import facing_rows
 
     sums = VoxelSums(8)
-    sums.add(*facing_rows(cloud.points_mm, cloud.normals, cloud.sigma_mm, voxel_mm, LEAST_COSINE))
+    sums.add(*facing_rows(cloud.points_mm, cloud.normals, cloud.sigma_mm, voxel_mm, least_cosine))
     _, rows = sums.sorted()
     count = rows[:, 0]
     mean_normal = rows[:, 4:7] / np.maximum(count, 1)[:, None]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -9,8 +11,9 @@ from hypothesis import strategies as st
 
 from measureapp.errors import FrameMismatch, LimitError
 from measureapp.geometry.kinematics.arm import ArmModel
+from measureapp.geometry.kinematics.choice import by_preference
 from measureapp.geometry.kinematics.closed_form import all_branches
-from measureapp.geometry.kinematics.inverse import SEEDS, JointSolution, inverse, nearest
+from measureapp.geometry.kinematics.inverse import SEEDS, JointSolution, inverse
 from measureapp.geometry.kinematics.ortho_parallel import ortho_parallel
 from measureapp.geometry.kinematics.refine import refine, seeds
 from measureapp.geometry.kinematics.turns import distinct
@@ -161,14 +164,14 @@ def test_a_stretched_arm_is_still_reachable():
 def test_joints_at_their_limits_are_within_them():
     model = irb1200()
     joints_rad = model.limits_rad[:, 1] * [1, 1, 1, 1, 1, 0.5]
-    solution = nearest(inverse(model, model.forward(joints_rad)), joints_rad, model.speeds_rad_s)
+    solution = by_preference(model, model.forward(joints_rad), joints_rad)[0]
     assert np.abs(solution.joints_rad - joints_rad).max() < 1e-8
     assert solution.limit_margin_rad < 1e-8
 
 
 def test_margins_are_distances_to_limits_and_singularities():
     model = irb1200()
-    solution = nearest(inverse(model, model.forward(np.deg2rad(ROW_3_DEG))), np.deg2rad(ROW_3_DEG), model.speeds_rad_s)
+    solution = by_preference(model, model.forward(np.deg2rad(ROW_3_DEG)), np.deg2rad(ROW_3_DEG))[0]
     assert np.rad2deg(solution.limit_margin_rad) == pytest.approx(80)  # joint 3 to 70°, joint 5 to 130°
     assert np.rad2deg(solution.posture.wrist_margin_rad) == pytest.approx(50)
     assert np.rad2deg(solution.posture.elbow_margin_rad) == pytest.approx(83.176 - 10, abs=1e-3)
@@ -178,13 +181,13 @@ def test_margins_are_distances_to_limits_and_singularities():
 
 def test_the_nearest_solution_is_the_one_that_is_reached_first():
     model = irb1200()
-    solutions = inverse(model, model.forward(np.deg2rad(ROW_3_DEG)))
+    pose = model.forward(np.deg2rad(ROW_3_DEG))
+    solutions = inverse(model, pose)
     for solution in solutions:
-        assert nearest(solutions, solution.joints_rad + 0.01, model.speeds_rad_s) is solution
-    start_rad = np.zeros(6)
-    times_s = np.abs(joints_of(solutions) - start_rad) / [1.0, 1.0, 1.0, 1e-3, 1e-3, 1e-3]  # a slow wrist
-    slow_wrist = nearest(solutions, start_rad, [1.0, 1.0, 1.0, 1e-3, 1e-3, 1e-3])
-    assert slow_wrist is solutions[int(times_s.max(axis=1).argmin())]
+        np.testing.assert_array_equal(by_preference(model, pose, solution.joints_rad + 0.01)[0].joints_rad, solution.joints_rad)
+    times_s = np.abs(joints_of(solutions)) / [1.0, 1.0, 1.0, 1e-3, 1e-3, 1e-3]  # a slow wrist
+    slow_wrist = by_preference(replace(model, speeds_rad_s=np.array([1.0, 1.0, 1.0, 1e-3, 1e-3, 1e-3])), pose, np.zeros(6))[0]
+    np.testing.assert_array_equal(slow_wrist.joints_rad, solutions[int(times_s.max(axis=1).argmin())].joints_rad)
 
 
 def test_a_pose_out_of_reach_is_refused_with_the_distance_that_is_missing():

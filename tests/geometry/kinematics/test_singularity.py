@@ -7,7 +7,8 @@ import re
 import numpy as np
 import pytest
 
-from measureapp.geometry.kinematics.inverse import inverse, nearest
+from measureapp.geometry.kinematics.choice import by_preference
+from measureapp.geometry.kinematics.inverse import inverse
 from measureapp.geometry.kinematics.jacobian import inverse_condition
 from measureapp.geometry.kinematics.singularity import GOAL_MARGINS, SingularityMargins, singularity_near
 from tests.geometry.kinematics.arms import irb1200, offset_wrist, random_joints
@@ -27,7 +28,7 @@ NO_MARGINS = SingularityMargins(0.0, 0.0, 0.0, 0.0)
 )
 def test_the_singularity_that_is_near_is_named_with_its_distance(joints_deg: tuple[float, ...], words: str) -> None:
     model, joints_rad = irb1200(), np.deg2rad(joints_deg)
-    solution = nearest(inverse(model, model.forward(joints_rad), joints_rad), joints_rad, model.speeds_rad_s)
+    solution = by_preference(model, model.forward(joints_rad), joints_rad)[0]
     assert np.abs(solution.joints_rad - joints_rad).max() < 1e-6
     assert re.search(words, singularity_near(solution))
     assert singularity_near(solution, NO_MARGINS) == ""

@@ -88,6 +88,7 @@ def test_a_position_that_never_changes_is_no_arrival_and_stops_the_drive() -> No
             found.device.move_to(20.0, timeout_s=0.5)
 
 
+@pytest.mark.timed
 def test_a_move_that_never_ends_is_over_after_one_and_a_half_times_its_prediction_and_two_seconds() -> None:
     with toyo_guide(speed_mm=100.0) as found:
         found.drive.faults = DriveFaults(frozen=True)
@@ -158,6 +159,7 @@ def test_an_alarm_is_told_with_its_meaning() -> None:
             found.device.move_to(1.0, timeout_s=5.0)
 
 
+@pytest.mark.timed
 def test_a_silent_drive_is_lost_within_two_time_outs() -> None:
     with toyo_guide() as found:
         found.peer.faults = LineFaults(silent=True)
@@ -187,6 +189,7 @@ def test_garbage_is_refused_with_an_excerpt(faults: LineFaults, framing: Framing
             found.device.position_mm()
 
 
+@pytest.mark.timed
 def test_a_stop_from_another_thread_takes_effect_at_once_a_hundred_times() -> None:
     with toyo_guide(speed_mm=20.0) as found:
         for _ in range(100):
@@ -251,6 +254,7 @@ def stops_while_replies_are_late(times: int) -> float:
     return worst
 
 
+@pytest.mark.timed
 def test_a_stop_comes_next_on_a_line_whose_replies_are_late() -> None:
     assert stops_while_replies_are_late(20) < 0.2
 

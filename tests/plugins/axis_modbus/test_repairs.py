@@ -150,6 +150,7 @@ def test_no_write_of_a_move_follows_a_stop(commands: int) -> None:
         assert len(seen) == 2 * commands
 
 
+@pytest.mark.timed
 def test_a_stop_goes_before_the_requests_of_others_that_wait_for_the_line() -> None:
     with toyo_guide(speed_mm=20.0, framing="rtu") as found:
         found.peer.faults = LineFaults(late_s=0.04)
@@ -175,6 +176,7 @@ def test_a_stop_goes_before_the_requests_of_others_that_wait_for_the_line() -> N
         assert max(waits_s) < 0.2
 
 
+@pytest.mark.timed
 def test_a_stop_is_not_kept_waiting_by_the_line_being_drained() -> None:
     with toyo_guide(speed_mm=20.0, framing="rtu") as found:
         found.peer.faults = LineFaults(late_s=0.2, late_once=True)
@@ -201,6 +203,7 @@ def test_whatever_ends_a_move_early_also_stops_the_drive() -> None:
         assert found.drive.stops == 1
 
 
+@pytest.mark.timed
 def test_an_alarm_while_the_reference_is_searched_is_told_and_stops_the_drive() -> None:
     with simple_table() as found:
         found.drive.faults = DriveFaults(homed=False)

@@ -166,6 +166,7 @@ def test_a_camera_is_not_ready_before_its_rows_are_read_out(connect_all: Callabl
         camera.wait_ready(timeout_s=0.01)
 
 
+@pytest.mark.timed
 def test_the_bracket_of_three_full_cameras_takes_little_more_than_its_exposures_and_read_outs(
     connect_all: Callable[..., dict[str, Any]],
 ) -> None:

@@ -80,6 +80,7 @@ def test_a_missing_library_is_named_with_what_to_install(module: Callable[[str],
         module("opening").load_pylon()
 
 
+@pytest.mark.timed
 def test_a_camera_without_power_is_lost_within_4_s_also_while_a_long_wait_is_on(connect: Connect, fake: FakeCamera) -> None:
     camera = connect(fake, answer_s=1.5)
     camera.arm(5, "software")
@@ -100,6 +101,7 @@ def test_a_camera_that_answers_is_not_lost_when_an_image_is_late(connect: Connec
     assert camera.next_frame(timeout_s=1.0).number == 0
 
 
+@pytest.mark.timed
 @pytest.mark.parametrize("answer_s", [0.3, 1.5])
 def test_calls_that_never_return_are_left_to_their_thread_and_the_camera_is_lost(
     connect: Connect, fake: FakeCamera, answer_s: float
@@ -114,6 +116,7 @@ def test_calls_that_never_return_are_left_to_their_thread_and_the_camera_is_lost
         fake.retrieve_blocks.clear()
 
 
+@pytest.mark.timed
 def test_a_trigger_that_never_returns_is_a_loss_and_closing_returns_anyway(connect: Connect, fake: FakeCamera) -> None:
     camera = connect(fake, answer_s=1.5)
     camera.arm(5, "software")
@@ -126,6 +129,7 @@ def test_a_trigger_that_never_returns_is_a_loss_and_closing_returns_anyway(conne
         fake.control_blocks.clear()
 
 
+@pytest.mark.timed
 @pytest.mark.parametrize("blocks", ["control_blocks", "retrieve_blocks", ""])
 def test_a_stop_cancels_a_waiting_call_within_200_ms_also_while_the_library_blocks(connect: Connect, fake: FakeCamera, blocks: str) -> None:
     camera = connect(fake, answer_s=1.5)

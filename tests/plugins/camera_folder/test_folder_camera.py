@@ -122,6 +122,7 @@ def test_a_hardware_sequence_takes_an_image_for_each_one_fetched_and_no_more(tmp
         camera.next_frame(timeout_s=0.01)
 
 
+@pytest.mark.timed
 def test_at_real_time_exposures_and_read_outs_are_waited_for(tmp_path: Path, connect: Connect) -> None:
     write(tmp_path, "0.png", 5)
     camera = connect(time_scale=1.0, readout_ms=30.0)

@@ -158,6 +158,7 @@ def test_a_camera_that_another_program_controls_is_refused_and_free_once_it_is_c
             assert first_of_a_sequence(camera).number == 0
 
 
+@pytest.mark.timed
 def test_a_camera_process_that_is_killed_is_a_lost_camera_which_can_be_connected_again() -> None:
     with fake_camera():
         with connected() as camera:
@@ -210,6 +211,7 @@ def wait_until(condition: Callable[[], bool], within_s: float) -> None:
         time.sleep(0.02)
 
 
+@pytest.mark.timed
 def test_a_camera_that_falls_silent_is_lost_within_four_seconds() -> None:
     with fake_camera() as peer, connected() as camera:
         first_of_a_sequence(camera, 3)
@@ -234,6 +236,7 @@ def test_control_lost_to_a_heartbeat_that_ran_out_is_found() -> None:
             camera.next_frame(timeout_s=LOST_S)
 
 
+@pytest.mark.timed
 @pytest.mark.parametrize("silent", [False, True])
 def test_a_stop_takes_effect_within_200_ms_also_when_the_camera_is_silent(silent: bool) -> None:
     with fake_camera() as peer, connected() as camera:

@@ -185,6 +185,7 @@ def test_a_camera_reports_temperature_shutter_and_read_out_where_it_can(peer: Gi
         assert camera.status().identity == f"Virtual {SERIAL}, firmware 1.0"
 
 
+@pytest.mark.timed
 def test_the_camera_is_ready_when_exposure_and_read_out_have_ended(peer: GigeCamera) -> None:
     with connected() as camera:
         camera.set_exposure_us(100_000)
@@ -205,6 +206,7 @@ def test_the_host_of_the_program_that_controls_the_camera_is_named(peer: GigeCam
         connect(rig_with(), control_wait_s=0.2)
 
 
+@pytest.mark.timed
 def test_control_seized_by_another_program_is_a_lost_camera_within_four_seconds(peer: GigeCamera) -> None:
     with connected() as camera:
         arm(camera, 2)

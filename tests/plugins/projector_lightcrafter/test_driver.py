@@ -120,6 +120,7 @@ def test_an_image_beyond_the_sequence_is_refused_and_nothing_changes(projector: 
     assert projector.shown() == 1
 
 
+@pytest.mark.timed
 def test_a_stop_makes_it_dark_and_ends_a_waiting_call(projector: Any, peer: VirtualLightCrafter) -> None:
     projector.show(0, timeout_s=2.0)
     peer.faults.never_starts = True
@@ -142,6 +143,7 @@ def test_a_stop_makes_it_dark_and_ends_a_waiting_call(projector: Any, peer: Virt
     assert peer.lit() is None
 
 
+@pytest.mark.timed
 def test_a_stop_takes_effect_while_another_call_waits_for_a_reply(projector: Any, peer: VirtualLightCrafter) -> None:
     projector.show(0, timeout_s=2.0)
     peer.faults.drops = {0x1A0A}

@@ -93,6 +93,7 @@ def test_a_late_reply_is_not_taken_for_another(projector: Any, peer: VirtualLigh
     assert projector.triggers_sent() >= 0
 
 
+@pytest.mark.timed
 def test_a_pulled_cable_is_lost_at_once(projector: Any, peer: VirtualLightCrafter) -> None:
     projector.show(0, timeout_s=2.0)
     peer.unplug()

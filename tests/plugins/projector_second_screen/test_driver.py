@@ -70,6 +70,7 @@ def test_images_of_another_size_and_images_that_do_not_exist_are_refused(project
     assert projector.shown() == 1
 
 
+@pytest.mark.timed
 def test_a_stop_makes_it_dark_and_ends_a_waiting_call() -> None:
     with screens(beamer=(WIDTH_PX, HEIGHT_PX)):
         slow = connect(latency_s=2.0)
@@ -95,6 +96,7 @@ def test_a_stop_makes_it_dark_and_ends_a_waiting_call() -> None:
     slow.close()
 
 
+@pytest.mark.timed
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows has no signal that kills a process without its doing")
 def test_a_window_whose_process_dies_is_lost_and_named(projector: Any) -> None:
     os.kill(projector._window._process.pid, signal.SIGKILL)

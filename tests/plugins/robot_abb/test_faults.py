@@ -376,6 +376,7 @@ def test_n1_a_write_that_arrives_late_moves_nothing_again() -> None:
         np.testing.assert_allclose(robot.pose().matrix, goal(0.0).matrix, atol=1e-2)
 
 
+@pytest.mark.timed
 def test_n2_a_half_open_connection_is_lost_within_two_seconds() -> None:
     with running() as (controller, robot):
         controller.faults.half_open = True
@@ -386,6 +387,7 @@ def test_n2_a_half_open_connection_is_lost_within_two_seconds() -> None:
         assert not robot.status().ready
 
 
+@pytest.mark.timed
 def test_n2_a_link_that_breaks_during_a_move_is_lost_within_two_seconds_and_latched() -> None:
     with running(time_scale=1.0) as (controller, robot):
         moving = Background(lambda: robot.move_to(goal(200.0), timeout_s=30.0))

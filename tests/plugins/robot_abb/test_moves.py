@@ -114,6 +114,7 @@ def test_a_move_whose_time_is_over_before_it_begins_is_not_ordered() -> None:
         assert orders(controller) == 0
 
 
+@pytest.mark.timed
 def test_the_predicted_duration_covers_the_real_one() -> None:
     with running(time_scale=1.0) as (_, robot):
         robot.move_to(goal(0.0), timeout_s=30.0)
@@ -142,6 +143,7 @@ def test_two_moves_at_a_time_are_refused() -> None:
         moving.wait()
 
 
+@pytest.mark.timed
 def test_a_stop_takes_effect_within_200_ms_a_hundred_times() -> None:
     effects, ends = [], []
     with Stalls() as stalls, running(time_scale=1.0) as (controller, robot):
@@ -164,6 +166,7 @@ def test_a_stop_takes_effect_within_200_ms_a_hundred_times() -> None:
     assert max(ends) < 1.0
 
 
+@pytest.mark.timed
 def test_a_stop_does_not_wait_for_a_reply_to_another_call() -> None:
     with running(time_scale=1.0, reply_timeout_s=1.5) as (controller, robot):
         moving = Background(lambda: robot.move_to(goal(200.0), timeout_s=30.0))
@@ -271,6 +274,7 @@ def test_a_kinematic_model_of_another_arm_is_refused() -> None:
         assert controller.sessions.active == {}
 
 
+@pytest.mark.timed
 def test_an_address_without_a_controller_is_told_within_two_seconds() -> None:
     began = time.monotonic()
     with pytest.raises(DeviceLost, match=r"127\.0\.0\.1:9"):

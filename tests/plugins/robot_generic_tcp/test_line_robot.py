@@ -157,6 +157,7 @@ def test_another_version_is_refused_by_name() -> None:
             connect_robot("robot_generic_tcp", port=port, **FAST)
 
 
+@pytest.mark.timed
 def test_nobody_at_the_address_is_told_within_two_seconds() -> None:
     with socket.create_server(("127.0.0.1", 0)) as free:
         port = free.getsockname()[1]
@@ -192,6 +193,7 @@ def test_a_move_that_takes_too_long_is_stopped() -> None:
         np.testing.assert_array_equal(peer.here().matrix, before.matrix)
 
 
+@pytest.mark.timed
 def test_a_stop_takes_effect_within_200_ms_a_hundred_times() -> None:
     latest = 0.0
     with Stalls() as stalls, running(time_scale=1.0) as (peer, robot):
@@ -210,6 +212,7 @@ def test_a_stop_takes_effect_within_200_ms_a_hundred_times() -> None:
     assert latest < 0.2
 
 
+@pytest.mark.timed
 def test_a_stop_is_not_held_up_by_a_call_that_waits_for_its_reply() -> None:
     with running(time_scale=1.0, reply_timeout_s=1.5) as (peer, robot):
         moving = Background(lambda: robot.move_to(goal(200.0), timeout_s=30.0))
@@ -266,6 +269,7 @@ def test_a_frozen_read_back_is_no_arrival() -> None:
             robot.move_to(goal(20.0), timeout_s=10.0)
 
 
+@pytest.mark.timed
 def test_a_move_that_never_ends_is_over_after_one_and_a_half_times_its_prediction() -> None:
     with running() as (peer, robot):
         peer.faults.forgets_done = True
@@ -275,6 +279,7 @@ def test_a_move_that_never_ends_is_over_after_one_and_a_half_times_its_predictio
         assert time.monotonic() - began < 5.0
 
 
+@pytest.mark.timed
 def test_a_half_open_connection_is_lost_within_two_seconds() -> None:
     with running() as (peer, robot):
         peer.faults.half_open = True
@@ -285,6 +290,7 @@ def test_a_half_open_connection_is_lost_within_two_seconds() -> None:
         assert not robot.status().ready
 
 
+@pytest.mark.timed
 def test_a_link_that_breaks_during_a_move_is_lost_within_two_seconds_and_latched() -> None:
     with running(time_scale=1.0) as (peer, robot):
         moving = Background(lambda: robot.move_to(goal(200.0), timeout_s=30.0))

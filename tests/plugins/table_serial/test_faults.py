@@ -77,6 +77,7 @@ def test_answers_that_stay_shifted_by_one_are_never_taken_for_positions(controll
         assert found.axis.moves in ([], [1.0])
 
 
+@pytest.mark.timed
 @pytest.mark.parametrize("controller", ALL)
 def test_a_silent_controller_is_lost_within_two_time_outs_and_stays_so(controller: str) -> None:
     with serial_table(controller) as found:
@@ -198,6 +199,7 @@ def test_an_alarm_is_told_during_a_move_and_the_search_for_the_reference() -> No
         assert found.axis.stops == 2
 
 
+@pytest.mark.timed
 @pytest.mark.parametrize("controller", ALL)
 def test_a_stop_from_another_thread_takes_effect_at_once_again_and_again(controller: str) -> None:
     latencies_s = []

@@ -53,6 +53,7 @@ def test_a_ball_is_closed_and_lies_within_the_noise_of_its_points() -> None:
     assert (np.unique(sides, axis=0, return_counts=True)[1] == 2).all()
 
 
+@pytest.mark.timed
 def test_other_threads_go_on_while_the_surface_is_made() -> None:
     cloud, done, gaps = ball(), threading.Event(), []
 
@@ -81,6 +82,7 @@ def test_what_the_process_prints_does_not_reach_our_output(capfd: pytest.Capture
     assert (told.out, told.err) == ("", "")
 
 
+@pytest.mark.timed
 def test_a_stop_kills_the_process_at_once_and_leaves_nothing_behind(tmp_path: Path) -> None:
     reports, before, sign = [], leftovers(), tmp_path / "alive"
     sleeper = f"import time, pathlib\nwhile True:\n    pathlib.Path({str(sign)!r}).write_text(str(time.time()))\n    time.sleep(0.05)\n"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QMessageBox, QWidget
+from PySide6.QtWidgets import QWidget
 
 from measureapp.devices.plugin_loader import PluginOffer, PluginRow
 from measureapp.resources import user_plugin_folder
@@ -15,10 +15,6 @@ from ui.widgets.basic import Button, card, column, label, row
 from ui.widgets.data_table import Cell, DataTable, verdict_cell
 
 WHERE = "Drivers of your own are folders in {}. The computer runs their code: allow only those whose origin you trust."
-QUESTION = (
-    "Allow the driver {row.name}?\n\nFolder: {row.folder}\nFingerprint (SHA-256): {seen}\n\n"
-    "Its code runs with your rights on this computer. If any of its files changes, you are asked again."
-)
 
 
 class DriversList(QWidget):
@@ -74,13 +70,6 @@ class DriversList(QWidget):
         row = self.selected()
         if row is not None:
             self.allowAsked.emit(row)
-
-
-def may_run(parent: QWidget, row: PluginRow, seen: str) -> bool:
-    """Ask whether a driver from outside may run, with its folder and fingerprint."""
-    words = QUESTION.format(row=row, seen=seen)
-    yes, no = QMessageBox.StandardButton.Yes, QMessageBox.StandardButton.Cancel
-    return QMessageBox.question(parent, "Allow this driver?", words, yes | no, no) == yes
 
 
 def _state(row: PluginRow) -> Cell:

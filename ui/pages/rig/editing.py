@@ -62,6 +62,7 @@ class Editing(QObject):
         editor = self.editor = RigEditor(self._look, self._session.rig, self._session.rig_file, offers, self._page)
         editor.saveAsked.connect(self._rig.save)
         editor.allowAsked.connect(self._rig.ask_permission)
+        editor.allowed.connect(self._rig.allow)
         editor.escapePressed.connect(self._stop)
         editor.finished.connect(self._forget)
         editor.show()
@@ -69,10 +70,8 @@ class Editing(QObject):
 
     @Slot(object, str)
     def _ask(self, row: PluginRow, seen: str) -> None:
-        from ui.pages.rig.drivers_list import may_run
-
-        if self.editor is not None and may_run(self.editor, row, seen):
-            self._rig.allow(row, seen)
+        if self.editor is not None:
+            self.editor.ask_permission(row, seen)
 
     @Slot(object)
     def _close(self, _path: Path) -> None:

@@ -18,7 +18,7 @@ from ui.pages.page import Page
 from ui.pages.rig.device_rows import HEADERS, device_rows, rig_properties
 from ui.pages.rig.editing import Editing
 from ui.session import Session
-from ui.widgets.basic import Button, card, column, label, row
+from ui.widgets.basic import Button, card, column, label, row, scrolled
 from ui.widgets.data_table import DataTable
 from ui.widgets.demo_form import DemoForm
 from ui.widgets.empty_state import EmptyState
@@ -85,8 +85,8 @@ class RigPage(Page):
         self.sides.valueChanged.connect(self._choose_side)
         self.side = QStackedWidget()
         self.side.setFixedWidth(CARD_WIDTH)
-        self.side.addWidget(self._demo_card())
-        self.side.addWidget(self._move_card())
+        self.side.addWidget(scrolled(self._demo_card()))
+        self.side.addWidget(scrolled(self._move_card()))
         self.stopped = self._stopped_banner()
         self.exposures = QComboBox()
         self.exposures.setToolTip("Exposure of the live images")

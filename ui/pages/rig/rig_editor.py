@@ -7,11 +7,11 @@ from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtGui import QIcon, QKeyEvent, QPixmap
-from PySide6.QtWidgets import QDialog, QFileDialog, QListWidget, QListWidgetItem, QMessageBox, QScrollArea, QStackedWidget, QWidget
+from PySide6.QtGui import QCloseEvent, QIcon, QKeyEvent, QPixmap
+from PySide6.QtWidgets import QDialog, QFileDialog, QListWidget, QListWidgetItem, QScrollArea, QStackedWidget, QWidget
 
 from measureapp.data.rig import OTHER_DEVICES, CameraDescription, RigDescription
-from measureapp.devices.plugin_loader import PluginOffer
+from measureapp.devices.plugin_loader import PluginOffer, PluginRow
 from measureapp.errors import MeasureError
 from measureapp.project.rig_file import has_comments
 from ui.look.look import Look
@@ -23,6 +23,7 @@ from ui.pages.rig.rig_draft import DRIVERS, LINKS, MOTION, RIG, RULES, Problem, 
 from ui.widgets.basic import Button, card, column, label, row
 from ui.widgets.field_editors import ChoiceEditor, FieldEditor
 from ui.widgets.model_form import FieldRows
+from ui.widgets.question_bar import QuestionBar
 from ui.widgets.segments import Segments
 
 WIDTH, HEIGHT, LIST_WIDTH, LINE_HEIGHT, ICON = 1040, 640, 192, 34, 18
@@ -31,6 +32,11 @@ TITLES = {RIG: "Rig", MOTION: "Motion", RULES: "Calibration rules", LINKS: "Link
 DEVICES = {"projector": "Projector", "robot": "Robot", "guide": "Linear guide", "table": "Rotary table"}
 MODES = {"whole": "One for the whole rig", "devices": "One for each device"}
 COMMENTS = "{} has comments. Saving writes the file anew and deletes them."
+UNSAVED = "What was changed here is not saved yet."
+PERMISSION = (
+    "Allow the driver {row.name}?\nFolder: {row.folder}\nFingerprint (SHA-256): {seen}\n"
+    "Its code runs with your rights on this computer. If any of its files changes, you are asked again."
+)
 FILES = "Rig descriptions (*.toml)"
 
 
@@ -39,6 +45,7 @@ class RigEditor(QDialog):
 
     saveAsked = Signal(object, object)  # RigDescription, Path
     allowAsked = Signal(object)  # PluginRow
+    allowed = Signal(object, str)  # PluginRow, the fingerprint that was shown
     escapePressed = Signal()
 
     def __init__(
@@ -50,7 +57,7 @@ class RigEditor(QDialog):
         self._look, self._file = look, file
         self.draft = RigDraft.of(rig, offers)
         self.parts: dict[str, dict[str, FieldEditor]] = {}  # of the sections shown so far
-        self.box: QMessageBox | None = None
+        self.question = QuestionBar(look)
         self.list, self.stack = QListWidget(), QStackedWidget()
         self.list.setFixedWidth(LIST_WIDTH)
         self.list.setAccessibleName("Sections")
@@ -72,11 +79,12 @@ class RigEditor(QDialog):
         self.list.currentRowChanged.connect(self._choose)
         self.list.setCurrentRow(0)
         self._check()
+        self._unchanged = self._read()
 
     def _lay_out(self) -> None:
         self.problem_words = label("", "problem", wrap=True)
         self.cancel = Button("Cancel", self._look, "", "normal", "Change nothing")
-        self.cancel.clicked.connect(self.reject)
+        self.cancel.clicked.connect(self._leave)
         self.save_as = Button("Save as…", self._look, "", "normal" if self._file is not None else "primary", "Save to another file")
         self.save_as.clicked.connect(self._choose_file)
         self.save = Button("Save", self._look, "", "primary", f"Save to {self._file}")
@@ -86,7 +94,7 @@ class RigEditor(QDialog):
         body.setStretch(1, 1)
         bottom = row(self.problem_words, self.cancel, self.save_as, self.save, spacing=8)
         bottom.setStretch(0, 1)
-        layout = column(body, bottom, margin=16, spacing=16)
+        layout = column(body, self.question, bottom, margin=16, spacing=16)
         layout.setStretch(0, 1)
         self.setLayout(layout)
         self.resize(WIDTH, HEIGHT)
@@ -99,6 +107,17 @@ class RigEditor(QDialog):
             self.escapePressed.emit()
         else:
             super().keyPressEvent(event)
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """Ask before changes are lost."""
+        event.ignore()
+        self._leave()
+
+    def _leave(self) -> None:
+        if self._read() == self._unchanged:
+            self.reject()
+        else:
+            self.question.ask(UNSAVED, {"Discard changes": self.reject}, back="Keep editing")
 
     def show_section(self, name: str) -> None:
         """Show a section by its name."""
@@ -123,6 +142,10 @@ class RigEditor(QDialog):
         self.drivers_list.set_offers(offers)
         self._forget(*[name for name in self.parts if "driver" in self.parts[name] or name == LINKS])
         self._check()
+
+    def ask_permission(self, row: PluginRow, seen: str) -> None:
+        """Ask whether a driver from outside may run, with its folder and fingerprint."""
+        self.question.ask(PERMISSION.format(row=row, seen=seen), {"Allow": lambda: self.allowed.emit(row, seen)})
 
     def show_refusal(self, words: str) -> None:
         """State why the description was not saved."""
@@ -165,14 +188,8 @@ class RigEditor(QDialog):
             self.saveAsked.emit(found, path)
 
     def _warn_of_comments(self, rig: RigDescription, path: Path) -> None:
-        self.box = box = QMessageBox(QMessageBox.Icon.Warning, "Delete the comments?", COMMENTS.format(path.name), parent=self)
-        over = box.addButton("Save without comments", QMessageBox.ButtonRole.DestructiveRole)
-        other = box.addButton("Save as…", QMessageBox.ButtonRole.ActionRole)
-        box.setDefaultButton(box.addButton(QMessageBox.StandardButton.Cancel))
-        over.clicked.connect(lambda: self.saveAsked.emit(rig, path))
-        other.clicked.connect(self._choose_file)
-        box.finished.connect(box.deleteLater)
-        box.open()
+        answers = {"Save without comments": lambda: self.saveAsked.emit(rig, path), "Save as…": self._choose_file}
+        self.question.ask(COMMENTS.format(path.name), answers)
 
     # the sections
 

@@ -1,0 +1,150 @@
+"""`plan make`: viewpoints that measure a nominal."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from measureapp.cli.reply import JsonOption, TerminalProgress, reply
+from measureapp.data.length_unit import LengthUnit, likely_unit
+from measureapp.errors import InputError
+
+if TYPE_CHECKING:
+    from measureapp.data.mesh import Mesh
+    from measureapp.data.plan import ScanPlan
+    from measureapp.planning.coverage.result import GeneratedPlan
+
+SHOWN_AREAS = 8
+MB = 1e6
+
+
+def register(app: typer.Typer) -> None:
+    """Add the command."""
+
+    @app.command()
+    def make(
+        nominal: Annotated[Path, typer.Argument(help="Nominal: STL, PLY, OBJ, or STEP (with the optional library cascadio).")],
+        rig: Annotated[str, typer.Option("--rig", help="Rig description: a TOML file, or a name in resources/rigs.")],
+        out: Annotated[Path, typer.Option("--out", help="Plan to write: TOML or JSON, by its extension.")],
+        viewpoints: Annotated[
+            int | None, typer.Option(min=1, max=500, help="Exactly that many, with the best coverage. Default: as many as needed.")
+        ] = None,
+        coverage: Annotated[
+            float, typer.Option(min=0.01, max=1.0, help="Required fraction of what the rig can measure of the part.")
+        ] = 0.98,
+        sigma: Annotated[float | None, typer.Option(min=1e-4, help="Required standard deviation of a point, in mm.")] = None,
+        pose: Annotated[
+            Path | None,
+            typer.Option("--pose", help="4×4 matrix part_from_nominal (text or JSON). Default: upright in the middle of the table."),
+        ] = None,
+        samples: Annotated[int, typer.Option(min=50, max=50_000, help="Number of samples of the surface.")] = 5000,
+        candidates: Annotated[
+            int, typer.Option(min=24, max=20_000, help="Number of viewpoints to choose from; more take longer and may save one.")
+        ] = 2600,
+        seed: Annotated[int, typer.Option(min=0, help="Of the samples; the same seed gives the same plan.")] = 1,
+        unit: Annotated[
+            LengthUnit | None, typer.Option("--unit", help="Unit of the nominal: mm, inch, m, cm or um. Default: mm, if that is plausible.")
+        ] = None,
+        as_json: JsonOption = False,
+    ) -> None:
+        """Plan viewpoints by predicted visibility, and state coverage, time, disk space and what cannot be measured."""
+        from measureapp.planning.coverage.extent import extent_on_table, standing
+        from measureapp.planning.feasibility import Feasibility
+        from measureapp.planning.generate import GeneratorSettings, generate_plan
+        from measureapp.project.calibration.matrix_file import read_transform
+        from measureapp.project.geometry.robot_file import arm_of
+        from measureapp.project.plan_file import write_plan
+        from measureapp.project.rig_file import read_rig
+
+        description = read_rig(rig)
+        settings = GeneratorSettings(
+            name=out.stem, coverage=coverage, viewpoints=viewpoints, sigma_mm=sigma, samples=samples, candidates=candidates, seed=seed
+        )
+        mesh = _read_nominal(nominal, unit)
+        place = standing(mesh) if pose is None else read_transform(pose, "part", "nominal")
+        extent_on_table(mesh.seen_from(place), description)
+        made = generate_plan(
+            mesh,
+            Feasibility.checked(description, arm_of(description), mesh.seen_from(place)),
+            settings,
+            part_from_nominal=place,
+            progress=TerminalProgress(),
+        )
+        write_plan(out, made.plan)
+        reply({**_document(made), "files": {"plan": out}}, "\n".join([*_lines(made), f"Plan saved to {out}"]), as_json)
+
+
+def _read_nominal(path: Path, unit: LengthUnit | None) -> Mesh:
+    """Read the nominal; ask for its unit if its size in millimetres is implausible. Raises InputError."""
+    from measureapp.project.geometry.files import read_mesh
+
+    mesh = read_mesh(path, unit=unit or LengthUnit.MM)
+    low, high = mesh.vertices_mm.min(axis=0), mesh.vertices_mm.max(axis=0)
+    span = float((high - low).max())
+    likely = likely_unit(span)
+    if unit is None and likely is not LengthUnit.MM:
+        raise InputError(
+            f"{path} has a size of {span:.4g}: probably {likely.words}, that is {span * likely.in_mm:.4g} mm.",
+            f"Confirm with `--unit {likely}`, or give `--unit mm` if it is in millimetres.",
+        )
+    return mesh
+
+
+def _document(made: GeneratedPlan) -> dict[str, Any]:
+    unreachable = [
+        {"reason": str(area.cause), "area_mm2": area.area_mm2, "fraction": area.share, "place_mm": area.place_mm}
+        for area in made.unreachable
+    ]
+    return {
+        "viewpoints": _viewpoints(made.plan, made),
+        "stations": made.stations,
+        "candidates": made.candidates,
+        "samples": len(made.samples),
+        "coverage": {
+            "predicted": made.planned_share,
+            "measurable": made.allowed_share,
+            "predicted_of_measurable": made.planned_of_allowed,
+            "unreachable": unreachable,
+        },
+        "time_s": made.time_s,
+        "moves_s": made.moves_s,
+        "bytes": made.bytes,
+        "problems": list(made.problems),
+    }
+
+
+def _viewpoints(plan: ScanPlan, made: GeneratedPlan) -> list[dict[str, Any]]:
+    areas = made.samples.areas_mm2 / made.samples.area_mm2
+    return [
+        {
+            "id": one.id,
+            "position_mm": one.flange.position_mm,
+            "quaternion_wxyz": one.flange.quaternion_wxyz,
+            "guide_mm": one.guide_mm,
+            "table_deg": one.table_deg,
+            "seen": float(areas[seen].sum()),
+        }
+        for one, seen in zip(plan, made.seen, strict=True)
+    ]
+
+
+def _lines(made: GeneratedPlan) -> list[str]:
+    lost: dict[str, float] = defaultdict(float)
+    for area in made.unreachable:
+        lost[str(area.cause)] += area.share
+    return [
+        f"{len(made.plan)} viewpoints from {made.stations} robot poses, chosen of {made.candidates}.",
+        f"Predicted coverage: {made.planned_share:.1%} of the surface, {made.planned_of_allowed:.1%} of what this rig can measure.",
+        *(f"Not measurable: {share:.1%}, {cause}." for cause, share in sorted(lost.items(), key=lambda entry: -entry[1])),
+        *(_area_line(area.cause, area.area_mm2, area.place_mm) for area in made.unreachable[:SHOWN_AREAS]),
+        f"Time: about {made.time_s / 60.0:.0f} min, of which {made.moves_s / 60.0:.1f} min are moves. Images: {made.bytes / MB:.0f} MB.",
+        *made.problems,
+    ]
+
+
+def _area_line(cause: str, area_mm2: float, place_mm: tuple[float, float, float]) -> str:
+    x, y, z = place_mm
+    return f"  {area_mm2:.0f} mm² near ({x:.0f}, {y:.0f}, {z:.0f}) mm: {cause}"

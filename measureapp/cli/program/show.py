@@ -1,0 +1,55 @@
+"""`program show`: what a part program contains."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from measureapp.cli.reply import JsonOption, reply
+
+if TYPE_CHECKING:
+    from measureapp.data.part_program import PartProgram
+
+
+def register(group: typer.Typer) -> None:
+    """Add the command."""
+
+    @group.command()
+    def show(program: Annotated[Path, typer.Argument(help="Part program (.mpart).")], as_json: JsonOption = False) -> None:
+        """Show what a part program contains; everything in it is checked."""
+        from measureapp.project.part_program_file import read_part_program
+
+        found = read_part_program(program)
+        reply(facts_document(found), "\n".join(facts_lines(found)), as_json)
+
+
+def facts_document(program: PartProgram) -> dict[str, Any]:
+    """Return what a part program contains, as JSON."""
+    return {
+        "name": program.facts.name,
+        "part_number": program.facts.part_number,
+        "remarks": program.facts.remarks,
+        "viewpoints": len(program.plan),
+        "inspection": program.inspection is not None,
+        "nominal": None if program.nominal is None else f"nominal{program.nominal[0]}",
+        "report_template": program.report_template is not None,
+        "picture": program.picture is not None,
+    }
+
+
+def facts_lines(program: PartProgram) -> list[str]:
+    """Return what a part program contains, as lines for a person."""
+    number = f" ({program.facts.part_number})" if program.facts.part_number else ""
+    parts = {
+        "inspection program": program.inspection,
+        "nominal": program.nominal,
+        "report template": program.report_template,
+        "picture": program.picture,
+    }
+    there = ", ".join(name for name, part in parts.items() if part is not None)
+    absent = ", ".join(name for name, part in parts.items() if part is None)
+    lines = [f"{program.facts.name}{number}: {len(program.plan)} viewpoints{f', {there}' if there else ''}."]
+    lines += [f"Not included: {absent}."] if absent else []
+    return lines + ([program.facts.remarks] if program.facts.remarks else [])

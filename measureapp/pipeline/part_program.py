@@ -1,0 +1,34 @@
+"""A part program becomes a part of a project."""
+
+from __future__ import annotations
+
+import tempfile
+from pathlib import Path
+
+from measureapp.data.part_program import PartProgram
+from measureapp.project.folder import ProjectFolder
+from measureapp.project.geometry.files import read_mesh
+from measureapp.project.program_file import parse_program
+
+
+def store_part_program(project: ProjectFolder, program: PartProgram) -> None:
+    """Store inspection program, nominal and report template of a part program in a project; its plan is stored by the scan.
+
+    Raises
+    ------
+    InputError
+        The nominal cannot be read.
+    StorageError
+        The project cannot be written.
+    """
+    if program.nominal is not None:
+        ending, content = program.nominal
+        with tempfile.TemporaryDirectory(prefix="measureapp-part-") as folder:
+            source = Path(folder) / f"nominal{ending}"
+            source.write_bytes(content)
+            stated = None if program.inspection is None else parse_program(program.inspection.decode())
+            project.save_nominal(source, read_mesh(source) if stated is None else read_mesh(source, unit=stated.nominal_unit))
+    if program.inspection is not None:
+        project.save_program(program.inspection.decode())
+    if program.report_template is not None:
+        project.save_report_template(program.report_template)

@@ -1,0 +1,172 @@
+"""Files of part programs (.mpart): a ZIP archive whose checksums are compared on reading."""
+
+from __future__ import annotations
+
+import hashlib
+import io
+import zipfile
+from pathlib import Path, PurePosixPath
+
+from pydantic import ValidationError
+
+from measureapp.data.model import first_problem
+from measureapp.data.part_program import PartProgram, PartProgramFacts
+from measureapp.data.plan import ScanPlan
+from measureapp.errors import InputError
+from measureapp.project.atomic import replacing
+from measureapp.project.geometry.files import read_mesh
+from measureapp.project.geometry.step_files import STEP_KINDS
+from measureapp.project.plan_file import read_plan
+from measureapp.project.program_file import parse_program, read_program
+
+PART_PROGRAM = ".mpart"
+FACTS, PLAN, INSPECTION, NOMINAL, REPORT, PICTURE = "part_program.json", "plan.json", "program.toml", "nominal", "report.typ", "picture.png"
+LARGEST_BYTES = 1_000_000_000  # unpacked, all files together
+PNG = b"\x89PNG\r\n\x1a\n"
+HINT = "Give a part program that `measureapp program pack` has written."
+
+
+def is_part_program(path: Path) -> bool:
+    """Return whether ``path`` names a part program, by its ending."""
+    return path.suffix.lower() == PART_PROGRAM
+
+
+def pack_part_program(
+    facts: PartProgramFacts, plan: Path, inspection: Path | None = None, report_template: Path | None = None, picture: Path | None = None
+) -> PartProgram:
+    """Collect a part program from files; the nominal is the one that the inspection program names.
+
+    Raises
+    ------
+    InputError
+        A file cannot be read or is not what it should be; names it.
+    """
+    program = None if inspection is None else read_program(inspection)
+    nominal = None
+    if inspection is not None and program is not None and program.nominal is not None:
+        path = inspection.parent / program.nominal
+        content = _content(path)
+        if path.suffix.lower() not in STEP_KINDS:
+            read_mesh(path, "nominal", unit=program.nominal_unit)  # refused here rather than on the shop floor
+        nominal = (path.suffix.lower(), content)
+    if picture is not None and not _content(picture).startswith(PNG):
+        raise InputError(f"{picture} is not a PNG image.", "Give the picture of the part as PNG.")
+    return PartProgram(
+        facts,
+        read_plan(plan),
+        None if inspection is None else _content(inspection),
+        nominal,
+        None if report_template is None else _content(report_template),
+        None if picture is None else _content(picture),
+    )
+
+
+def write_part_program(program: PartProgram, path: Path) -> Path:
+    """Write a part program, whole or not at all, and return its path, whose ending is `.mpart`. Raises StorageError."""
+    path = path if is_part_program(path) else path.with_name(path.name + PART_PROGRAM)
+    files = _files(program)
+    facts = program.facts.model_copy(update={"sha256": {name: hashlib.sha256(data).hexdigest() for name, data in files.items()}})
+    with replacing(path) as temporary, zipfile.ZipFile(temporary, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr(FACTS, facts.model_dump_json(indent=2))
+        for name, data in files.items():
+            archive.writestr(name, data)
+    return path
+
+
+def read_part_program(path: Path) -> PartProgram:
+    """Read a part program.
+
+    Raises
+    ------
+    InputError
+        The file cannot be read, is damaged, contains something else, or was written by a newer version.
+    """
+    files = _unpack(path)
+    try:
+        facts = PartProgramFacts.model_validate_json(files.pop(FACTS))
+        plan = ScanPlan.model_validate_json(files[PLAN])
+    except KeyError as error:
+        raise InputError(f"{path} has no {error.args[0]}.", HINT) from error
+    except ValidationError as error:
+        raise InputError(f"{path}: {first_problem(error, 'the part program')}.", HINT) from error
+    for name, data in files.items():
+        if facts.sha256.get(name) != hashlib.sha256(data).hexdigest():
+            raise InputError(f"{path}: {name} does not match its checksum.", "Copy the file again from where it was written.")
+    missing = sorted(set(facts.sha256) - set(files))
+    if missing:
+        raise InputError(f"{path}: {missing[0]} is missing.", "Copy the file again from where it was written.")
+    if INSPECTION in files:
+        _check_inspection(path, files[INSPECTION])
+    nominal = next(((PurePosixPath(name).suffix, data) for name, data in files.items() if PurePosixPath(name).stem == NOMINAL), None)
+    return PartProgram(facts, plan, files.get(INSPECTION), nominal, files.get(REPORT), files.get(PICTURE))
+
+
+def unpack_part_program(program: PartProgram, folder: Path) -> dict[str, Path]:
+    """Write the files of a part program into a new or empty folder, and return them; the nominal gets the name that its program states.
+
+    Raises
+    ------
+    InputError
+        The folder contains something.
+    StorageError
+        It cannot be written.
+    """
+    if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
+        raise InputError(f"{folder} is not an empty folder.", "Choose a new or an empty folder.")
+    written = {}
+    for name, data in _files(program).items():
+        path = folder / (_nominal_name(program, name) if PurePosixPath(name).stem == NOMINAL else name)
+        with replacing(path) as temporary:
+            temporary.write_bytes(data)
+        written[PurePosixPath(name).stem] = path
+    return written
+
+
+def _nominal_name(program: PartProgram, name: str) -> str:
+    stated = None if program.inspection is None else parse_program(program.inspection.decode()).nominal
+    return name if stated is None else PurePosixPath(stated.replace("\\", "/")).name
+
+
+def _check_inspection(path: Path, content: bytes) -> None:
+    try:
+        parse_program(content.decode())
+    except UnicodeDecodeError as error:
+        raise InputError(f"{path}: {INSPECTION} is not a text.", HINT) from error
+    except InputError as error:
+        raise InputError(f"{path}: {error.message}", error.hint) from error
+
+
+def _files(program: PartProgram) -> dict[str, bytes]:
+    """Return the files of the archive, besides the facts."""
+    nominal = {} if program.nominal is None else {f"{NOMINAL}{program.nominal[0]}": program.nominal[1]}
+    others = {INSPECTION: program.inspection, REPORT: program.report_template, PICTURE: program.picture}
+    return {PLAN: program.plan.model_dump_json(indent=2).encode(), **nominal} | {
+        name: data for name, data in others.items() if data is not None
+    }
+
+
+def _unpack(path: Path) -> dict[str, bytes]:
+    """Return the files of the archive by name; refuses folders, strangers and what would fill the memory."""
+    try:
+        with zipfile.ZipFile(io.BytesIO(_content(path))) as archive:
+            members = archive.infolist()
+            names = [member.filename for member in members]
+            strangers = [name for name in names if not _is_known(name)]
+            if strangers or len(set(names)) != len(names):
+                raise InputError(f"{path} contains {(strangers or names)[0]!r}, which no part program has.", HINT)
+            if sum(member.file_size for member in members) > LARGEST_BYTES:
+                raise InputError(f"{path} unpacks to more than {LARGEST_BYTES / 1e9:g} GB.", HINT)
+            return {member.filename: archive.read(member) for member in members}
+    except (zipfile.BadZipFile, EOFError, ValueError, NotImplementedError, RuntimeError, OSError) as error:
+        raise InputError(f"{path} cannot be read as a part program: {error}.", HINT) from error
+
+
+def _is_known(name: str) -> bool:
+    return name in (FACTS, PLAN, INSPECTION, REPORT, PICTURE) or (PurePosixPath(name).stem == NOMINAL and "/" not in name)
+
+
+def _content(path: Path) -> bytes:
+    try:
+        return path.read_bytes()
+    except OSError as error:
+        raise InputError(f"{path} cannot be read: {error.strerror or error}.", "Check the path.") from error

@@ -1,0 +1,1 @@
+"""Set-ups of one part, joined into one measurement."""

@@ -1,0 +1,1 @@
+"""Documents of repeated measurements: PDF, CSV and JSON."""

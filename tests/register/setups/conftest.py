@@ -1,0 +1,30 @@
+"""A part that was scanned upright and turned over, once for all tests of this room."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import pytest
+
+from measureapp.geometry.transform import RigidTransform
+from measureapp.register.setups.setup_cloud import SetUpCloud
+from tests.register.setups.scanned_setups import bracket, put, set_up
+
+
+@dataclass(frozen=True)
+class TurnedOver:
+    """Two set-ups of one part, and how they truly stood."""
+
+    mesh: Any
+    up: SetUpCloud
+    down: SetUpCloud
+    up_from_down: RigidTransform
+
+
+@pytest.fixture(scope="session")
+def turned_over() -> TurnedOver:
+    mesh = bracket()
+    upright, part_from_nominal = put(mesh, (0.0, 0.0, 0.0))
+    flipped, other_from_nominal = put(mesh, (180.0, 0.0, 25.0), (4.0, -3.0))
+    return TurnedOver(mesh, set_up("up", upright, 1), set_up("down", flipped, 2), part_from_nominal @ other_from_nominal.inverse())

@@ -1,0 +1,60 @@
+"""Work of the generator and of the order, on a job's thread."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from measureapp.errors import PlanError
+
+if TYPE_CHECKING:
+    from measureapp.data.plan import ScanPlan
+    from measureapp.data.rig import RigDescription
+    from measureapp.geometry.kinematics.arm import ArmModel
+    from measureapp.planning.coverage.result import GeneratedPlan
+    from ui.controllers.plan_part import PreparedPart
+    from ui.workers.job import Job
+
+MOST_ORDERED = 300
+
+
+@dataclass(frozen=True, eq=False)
+class Wanted:
+    """What a generated plan has to achieve, and the plan that it replaces."""
+
+    former: ScanPlan | None
+    viewpoints: int | None  # None: as many as the coverage needs
+    coverage: float  # of what the rig can measure
+
+
+def generate(wanted: Wanted, rig: RigDescription, arm: ArmModel | None, part: PreparedPart, job: Job) -> GeneratedPlan:
+    """Generate a plan free of collisions, with the patterns and exposures of the former one."""
+    from dataclasses import replace
+
+    from measureapp.planning.collision.cell import Cell as Bodies
+    from measureapp.planning.edit import set_plan
+    from measureapp.planning.generate import Cell, GeneratorSettings, generate_plan
+
+    bodies = Bodies.of(rig, arm, part.solid)
+    cell = Cell(rig, arm, lambda viewpoint: not bodies.problem_at(viewpoint), bodies.problem_between)
+    settings = GeneratorSettings(name=part.path.parent.name, viewpoints=wanted.viewpoints, coverage=wanted.coverage)
+    made = generate_plan(part.mesh, cell, settings, progress=job)
+    former = wanted.former
+    if former is None:
+        return made
+    kept = {"name": former.name, "patterns": former.patterns, "bracket": former.bracket, "settle_s": former.settle_s}
+    return replace(made, plan=set_plan(made.plan, **kept))
+
+
+def order(plan: ScanPlan, rig: RigDescription, arm: ArmModel | None, job: Job) -> list[str]:
+    """Return the names of all viewpoints in the order in which the axes move least. Raises PlanError for too many viewpoints."""
+    from measureapp.planning.order import shortest_order
+    from measureapp.planning.travel import AxisSpeeds, travel_times_s
+
+    if len(plan) > MOST_ORDERED:
+        raise PlanError(f"{len(plan)} viewpoints are too many to be ordered.", f"Up to {MOST_ORDERED} can be.")
+    job.report(0, 2, "Times of the moves")
+    viewpoints = tuple(plan)
+    times = travel_times_s(viewpoints, rig, arm, AxisSpeeds())
+    job.report(1, 2, "Order")
+    return [viewpoints[place].id for place in shortest_order(viewpoints, times)]

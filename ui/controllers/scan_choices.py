@@ -1,0 +1,97 @@
+"""What a person chooses for a scan, and what the check before it found."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Literal
+
+from measureapp.errors import InputError, MeasureError
+
+if TYPE_CHECKING:
+    from measureapp.data.plan import ScanPlan
+    from measureapp.data.rig import RigDescription
+    from measureapp.pipeline.preflight import Preflight
+    from measureapp.pipeline.run import ScanRequest
+    from ui.session import Session
+    from ui.workers.job import Job
+
+Exposures = Literal["plan", "once", "each"]
+MakeRequest = Callable[["Job"], "ScanRequest"]
+NO_PLAN = InputError("There is no scan plan.", "Make one on the page Plan, or choose a plan file.")
+
+
+@dataclass(frozen=True)
+class ScanChoices:
+    """Project, plan and exposures of a scan with the chosen rig."""
+
+    folder: Path | None = None  # of the project, new or existing
+    part: str = ""  # name of the part of a new project
+    nominal: Path | None = None
+    program: Path | None = None
+    calibrated: Path | None = None  # another project whose calibration is copied
+    plan_file: Path | None = None  # None: the plan of the page Plan
+    exposures: Exposures = "plan"
+    seconds: float = 10.0  # of exposures per viewpoint, where a probe chooses them
+
+    @property
+    def is_existing(self) -> bool:
+        """Whether the project exists."""
+        return self.folder is not None and (self.folder / "project.json").is_file()
+
+
+@dataclass(frozen=True, eq=False)
+class CheckedScan:
+    """What was found before a scan; ``problem`` where not even that could be checked."""
+
+    choices: ScanChoices
+    found: Preflight | None = None
+    stored: int = 0  # viewpoints that are kept
+    planned: int = 0
+    problem: MeasureError | None = None
+
+    @property
+    def problems(self) -> tuple[MeasureError, ...]:
+        """Everything that prevents the scan."""
+        if self.problem is not None:
+            return (self.problem,)
+        return () if self.found is None else self.found.problems
+
+
+def request_maker(choices: ScanChoices, session: Session) -> MakeRequest:
+    """Return the function that makes the request of a scan on a job's thread; it raises InputError where something is missing."""
+    rig, plan = session.rig, session.plan
+
+    def make(job: Job) -> ScanRequest:
+        job.check()
+        return _request(choices, rig, plan)
+
+    return make
+
+
+def _request(choices: ScanChoices, rig: RigDescription | None, plan: ScanPlan | None) -> ScanRequest:
+    from measureapp.pipeline.run import NewProject, ScanRequest
+    from measureapp.project.plan_file import read_plan
+
+    if rig is None:
+        raise InputError("No rig is chosen.", "Choose one on the page Rig.")
+    if choices.folder is None:
+        raise InputError("No project folder is chosen.", "Choose a new folder, or the folder of a project.")
+    if choices.plan_file is not None:
+        plan = read_plan(choices.plan_file)
+    if plan is None:
+        raise NO_PLAN
+    created = None
+    if not choices.is_existing:
+        created = NewProject(choices.folder.name, choices.part or choices.folder.name, choices.program, choices.nominal)
+    return ScanRequest(
+        plan,
+        rig,
+        choices.folder,
+        resume=True,
+        calibrated=choices.calibrated,
+        bracket_s=None if choices.exposures == "plan" else choices.seconds,
+        per_viewpoint=choices.exposures == "each",
+        created=created,
+    )

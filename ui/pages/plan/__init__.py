@@ -1,0 +1,1 @@
+"""Page Plan: viewpoints in a table and in the cell, edited together."""

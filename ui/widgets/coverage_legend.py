@@ -1,0 +1,43 @@
+"""Legend of what is predicted to be measured, below the picture."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from PySide6.QtWidgets import QFrame, QWidget
+
+from ui.look.look import Look
+from ui.widgets.basic import clear, column, label, row
+from ui.widgets.not_measured import SWATCH, HatchedSwatch
+
+Swatch = tuple[tuple[int, int, int] | None, str]  # a colour, None: hatched; and what it means
+
+
+class CoverageLegend(QWidget):
+    """A sentence and colour samples with texts; hidden while there is nothing to say."""
+
+    def __init__(self, look: Look) -> None:
+        super().__init__()
+        self.words, self._row = label("", "strong", wrap=True), row(spacing=8)
+        self.setLayout(column(self.words, self._row, spacing=4, margin=4))
+        look.changed.connect(self.update)
+        self.hide()
+
+    def show_swatches(self, swatches: Sequence[Swatch], words: str) -> None:
+        """Show colours with their meaning after a sentence."""
+        clear(self._row)
+        self.words.setText(words)
+        self.words.setVisible(bool(words))
+        for colour, meaning in swatches:
+            self._row.addSpacing(4)
+            self._row.addWidget(HatchedSwatch() if colour is None else _plain(colour))
+            self._row.addWidget(label(meaning, "small"))
+        self._row.addStretch(1)
+        self.setVisible(bool(words or swatches))
+
+
+def _plain(colour: tuple[int, int, int]) -> QFrame:
+    sample = QFrame()
+    sample.setFixedSize(*SWATCH)
+    sample.setStyleSheet(f"background: rgb({colour[0]}, {colour[1]}, {colour[2]}); border: none; border-radius: 3px;")
+    return sample

@@ -1,0 +1,66 @@
+"""The latest image of every camera, small, with saturated pixels in red."""
+
+from __future__ import annotations
+
+import numpy as np
+from PySide6.QtGui import QImage
+from PySide6.QtWidgets import QWidget
+
+from ui.look.look import Look
+from ui.look.wording import exposure, percent
+from ui.widgets.basic import clear, column
+from ui.widgets.image_view import MAX_SIDE, ImageView
+
+RED = 0xFFD1495B
+LEVELS = 254  # grey levels; the last entry of the table marks saturation
+EVERY = 4  # pixels, in rows and columns, for the share that is saturated
+LEAST_SHOWN = 0.0005  # saturated share
+
+
+def marked_image(pixels: np.ndarray, saturation: int) -> QImage:
+    """Convert an image (H, W) of 8 or 16 bits to 8 bits, at most 640 px per side, with saturated pixels in red."""
+    step = max(1, -(-max(pixels.shape) // MAX_SIDE))
+    thin = pixels[::step, ::step]
+    grey = np.minimum(thin.astype(np.float32) * (LEVELS / saturation), LEVELS).astype(np.uint8)
+    grey[thin >= saturation] = LEVELS + 1
+    grey = np.ascontiguousarray(grey)
+    image = QImage(grey.data, grey.shape[1], grey.shape[0], grey.strides[0], QImage.Format.Format_Indexed8)
+    image.setColorTable([0xFF000000 | level << 16 | level << 8 | level for level in range(LEVELS + 1)] + [RED])
+    return image.copy()
+
+
+class Pictures(QWidget):
+    """One `ImageView` per camera, one above the other."""
+
+    def __init__(self, look: Look) -> None:
+        super().__init__()
+        self._look = look
+        self.images: dict[str, ImageView] = {}
+        self._saturations: dict[str, int] = {}
+        self._layout = column(spacing=8)
+        self.setLayout(self._layout)
+
+    def show_cameras(self, saturations: dict[str, int]) -> None:
+        """Make room for these cameras, by the grey level at which each is saturated; images shown stay."""
+        if saturations == self._saturations:
+            return
+        clear(self._layout)
+        self._saturations = dict(saturations)
+        self.images = {name: ImageView(self._look, name, whole=True) for name in saturations}
+        for image in self.images.values():
+            image.setMinimumSize(144, 72)
+            self._layout.addWidget(image, 1)
+
+    def show_image(self, camera: str, pixels: np.ndarray, exposure_us: int) -> None:
+        """Show an image of one camera; unknown cameras are ignored."""
+        if camera not in self.images:
+            return
+        saturation = self._saturations[camera]
+        share = float(np.mean(pixels[::EVERY, ::EVERY] >= saturation))
+        saturated = f" · {percent(share, 1)} saturated" if share > LEAST_SHOWN else ""
+        self.images[camera].show_image(marked_image(pixels, saturation), f"{camera} · {exposure(exposure_us)}{saturated}")
+
+    @property
+    def is_empty(self) -> bool:
+        """Whether no image is shown."""
+        return all(image.is_empty for image in self.images.values())

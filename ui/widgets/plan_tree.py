@@ -1,0 +1,108 @@
+"""A scan plan as a tree in which viewpoints are selected, renamed and changed in place."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QItemSelectionModel, QSignalBlocker, Signal
+from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTreeView
+
+from ui.look.look import Look
+from ui.widgets.data_table import ROW_HEIGHT
+from ui.widgets.data_tree import INDENT, RowDelegate
+from ui.widgets.plan_tree_model import NAME, Aims, PlanTreeModel, RowState
+
+if TYPE_CHECKING:
+    from measureapp.data.plan import ScanPlan, Viewpoint
+
+WIDTHS = (0, 60, 80, 92, 76, 88)
+OPENED_GROUPS = 4  # of a new plan; more would hide each other
+
+
+class PlanTree(QTreeView):
+    """Shows a plan; several rows can be selected."""
+
+    selectionMoved = Signal()
+
+    def __init__(self, look: Look) -> None:
+        super().__init__()
+        self.setAccessibleName("Viewpoints")
+        self.rows = PlanTreeModel(self)
+        self.setModel(self.rows)
+        self.setItemDelegate(RowDelegate(look, self))
+        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
+        self.setEditTriggers(QAbstractItemView.EditTrigger.DoubleClicked | QAbstractItemView.EditTrigger.EditKeyPressed)
+        self.setVerticalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
+        self.setIndentation(INDENT)
+        self.setUniformRowHeights(True)
+        header = self.header()
+        header.setStretchLastSection(False)
+        header.setFixedHeight(ROW_HEIGHT)
+        header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
+        header.setSectionResizeMode(NAME, QHeaderView.ResizeMode.Stretch)
+        header.setMinimumSectionSize(56)
+        for column, width in enumerate(WIDTHS):
+            if width:
+                header.resizeSection(column, width)
+        self.selectionModel().selectionChanged.connect(self.selectionMoved)
+        look.changed.connect(self.viewport().update)
+
+    def show_plan(self, plan: ScanPlan | None, aims: Aims | None) -> None:
+        """Show a plan; selection and opened groups are kept by name."""
+        names, opened = self.names(), self._opened()
+        top = self.verticalScrollBar().value()
+        with QSignalBlocker(self.selectionModel()):
+            self.rows.set_plan(plan, aims)
+        groups = () if plan is None else plan.groups
+        known = {group.id for group in groups} & opened
+        for group in groups[:OPENED_GROUPS] if not known else groups:
+            if not known or group.id in known:
+                self.expand(self.rows.find(group.id))
+        self.select(names)
+        self.verticalScrollBar().setValue(top)
+
+    def show_states(self, states: Mapping[str, RowState]) -> None:
+        """Show which viewpoints can be scanned."""
+        self.rows.set_states(states)
+        self.viewport().update()
+
+    def names(self) -> tuple[str, ...]:
+        """Return the names of the selected rows, from top to bottom."""
+        chosen = self.selectionModel().selectedRows()
+        order = sorted(chosen, key=lambda index: (index.row(), -1) if not index.parent().isValid() else (index.parent().row(), index.row()))
+        return tuple(self.rows.name_at(index) for index in order)
+
+    def viewpoints(self) -> tuple[Viewpoint, ...]:
+        """Return the selected viewpoints; of a group its first."""
+        return tuple(self.rows.viewpoint_at(index) for index in self.selectionModel().selectedRows())
+
+    def current_viewpoint(self) -> Viewpoint | None:
+        """Return the viewpoint in the row with the focus, or the first selected one."""
+        index = self.currentIndex()
+        if index.isValid() and self.selectionModel().isRowSelected(index.row(), index.parent()):
+            return self.rows.viewpoint_at(index)
+        chosen = self.selectionModel().selectedRows()
+        return self.rows.viewpoint_at(chosen[0]) if chosen else None
+
+    def select(self, names: Sequence[str]) -> None:
+        """Select the rows with these names; others are deselected."""
+        selection = self.selectionModel()
+        with QSignalBlocker(selection):
+            selection.clear()
+            for index in (self.rows.find(name) for name in names):
+                if index.isValid():
+                    selection.select(index, QItemSelectionModel.SelectionFlag.Select | QItemSelectionModel.SelectionFlag.Rows)
+            last = next((index for name in reversed(names) if (index := self.rows.find(name)).isValid()), None)
+            if last is not None:
+                selection.setCurrentIndex(last, QItemSelectionModel.SelectionFlag.NoUpdate)
+        if last is not None:
+            self.expand(last.parent())
+            self.scrollTo(last)
+        self.viewport().update()
+        self.selectionMoved.emit()
+
+    def _opened(self) -> set[str]:
+        top = (self.rows.index(row, 0) for row in range(self.rows.rowCount()))
+        return {self.rows.name_at(index) for index in top if self.rows.group_at(index) is not None and self.isExpanded(index)}
