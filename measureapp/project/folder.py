@@ -30,7 +30,7 @@ from measureapp.data.plan import ScanPlan
 from measureapp.data.rig import RigDescription
 from measureapp.data.validity import CheckRecord
 from measureapp.data.view_choices import ViewChoices
-from measureapp.errors import CalibrationError, InputError, StorageError
+from measureapp.errors import CalibrationError, Damaged, InputError, StorageError
 from measureapp.progress import NoProgress
 from measureapp.project import filter_file, inputs, results, takeover
 from measureapp.project.atomic import remove, replacing, write_text
@@ -187,7 +187,8 @@ class ProjectFolder:
         store.record(self.path / "calibration", line)
 
     def calibration_history(self) -> tuple[CheckRecord, ...]:
-        """Return the results of scans and checks for this and former calibrations, oldest first."""
+        """Return the results of scans and checks for this and former calibrations, oldest first. Raises StorageError."""
+        self.journal.check_once(self.path / "calibration" / store.HISTORY)
         return store.history(self.path / "calibration")
 
     def save_check_view(self, check: str, view: BoardView) -> None:
@@ -354,12 +355,17 @@ class ProjectFolder:
 
     def filters(self, stitched: StitchedCloud) -> FilterChain | None:
         """Load the filters of the stitched cloud, if any. Raises StorageError when they are damaged or belong to another cloud."""
+        try:
+            self.journal.check(self.results / filter_file.FILTERS)
+        except Damaged as error:
+            raise filter_file.unusable(self.results / filter_file.FILTERS, "is not what was stored") from error
         return filter_file.load_filters(self.results, stitched)
 
     def measurement(self) -> Measurement | None:
         """Load the last measurement, if there is one. Raises StorageError when it is damaged."""
         contents = self.journal.contents()
-        self.journal.check(*(self.path / name for name in (contents.files if contents else ()) if name.startswith("results/")))
+        files = [self.path / name for name in (contents.files if contents else ()) if name.startswith("results/")]
+        self.journal.check(*(path for path in files if path.name not in (filter_file.FILTERS, filter_file.FILTERED)))
         calibration = self.calibration()
         return None if calibration is None else results.load(self.results, calibration)
 

@@ -13,7 +13,7 @@ from measureapp.project.journal import database, disk, publish
 from measureapp.project.journal.entries import CHAIN_START, FileState, Line
 
 STORED, DROPPED, RESULTS = "viewpoint stored", "viewpoint dropped", "results stored"
-ACCEPT = "Restore it from a backup. If you changed it on purpose: measureapp verify PROJECT --accept {name}"
+ACCEPT = "Restore it from a backup. If you changed it on purpose, accept it (measureapp verify PROJECT --accept {name})."
 AGAIN = "Restore it from a backup, or take the viewpoint again: measureapp discard PROJECT {viewpoint}, then measureapp scan … --resume."
 COMPUTE = "Compute it again: measureapp process PROJECT."
 
