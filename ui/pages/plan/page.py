@@ -179,7 +179,7 @@ class PlanPage(ViewportPage):
         if plan is None:
             self.state.setText("No scan plan.")
             return
-        words = [f"{plan.name}: {several(len(plan), 'viewpoint')}"]
+        words = [several(len(plan), "viewpoint")]
         if found is not None and found.plan is plan:
             count = len(found.check.sentences())
             words.append(f"about {duration(found.check.time_s)}, {storage(found.check.bytes)}")
@@ -231,7 +231,7 @@ class PlanPage(ViewportPage):
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Reduce the tools beside the colours to icons earlier than other pages do."""
         super().resizeEvent(event)
-        for button in self.tool_buttons:
+        for button in (*self.tool_buttons, self.open_file, self.save_file):
             button.set_compact(self.width() < ROOM_FOR_TOOLS)
 
     def _scenery(self) -> preview.Scenery | None:
