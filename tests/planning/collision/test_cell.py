@@ -106,6 +106,8 @@ def test_a_keep_out_box_must_not_be_entered_but_needs_no_further_clearance() -> 
 def test_a_part_that_is_larger_than_the_table_is_refused_with_both_diameters() -> None:
     with pytest.raises(PlanError, match=r"needs 900 mm, and parts may have up to 500 mm"):
         check_collisions(PLAN, RIG, ARM, PartSolid.enclosing(450.0, 100.0))
+    small = rig_with(table=RIG.table.model_copy(update={"diameter_mm": 200.0}))
+    assert Cell.of(small, ARM, PartSolid.board_on_stand()).problem_at(PLAN[20]) == ""  # a board may overhang
     wide = rig_with(cell=CellDescription(largest_part_mm=1000.0))
     assert check_collisions([PLAN[0]], wide, ARM, PartSolid.enclosing(450.0, 100.0)) is not None
 
