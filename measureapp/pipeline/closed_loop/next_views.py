@@ -147,7 +147,7 @@ def _viewpoints(
     missing = np.flatnonzero(~coverage.sufficient)
     extent = extent_on_table(coverage.scene.part, cell.rig)
     # collisions are checked for what is chosen, which takes a hundredth of the time
-    grid, _ = grid_candidates(extent, cell.rig, cell.arm, None, PartOf(progress, 0.0, 0.2), settings.candidates)
+    grid = grid_candidates(extent, cell.rig, cell.arm, PartOf(progress, 0.0, 0.2), settings.candidates)
     own = between_angles(tuple(plan), cell.rig, cell.arm)
     some = coverage.samples.subset(missing)
     pockets = aimed_candidates(some, cell.rig, cell.arm, coverage.scene, WIDE, PartOf(progress, 0.2, 0.5)) if len(missing) else None
