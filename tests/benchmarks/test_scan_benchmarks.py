@@ -5,8 +5,9 @@ rendered before, because rendering would compete for the processors as no real c
 stores. What is compared is the time from the first move to `ViewpointStored` of every viewpoint after the first, and from the last of these
 to the end of the scan. Asked for: 0.5 s a viewpoint.
 
-With thirteen other programs waiting for the same two processors a viewpoint took 16.8 s without clouds and 18.0 s with them, and the scan
-ended 2.6 s after the last image: 1.2 s more, of which the computer was busy with others. The clouds cost 1.5 s of one processor a viewpoint.
+In four runs, while 9 to 17 other programs waited for the same two processors, a viewpoint took 12.7 to 19.6 s without clouds and 14.8 to
+24.9 s with them: 1.2, 1.8, 2.2 and 5.3 s more; the scan ended 2.5 to 6.8 s after the last image. The clouds cost 1.5 s of one processor a
+viewpoint, of which a scan of its own computer has one to spare while cameras expose; that was not measured.
 """
 
 from __future__ import annotations
