@@ -148,6 +148,7 @@ def process_joined(project: ProjectFolder, on_event: OnEvent, progress: Progress
 def read_setups(project: ProjectFolder) -> SetUps:
     """Read which set-ups a project is joined from. Raises StorageError when the file is damaged."""
     path = project.path / SETUPS
+    project.journal.check(path)
     try:
         return SetUps.model_validate_json(path.read_text(encoding="utf-8"))
     except (OSError, UnicodeDecodeError) as error:

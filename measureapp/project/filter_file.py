@@ -54,7 +54,7 @@ def load_filters(folder: Path, stitched: StitchedCloud) -> FilterChain | None:
         return None
     chain, cloud = kept
     if len(chain.passed) != len(stitched) or cloud != _checksum(stitched) or not chain.kept_mask.any():
-        raise _unusable(folder / FILTERS, "belongs to another stitched cloud")
+        raise unusable(folder / FILTERS, "belongs to another stitched cloud")
     return chain
 
 
@@ -77,13 +77,14 @@ def _read(path: Path) -> tuple[FilterChain, int] | None:
         version, passed, cloud = int(kept["schema_version"]), np.asarray(kept["passed"], np.uint8), int(kept["cloud"])
         filters = tuple(Filter(one["kind"], tuple(one["numbers"])) for one in json.loads(str(kept["filters"])))
     except (OSError, EOFError, ValueError, KeyError, TypeError, RecursionError, zipfile.BadZipFile, zlib.error, InputError) as error:
-        raise _unusable(path, "cannot be read") from error
+        raise unusable(path, "cannot be read") from error
     if version != SCHEMA_VERSION:
-        raise _unusable(path, f"has format {version}; this version reads format {SCHEMA_VERSION}")
+        raise unusable(path, f"has format {version}; this version reads format {SCHEMA_VERSION}")
     return FilterChain(filters, passed), cloud
 
 
-def _unusable(path: Path, problem: str) -> StorageError:
+def unusable(path: Path, problem: str) -> StorageError:
+    """Return the error for filters that cannot be used, which is no reason not to show the cloud."""
     return StorageError(f"{path} {problem}: the stitched cloud is shown unfiltered.", "Filter it again on the page Clouds.")
 
 

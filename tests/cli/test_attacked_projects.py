@@ -91,7 +91,7 @@ def test_row_5_a_viewpoint_whose_id_is_no_name_of_a_folder_is_refused(name: str)
         ScanPlan(name="plan", viewpoints=(Viewpoint(id=name, flange=AT_ORIGIN, guide_mm=0.0, table_deg=0.0),))
 
 
-@pytest.mark.parametrize("name", ["../../../evil", "/tmp/evil", "", "..", "a/b", "x" * 70])
+@pytest.mark.parametrize("name", ["../../../evil", "/evil", "", "..", "a/b", "x" * 70])
 def test_row_6_a_camera_whose_name_is_no_name_of_a_file_is_refused(name: str) -> None:
     rig = read_rig("paper").model_dump()
     rig["cameras"][0]["name"] = name

@@ -12,6 +12,7 @@ import pytest
 from measureapp.cli import main
 from measureapp.pipeline.setups import SETUPS, JoinOptions, join_projects
 from measureapp.progress import NoProgress
+from measureapp.project import upkeep
 from measureapp.project.folder import ProjectFolder
 from tests.cli.refusal import refused
 from tests.pipeline.joined_projects import project_of
@@ -116,6 +117,7 @@ def test_a_wrong_join_is_refused_and_leaves_nothing(projects, joined: Path, tmp_
         shutil.copytree(projects[1], tmp_path / "other")
         settings = tmp_path / "other" / "project.json"
         settings.write_text(settings.read_text(encoding="utf-8").replace('"part": "bracket"', '"part": "drum"'), encoding="utf-8")
+        upkeep.accept_changes(tmp_path / "other", ["project.json"])
         known["OTHER"] = str(tmp_path / "other")
     given = [known.get(word, word) for word in arguments]
     assert reason in refused(capsys, ["join", *given, "--out", str(tmp_path / "new")])

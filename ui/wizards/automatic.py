@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 SMALLEST = (1264, 620)
 LIVE_INTERVAL_MS = 66
-SIDE_WIDTH = 472
+SIDE_WIDTH = 496
 PURPOSE = (
     "The rig takes about 70 images of one board from all sides. Cameras, hand–eye, linear guide and table axis are then solved together."
 )

@@ -9,11 +9,12 @@ from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QStackedWidget, QWidget
 
 from ui.controllers.controllers import Controllers
-from ui.controllers.scan_choices import CheckedScan
+from ui.controllers.scan_choices import CheckedScan, ScanChoices, suggested_choices
 from ui.controllers.stored_sessions import project_on_disk
 from ui.look.look import Look
 from ui.look.wording import counted, percent, rough_duration, several
 from ui.pages.layers import PlacedClouds, placements_of, view_layer
+from ui.pages.scan.missing import MissingDialog
 from ui.pages.scan.run_bar import RunBar
 from ui.pages.scan.setup import ScanSetup
 from ui.pages.viewport_page import Composer, Picture, ViewportPage
@@ -51,6 +52,7 @@ class ScanPage(ViewportPage):
         self.tiles = TileList(look)
         self.bar = RunBar(look)
         self.pictures = Pictures(look)
+        self.missing_dialog = MissingDialog(look, self)
         self.pictures_title = label("Images", "caption")
         self._placed = PlacedClouds()
         self._wants_setup = False
@@ -82,8 +84,9 @@ class ScanPage(ViewportPage):
         self.new = Button("New scan…", look, "add", "normal", "Choose project, plan and exposures of another scan")
         self.go_on = Button("Resume the scan", look, "run", "primary")
         self.again = Button("Recompute", look, "again", "normal", "Recompute everything from the stored images")
+        self.missing = Button("What is missing…", look, "holes", "normal", "Compare with the nominal, and propose the views that pay")
         self.next_step = Button("See the clouds", look, "clouds", "primary")
-        for button in (self.back, self.new, self.again, self.go_on, self.next_step):
+        for button in (self.back, self.new, self.again, self.missing, self.go_on, self.next_step):
             self.action_row.addWidget(button)
 
     def _connect(self) -> None:
@@ -99,6 +102,9 @@ class ScanPage(ViewportPage):
         self.setup.checkClicked.connect(lambda: scanning.check(self.setup.value()))
         self.setup.startClicked.connect(lambda: scanning.start(self.setup.value()))
         scanning.checked.connect(self._show_checked)
+        self.missing.clicked.connect(controllers.extending.look)
+        controllers.extending.found.connect(self.missing_dialog.show_found)
+        self.missing_dialog.scanClicked.connect(controllers.extending.scan)
         self.bar.pauseClicked.connect(scanning.pause)
         self.bar.resumeClicked.connect(scanning.resume)
         self.bar.skipClicked.connect(self._skip)
@@ -118,6 +124,8 @@ class ScanPage(ViewportPage):
     def set_up(self) -> None:
         """Show what a scan needs."""
         self._wants_setup = True
+        if self.setup.value() == ScanChoices():
+            self.setup.setValue(suggested_choices(self.session))
         self.setup.refresh()
         self._show()
 
@@ -168,7 +176,7 @@ class ScanPage(ViewportPage):
             self.empty.say("The rig is being prepared…", "The viewpoints appear here when the scan begins.", offer=False)
         else:
             self._timer.stop()
-            self._take_images()
+            self._tick()
             self.empty.say(*EMPTY)
             if self.isVisible():
                 self._show_stored()
@@ -188,6 +196,7 @@ class ScanPage(ViewportPage):
         self.back.setVisible(setting_up and has_run)
         self.new.setVisible(idle_run)
         self.again.setVisible(idle_run and any(state.status in HAVE_IMAGES for state in points.values()))
+        self.missing.setVisible(idle_run and self.controllers.extending.can_look)
         self.go_on.setVisible(idle_run and bool(missing))
         self.next_step.setVisible(idle_run and bool(self.session.views) and not missing)
         kept = len(points) - len(missing)
@@ -245,7 +254,8 @@ class ScanPage(ViewportPage):
             self.controllers.stored_images.show(stored[0])
 
     def _tick(self) -> None:
-        self._take_images()
+        if self.isVisible() and not self.controllers.rig_calibrating.is_running:  # another window shows the images of a calibration
+            self._take_images()
         if self.session.run.state == "running":
             self._show_bar()
 
