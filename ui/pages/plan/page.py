@@ -137,7 +137,6 @@ class PlanPage(ViewportPage):
         self.form.show_plan(plan)
         if plan is not None and not self.tree.names():
             self.tree.select((next(iter(plan)).id,))
-        self._show_selection()
         self._show_prediction()
         self._show_actions()
 
