@@ -145,7 +145,7 @@ class MainWindow(QMainWindow):
         self.header.role.valueChanged.connect(self._change_role)
         self.strip.cancelClicked.connect(controllers.jobs.cancel)
         self.strip.messagesClicked.connect(self._show_messages)
-        controllers.jobs.progressed.connect(self.strip.show_progress)
+        controllers.jobs.progressed.connect(self._show_progress)
         self.closing.closeClicked.connect(self._stop_and_close)
         session.busyChanged.connect(self._show_busy)
         session.messageAdded.connect(self._show_message)
@@ -187,6 +187,9 @@ class MainWindow(QMainWindow):
             self.closing.hide()
         if self.session.busy_with and self.session.role == "operator" and self.page is self.pages["rig"]:
             self.show_page("scan")
+
+    def _show_progress(self, share: float, note: str) -> None:
+        self.strip.show_progress(share, note, with_time=self.controllers.scanning.left() is None)
 
     def _follow_operator(self) -> None:
         """Show the operator the verdict after a scan."""

@@ -23,7 +23,7 @@ from measureapp.acquire.run_states import CLOSED, ViewpointState
 from measureapp.acquire.session import RigSession
 from measureapp.acquire.task import Task, Visit
 from measureapp.data.plan import FlangePose, Viewpoint
-from measureapp.errors import DeviceError, DeviceLost, DeviceTimeout, FrameError, LimitError, MotionError, StorageError
+from measureapp.errors import DeviceError, DeviceLost, DeviceTimeout, FrameError, LimitError, MotionError, PlanError, StorageError
 from measureapp.progress import PartOf, Progress
 
 T = TypeVar("T")
@@ -84,7 +84,7 @@ class Run(Generic[T]):
         except (MotionError, DeviceLost):
             self._task.drop(viewpoint.id)
             raise
-        except DeviceError as error:
+        except (DeviceError, PlanError) as error:  # without a path from here nothing moved: there may be one from elsewhere
             self._task.drop(viewpoint.id)
             self._refuse(viewpoint, error)
         except BaseException:
@@ -129,7 +129,7 @@ class Run(Generic[T]):
         self._on_event(ViewpointStored(viewpoint.id, time.monotonic() - self._started[viewpoint.id]))
         self._forget(viewpoint.id)
 
-    def _refuse(self, viewpoint: Viewpoint, error: DeviceError) -> None:
+    def _refuse(self, viewpoint: Viewpoint, error: DeviceError | PlanError) -> None:
         """Take a viewpoint again whose images or settings were refused: at once, then once at the end of the run; then it failed."""
         name, of_images = viewpoint.id, isinstance(error, FrameError | DeviceTimeout)
         self._tries[name] += 1
@@ -143,7 +143,7 @@ class Run(Generic[T]):
         elif self._again(name, at_the_end=True):
             self._on_event(ViewpointQueued(name, f"{error} It is tried once more at the end of the run."))
 
-    def _fail(self, name: str, error: DeviceError) -> None:
+    def _fail(self, name: str, error: DeviceError | PlanError) -> None:
         has_images = self._close(name, ViewpointState.FAILED)
         self.failures[name] = ViewpointFailed(name, f"{error} The images stored before are kept." if has_images else str(error))
         self._on_event(self.failures[name])

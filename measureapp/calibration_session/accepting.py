@@ -214,7 +214,7 @@ def read_document(path: Path) -> Any:
         document = json.loads(path.read_text(encoding="utf-8"))
     except OSError as error:
         raise InputError(f"{path} cannot be read: {error.strerror or error}.", HINT) from error
-    except ValueError as error:
+    except (ValueError, RecursionError) as error:
         raise InputError(f"{path} is not JSON: {error}.", HINT) from error
     if not isinstance(document, dict):
         raise InputError(f"{path} holds no calibration.", HINT)

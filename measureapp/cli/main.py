@@ -19,7 +19,7 @@ from measureapp.errors import DeviceError, MeasureError
 from measureapp.progress import Cancelled
 
 DONE, OUT_OF_TOLERANCE, BAD_INPUT, DEVICE_FAILED, CANCELLED = 0, 1, 2, 3, 130
-NOT_COMMANDS = ("help_words", "main", "outcome", "reply", "scan_log")
+NOT_COMMANDS = ("help_words", "main", "outcome", "reply", "scan_log", "stop_signals")
 
 
 def build() -> typer.Typer:
@@ -66,7 +66,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     except MeasureError as error:
         return _fail(type(error).__name__, error.message, error.hint, as_json, BAD_INPUT)
     except OSError as error:
-        message = f"{error.filename or 'A file'}: {error.strerror or error}."
+        message = f"{error.filename or 'The disk'}: {error.strerror or 'a file cannot be read or written'}."
         return _fail("StorageError", message, "Check the path, the free space and the permissions.", as_json, BAD_INPUT)
 
 

@@ -32,7 +32,8 @@ def register(app: typer.Typer) -> None:
         check: Annotated[
             bool,
             typer.Option(
-                "--check", help="Only report whether the stored results are those of the present images, calibration and program."
+                "--check",
+                help="Only report whether the results belong to the present images, calibration and program, and whether files are missing or cut off.",
             ),
         ] = False,
         as_json: JsonOption = False,
@@ -54,7 +55,7 @@ def register(app: typer.Typer) -> None:
             return
         damaged: dict[str, str] = {}
         outcome = process_project(folder, _reporting(damaged), TerminalProgress())
-        reply({**outcome.document, "damaged": damaged}, "\n".join(measurement_lines(outcome.measurement)), as_json)
+        reply({**outcome.document, **({"damaged": damaged} if damaged else {})}, "\n".join(measurement_lines(outcome.measurement)), as_json)
         if damaged or not has_passed(outcome.measurement):
             raise typer.Exit(OUT_OF_TOLERANCE)
 
@@ -74,7 +75,8 @@ def _reporting(damaged: dict[str, str]) -> Callable[[Event], None]:
 def _check(project: ProjectFolder, as_json: bool) -> int:
     """Reply whether the stored results are current; return the exit code."""
     there = (project.results / "measurement.json").is_file()
-    stale = project.stale_results() if there else ("There are no results yet.",)
+    damaged = project.journal.size_problems()
+    stale = (*damaged, *project.stale_results()) if there else (*damaged, "There are no results yet.")
     reply(
         {"current": not stale, "stale": stale},
         "\n".join(stale) or "The results are those of the stored images, calibration and program.",

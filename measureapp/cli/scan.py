@@ -84,11 +84,13 @@ def _scan(request: ScanRequest, as_json: bool) -> int:
     """Scan, and reply with what became of every viewpoint; return the exit code."""
     from measureapp.acquire.control import RunControl
     from measureapp.cli.scan_log import ScanLog
+    from measureapp.cli.stop_signals import ended_by_signals
     from measureapp.pipeline import scan_into_project
 
     control = RunControl(attended=sys.stdin is not None and sys.stdin.isatty())
     log = ScanLog(request.plan, lambda: _wait_for_enter(control))
-    outcome = scan_into_project(request, log.note, TerminalProgress(), control)
+    with ended_by_signals():
+        outcome = scan_into_project(request, log.note, TerminalProgress(), control)
     document = {} if outcome is None else outcome.document
     figures = {view["name"]: view for view in document.get("views", [])}
     views = [{"name": name, **figures.get(name, {}), **state} for name, state in log.states.items()]

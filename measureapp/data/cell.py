@@ -37,7 +37,7 @@ class CellDescription(Model):
 
     floor_mm: float = Field(default=0.0, description="height of the floor in the guide frame; default: the plane on which the robot stands")
     guide_beam: NamedBox | None = Field(default=None, description="the linear guide under the robot, in the guide frame; none: no body")
-    head: tuple[NamedBox, ...] = Field(default=(), description="in the head frame; none given: derived from cameras and projector")
+    head_bodies: tuple[NamedBox, ...] = Field(default=(), description="in the head frame; none given: derived from cameras and projector")
     fixtures: tuple[Fixture, ...] = ()
     largest_part_mm: float | None = Field(
         default=None, gt=0, description="largest diameter of a part about the table's axis; none: the table's"

@@ -27,6 +27,7 @@ from measureapp.pipeline.watch import Stopwatch
 from measureapp.planning.reach import check_reach
 from measureapp.progress import PartOf, Progress
 from measureapp.project.folder import ProjectFolder
+from measureapp.project.frame_store import DESCRIPTION
 from measureapp.project.geometry.robot_file import arm_of
 from measureapp.register.joint.registration_cache import RegistrationCache
 
@@ -126,7 +127,8 @@ def _waiting(plan: ScanPlan, stored: set[str], retake: tuple[str, ...]) -> tuple
 
 def _check_kept(project: ProjectFolder, expected: set[str]) -> None:
     """Raise StorageError where images that were stored are not there any more: somebody removed the folder, or its disk is gone."""
-    missing = sorted(expected - set(project.stored_viewpoints()))
+    here = {name for name in project.stored_viewpoints() if (project.path / "stacks" / name / DESCRIPTION).is_file()}
+    missing = sorted(expected - here)
     if missing:
         raise StorageError(
             f"The images of {', '.join(missing[:8])}{', …' if len(missing) > 8 else ''} were stored in {project.path} and are gone.",

@@ -7,6 +7,7 @@ an inspection program and a nominal, and results of its own. `process` joins the
 from __future__ import annotations
 
 import hashlib
+import json
 import os
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -27,6 +28,7 @@ from measureapp.errors import InputError, StorageError
 from measureapp.geometry.transform import RigidTransform
 from measureapp.inspection.alignment.best_fit import best_fit
 from measureapp.inspection.measured_points import sample_mesh
+from measureapp.inspection.settings import AlignmentSettings
 from measureapp.pipeline.assemble import compute_surface, inspect_stitched, inspection_settings
 from measureapp.pipeline.events import Event, InspectionReady, StitchReady
 from measureapp.pipeline.project_names import unique_names
@@ -37,7 +39,7 @@ from measureapp.project.atomic import write_text
 from measureapp.project.documents import calibration_id
 from measureapp.project.folder import ProjectFolder, ProjectSettings
 from measureapp.project.geometry.files import read_mesh
-from measureapp.project.results import STITCHED, cloud_path
+from measureapp.project.results import DOCUMENT, STITCHED, cloud_path
 from measureapp.register.setups.join import JoinedCloud, JoinRequest, NominalFit, join_setups, view_name
 from measureapp.register.setups.setup_cloud import SetUpCloud
 
@@ -129,8 +131,11 @@ def process_joined(project: ProjectFolder, on_event: OnEvent, progress: Progress
     watch = Stopwatch()
     with project.lock():
         described = read_setups(project)
-        members = [_load(source.name, project.path / source.path) for source in described.sources]
-        sources = tuple(_verified(source, member) for source, member in zip(described.sources, members, strict=True))
+        folders = [(project.path / source.path).resolve() for source in described.sources]
+        for source, folder in zip(described.sources, folders, strict=True):
+            _require_undamaged(source, folder)
+        members = [_load(source.name, folder) for source, folder in zip(described.sources, folders, strict=True)]
+        sources = tuple(_renewed(source, member) for source, member in zip(described.sources, members, strict=True))
         described = described.model_copy(update={"sources": sources})
         with watch.stage("joining"):
             nominal = None if project.nominal is None else read_mesh(project.nominal, "nominal")
@@ -143,6 +148,7 @@ def process_joined(project: ProjectFolder, on_event: OnEvent, progress: Progress
 def read_setups(project: ProjectFolder) -> SetUps:
     """Read which set-ups a project is joined from. Raises StorageError when the file is damaged."""
     path = project.path / SETUPS
+    project.journal.check(path)
     try:
         return SetUps.model_validate_json(path.read_text(encoding="utf-8"))
     except (OSError, UnicodeDecodeError) as error:
@@ -208,17 +214,24 @@ def _sha256(path: Path) -> str:
     return digest.hexdigest()
 
 
-def _verified(source: SetUpSource, member: _Member) -> SetUpSource:
-    """Return the description of a set-up's present results; refuse clouds that changed although they were not computed again."""
-    found = _checksums(member)
-    if member.measurement.measured_at == source.measured_at:
-        changed = sorted(name for name in source.sha256 if found.get(name) != source.sha256[name])
-        if changed:
-            folder = member.project.path
+def _require_undamaged(source: SetUpSource, folder: Path) -> None:
+    """Refuse clouds of a set-up that changed although they were not computed again. Raises StorageError that names the file."""
+    try:
+        measured_at = json.loads((folder / "results" / DOCUMENT).read_text(encoding="utf-8"))["measured_at"]
+    except (OSError, ValueError, KeyError, TypeError):
+        return  # missing or damaged results are refused where they are loaded
+    if measured_at != source.measured_at:
+        return
+    for name, expected in source.sha256.items():
+        if not (folder / name).is_file() or _sha256(folder / name) != expected:
             raise StorageError(
-                f"{folder / changed[0]} is damaged: it is not the file that was joined.", f"Compute it again: measureapp process {folder}."
+                f"{folder / name} is damaged: it is not the file that was joined.", f"Compute it again: measureapp process {folder}."
             )
-    return source.model_copy(update={"measured_at": member.measurement.measured_at, "sha256": found})
+
+
+def _renewed(source: SetUpSource, member: _Member) -> SetUpSource:
+    """Return the description of a set-up's present results."""
+    return source.model_copy(update={"measured_at": member.measurement.measured_at, "sha256": _checksums(member)})
 
 
 def _join(described: SetUps, members: Sequence[_Member], nominal: Mesh | None, progress: Progress) -> JoinedCloud:
@@ -245,10 +258,11 @@ def _fit_nominal(members: Sequence[_Member], nominal: Mesh, progress: Progress) 
     surface = StitchedCloud(
         sampled.points_mm, sampled.normals, np.full(count, NOMINAL_SIGMA_MM), np.zeros(count), np.zeros(count, np.int16), (), "nominal"
     )
+    settings = AlignmentSettings(upright=False)  # a part on its head may fit the upright nominal fairly well
     fits = {}
     for number, member in enumerate(members):
         part = PartOf(progress, number / len(members), (number + 1) / len(members), f"{member.name}: ")
-        fits[member.name] = best_fit(member.measurement.stitched, nominal, progress=part).nominal_from_part
+        fits[member.name] = best_fit(member.measurement.stitched, nominal, settings, progress=part).nominal_from_part
     return NominalFit(surface, fits)
 
 

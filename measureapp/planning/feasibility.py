@@ -8,6 +8,7 @@ from functools import lru_cache
 
 import numpy as np
 
+from measureapp.arrays import FloatArray
 from measureapp.data.mesh import Mesh
 from measureapp.data.plan import FlangePose, Viewpoint
 from measureapp.data.rig import RigDescription
@@ -17,6 +18,8 @@ from measureapp.planning.collision.cell import Cell
 
 PLACES_KEPT = 10_000
 LEAST_HEIGHT_MM = 1.0
+FLAT = 1e-6  # thickness over size below which a hull has no volume
+THICKNESS_MM = 0.2
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -44,7 +47,7 @@ class Feasibility:
         PlanError
             The part is larger than the table.
         """
-        points = part.vertices_mm[np.unique(part.triangles)]
+        points = _with_thickness(part.vertices_mm[np.unique(part.triangles)])
         cell = Cell.of(rig, arm, PartSolid.of_points(points))
         if any(fixture.on_table for fixture in rig.cell.fixtures):
             return cls(rig, arm, lambda viewpoint: not cell.problem_at(viewpoint), cell.problem_between)
@@ -64,3 +67,11 @@ class Feasibility:
             return not cell.problem_at(viewpoint) if known is None else known
 
         return cls(rig, arm, is_free, cell.problem_between)
+
+
+def _with_thickness(points_mm: FloatArray) -> FloatArray:
+    """Return points (N, 3), doubled to either side where they all lie in one plane or line, for their hull to have a volume."""
+    values = np.linalg.svd(points_mm - points_mm.mean(axis=0), compute_uv=False)
+    if len(points_mm) > 3 and values[-1] > FLAT * values[0]:
+        return points_mm
+    return np.concatenate([points_mm + THICKNESS_MM / 2.0 * side for side in (*np.eye(3), *-np.eye(3))])

@@ -38,6 +38,7 @@ from measureapp.progress import NoProgress, PartOf, Progress
 READOUT_S = 0.069  # of an image of a camera with a rolling shutter
 BLOCKED_S = 1e4  # added to a way that is not free
 REROUTES = 8
+MOST_PAIRS = 60_000_000  # of candidates and samples: about 0.6 GB
 
 
 class GeneratorSettings(Model):
@@ -84,11 +85,16 @@ def generate_plan(
     Raises
     ------
     PlanError
-        The part is too small or too large for the rig, or no feasible viewpoint sees any of it.
+        The part is too small or too large for the rig, the search too large, or no feasible viewpoint sees any of it.
     Cancelled
         From ``progress``.
     """
     settings, progress = settings or GeneratorSettings(), progress or NoProgress()
+    if settings.samples * settings.candidates > MOST_PAIRS:
+        raise PlanError(
+            f"{settings.samples} samples and {settings.candidates} candidates need too much memory.",
+            f"Their product may be {MOST_PAIRS:.0e} at most.",
+        )
     part = nominal.seen_from(part_from_nominal or standing(nominal))
     extent = extent_on_table(part, cell.rig)
     scene = PartScene.of(part, cell.rig, fixtures)

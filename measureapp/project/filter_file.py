@@ -13,6 +13,7 @@ import numpy as np
 from measureapp.data.cloud import StitchedCloud
 from measureapp.errors import InputError, RegistrationError, StorageError
 from measureapp.progress import Progress
+from measureapp.project.array_files import read_npz
 from measureapp.project.atomic import remove, replacing_together
 from measureapp.project.geometry.files import write_cloud
 from measureapp.project.journal.entries import Entry
@@ -53,7 +54,7 @@ def load_filters(folder: Path, stitched: StitchedCloud) -> FilterChain | None:
         return None
     chain, cloud = kept
     if len(chain.passed) != len(stitched) or cloud != _checksum(stitched) or not chain.kept_mask.any():
-        raise _unusable(folder / FILTERS, "belongs to another stitched cloud")
+        raise unusable(folder / FILTERS, "belongs to another stitched cloud")
     return chain
 
 
@@ -72,17 +73,18 @@ def _read(path: Path) -> tuple[FilterChain, int] | None:
     if not path.exists():
         return None
     try:
-        with path.open("rb") as file, np.load(file, allow_pickle=False) as kept:
-            version, passed, cloud = int(kept["schema_version"]), np.asarray(kept["passed"], np.uint8), int(kept["cloud"])
-            filters = tuple(Filter(one["kind"], tuple(one["numbers"])) for one in json.loads(str(kept["filters"])))
-    except (OSError, EOFError, ValueError, KeyError, TypeError, zipfile.BadZipFile, zlib.error, InputError) as error:
-        raise _unusable(path, "cannot be read") from error
+        kept = read_npz(path)
+        version, passed, cloud = int(kept["schema_version"]), np.asarray(kept["passed"], np.uint8), int(kept["cloud"])
+        filters = tuple(Filter(one["kind"], tuple(one["numbers"])) for one in json.loads(str(kept["filters"])))
+    except (OSError, EOFError, ValueError, KeyError, TypeError, RecursionError, zipfile.BadZipFile, zlib.error, InputError) as error:
+        raise unusable(path, "cannot be read") from error
     if version != SCHEMA_VERSION:
-        raise _unusable(path, f"has format {version}; this version reads format {SCHEMA_VERSION}")
+        raise unusable(path, f"has format {version}; this version reads format {SCHEMA_VERSION}")
     return FilterChain(filters, passed), cloud
 
 
-def _unusable(path: Path, problem: str) -> StorageError:
+def unusable(path: Path, problem: str) -> StorageError:
+    """Return the error for filters that cannot be used, which is no reason not to show the cloud."""
     return StorageError(f"{path} {problem}: the stitched cloud is shown unfiltered.", "Filter it again on the page Clouds.")
 
 

@@ -19,31 +19,29 @@ import shutil
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal, TypeVar, get_args
-
-from pydantic import BaseModel, ValidationError
+from typing import TYPE_CHECKING, Any, Literal
 
 from measureapp.data.board import AnyBoard, BoardView, CheckerboardDescription
 from measureapp.data.calibration import RigCalibration
 from measureapp.data.measurement import Measurement
 from measureapp.data.mesh import Mesh
-from measureapp.data.model import Model, first_problem
+from measureapp.data.model import Model
 from measureapp.data.plan import ScanPlan
 from measureapp.data.rig import RigDescription
 from measureapp.data.validity import CheckRecord
 from measureapp.data.view_choices import ViewChoices
-from measureapp.errors import CalibrationError, InputError, StorageError
+from measureapp.errors import CalibrationError, Damaged, InputError, StorageError
 from measureapp.progress import NoProgress
 from measureapp.project import filter_file, inputs, results, takeover
 from measureapp.project.atomic import remove, replacing, write_text
 from measureapp.project.calibration import board_views, store
-from measureapp.project.calibration.store import RIG_UNCERTAINTY
 from measureapp.project.folder_lock import lock_folder
 from measureapp.project.frame_store import FrameStore
 from measureapp.project.geometry.files import write_mesh
 from measureapp.project.geometry.step_files import STEP_KINDS
 from measureapp.project.journal import database, publish, seal
 from measureapp.project.journal.state import Journal
+from measureapp.project.text_document import read_model
 from measureapp.project.upkeep import require_project
 
 if TYPE_CHECKING:
@@ -55,7 +53,6 @@ if TYPE_CHECKING:
     from measureapp.register.clouds.filter_chain import FilterChain
 
 DEFAULT_BOARD = CheckerboardDescription(columns=14, rows=11, square_mm=15.0)
-ModelT = TypeVar("ModelT", bound=BaseModel)
 PROGRAM, NOMINAL, FORMER, REPORT_TEMPLATE = "program.toml", "nominal", "former", "report.typ"
 VIEW_CHOICES = "view_choices.json"
 
@@ -110,7 +107,7 @@ class ProjectFolder:
         path = Path(path)
         require_project(path)
         Journal(path).check(path / "project.json")
-        return cls(path, _read_model(path / "project.json", ProjectSettings))
+        return cls(path, read_model(path / "project.json", ProjectSettings))
 
     @property
     def name(self) -> str:
@@ -128,6 +125,7 @@ class ProjectFolder:
         StorageError
             Another window or command has locked it, or it is read-only.
         """
+        database.require_short(self.path)
         with lock_folder(self.path):
             if self.journal.contents() is None:
                 takeover.take_over(self.path)
@@ -146,14 +144,12 @@ class ProjectFolder:
         """Return the scan plan, if there is one."""
         path = self.path / "plan.json"
         self.journal.check(path)
-        return _read_model(path, ScanPlan) if path.exists() else None
+        return read_model(path, ScanPlan) if path.exists() else None
 
     def save_plan(self, plan: ScanPlan) -> None:
         """Store the scan plan; where images are stored already, it may only add viewpoints. Raises InputError for any other change."""
-        former = self.plan() if self.frames.list_stored() else None
-        if self.frames.list_stored() and (former is None or not plan.extends(former)):
-            hint = "Scan into a new project, or keep all viewpoints of its plan unchanged and only add some."
-            raise InputError(f"{self.path} contains images of another plan.", hint)
+        if self.frames.list_stored() and not ((former := self.plan()) and plan.extends(former)):
+            raise InputError(f"{self.path} contains images of another plan.", "Scan into a new project, or only add viewpoints.")
         write_text(self.path / "plan.json", plan.model_dump_json(indent=2))
 
     def stored_viewpoints(self) -> tuple[str, ...]:
@@ -191,7 +187,8 @@ class ProjectFolder:
         store.record(self.path / "calibration", line)
 
     def calibration_history(self) -> tuple[CheckRecord, ...]:
-        """Return the results of scans and checks for this and former calibrations, oldest first."""
+        """Return the results of scans and checks for this and former calibrations, oldest first. Raises StorageError."""
+        self.journal.check_once(self.path / "calibration" / store.HISTORY)
         return store.history(self.path / "calibration")
 
     def save_check_view(self, check: str, view: BoardView) -> None:
@@ -202,7 +199,7 @@ class ProjectFolder:
         """Return the uncertainty of the calibration, if it is stored. Raises StorageError when it is damaged."""
         from measureapp.project.calibration.rig_uncertainty_file import read_rig_uncertainty
 
-        calibration, path = self.calibration(), self.path / "calibration" / RIG_UNCERTAINTY
+        calibration, path = self.calibration(), self.path / "calibration" / store.RIG_UNCERTAINTY
         self.journal.check(path)
         return read_rig_uncertainty(path, calibration) if calibration is not None and path.exists() else None
 
@@ -318,7 +315,7 @@ class ProjectFolder:
         """Return the views accepted or refused by hand. Raises StorageError when the file is damaged."""
         path = self.path / VIEW_CHOICES
         self.journal.check(path)
-        return _read_model(path, ViewChoices) if path.exists() else ViewChoices()
+        return read_model(path, ViewChoices) if path.exists() else ViewChoices()
 
     def save_view_choices(self, choices: ViewChoices) -> None:
         """Store the views accepted or refused by hand. Raises StorageError."""
@@ -334,19 +331,22 @@ class ProjectFolder:
 
         ``recomputed``: its clouds were computed just now, and not only stitched again.
         """
-        results.save(self.results, measurement, self._inputs(recomputed=recomputed))
+        results.save(self.results, measurement, self._inputs(measurement, recomputed=recomputed))
         filter_file.reapply_filters(self.results, measurement.stitched, progress)
 
     def update_inspection(self, measurement: Measurement) -> None:
         """Store a measurement of which only the inspection has changed."""
-        results.save_document(self.results, measurement, self._inputs(recomputed=False))
+        results.save_document(self.results, measurement, self._inputs(measurement, recomputed=False))
 
-    def _inputs(self, *, recomputed: bool) -> dict[str, Any]:
+    def _inputs(self, measurement: Measurement, *, recomputed: bool) -> dict[str, Any]:
         contents = self.journal.contents()
         if contents is None:
             return {}
         now, before = inputs.current_inputs(contents), contents.results.get("inputs", {})
-        return now if recomputed else inputs.inspected_again(before, now) if before else {}
+        if not recomputed:
+            return inputs.inspected_again(before, now) if before else {}
+        used = {view.viewpoint_id for view in measurement.views}
+        return {**now, "stacks": {name: value for name, value in now["stacks"].items() if name in used}}
 
     def stale_results(self) -> tuple[str, ...]:
         """Return in sentences what has changed since the results were computed. Raises StorageError."""
@@ -355,12 +355,17 @@ class ProjectFolder:
 
     def filters(self, stitched: StitchedCloud) -> FilterChain | None:
         """Load the filters of the stitched cloud, if any. Raises StorageError when they are damaged or belong to another cloud."""
+        try:
+            self.journal.check(self.results / filter_file.FILTERS)
+        except Damaged as error:
+            raise filter_file.unusable(self.results / filter_file.FILTERS, "is not what was stored") from error
         return filter_file.load_filters(self.results, stitched)
 
     def measurement(self) -> Measurement | None:
         """Load the last measurement, if there is one. Raises StorageError when it is damaged."""
         contents = self.journal.contents()
-        self.journal.check(*(self.path / name for name in (contents.files if contents else ()) if name.startswith("results/")))
+        files = [self.path / name for name in (contents.files if contents else ()) if name.startswith("results/")]
+        self.journal.check(*(path for path in files if path.name not in (filter_file.FILTERS, filter_file.FILTERED)))
         calibration = self.calibration()
         return None if calibration is None else results.load(self.results, calibration)
 
@@ -378,26 +383,3 @@ class ProjectFolder:
     def report_json(self) -> Path:
         """File of the report's JSON."""
         return self.path / "report" / "report.json"
-
-
-def _read_json(path: Path) -> Any:
-    try:
-        return json.loads(path.read_text(encoding="utf-8"))
-    except (OSError, ValueError) as error:
-        raise StorageError(f"{path} cannot be read: {error}.", "Restore the file from a backup, or create a new project.") from error
-
-
-def _read_model(path: Path, kind: type[ModelT]) -> ModelT:
-    document = _read_json(path)
-    newest = get_args(kind.model_fields["schema_version"].annotation)[0]
-    version = document.get("schema_version", newest) if isinstance(document, dict) else newest
-    if version not in range(1, newest + 1):
-        raise StorageError(
-            f"{path} has format {version}; this version reads formats up to {newest}.", "Use the version of MeasureApp that wrote it."
-        )
-    try:
-        return kind.model_validate(document)
-    except ValidationError as error:
-        raise StorageError(
-            f"{path}: {first_problem(error, 'the file')}.", "Restore the file from a backup, or create a new project."
-        ) from error

@@ -61,7 +61,7 @@ def changes(before: Mapping[str, Any], now: Mapping[str, Any]) -> tuple[str, ...
         if viewpoint not in stacks:
             found.append(f"Viewpoint {viewpoint} was removed after the results were computed.")
         elif viewpoint not in then:
-            found.append(f"Viewpoint {viewpoint} was stored after the results were computed.")
+            found.append(f"Viewpoint {viewpoint} is stored, but the results were computed without it.")
         elif then[viewpoint] != stacks[viewpoint]:
             found.append(f"The results were computed with other images of viewpoint {viewpoint}.")
     return tuple(found)

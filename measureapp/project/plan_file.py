@@ -59,9 +59,14 @@ def write_plan(path: Path, plan: ScanPlan) -> None:
         It cannot be written; an earlier file stays as it was.
     """
     path = Path(path)
+    check_plan_name(path)
+    write_text(path, plan_text(plan) if path.suffix.lower() == ".toml" else plan.model_dump_json(indent=2, exclude_none=True) + "\n")
+
+
+def check_plan_name(path: Path) -> None:
+    """Raise InputError if the extension of a plan to be written is neither ``.toml`` nor ``.json``."""
     if path.suffix.lower() not in SUFFIXES:
         raise InputError(f"{path} is not the name of a plan file.", "End its name in .toml or .json.")
-    write_text(path, plan_text(plan) if path.suffix.lower() == ".toml" else plan.model_dump_json(indent=2, exclude_none=True) + "\n")
 
 
 def plan_text(plan: ScanPlan) -> str:

@@ -71,7 +71,7 @@ def _stack(project: Path, folder: Path) -> Entry | None:
             head = _head(folder / name)
             size = (folder / name).stat().st_size
             files[publish.relative_name(project, folder / name)] = FileState(size, str(document["checksums"][name]), head.hex())
-    except (OSError, ValueError, AttributeError, RecursionError, StorageError):
+    except (OSError, ValueError, AttributeError, TypeError, RecursionError, StorageError):
         return None
     return Entry(STORED, files, folder.name)
 

@@ -6,9 +6,14 @@ import json
 import tomllib
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar, get_args
 
+from pydantic import BaseModel, ValidationError
+
+from measureapp.data.model import first_problem
 from measureapp.errors import InputError, StorageError
+
+ModelT = TypeVar("ModelT", bound=BaseModel)
 
 
 def read_toml(path: Path, remedy: str) -> dict[str, Any]:
@@ -67,3 +72,25 @@ def check_version(path: Path, document: Mapping[str, Any], version: int) -> None
         )
     if found != version:
         raise StorageError(f"{path} has the unknown format {found!r}.", "Restore the file from a backup.")
+
+
+def read_model(path: Path, kind: type[ModelT]) -> ModelT:
+    """Read a JSON document of a project, which has a schema version. Raises StorageError when it is damaged or of a newer version."""
+    document = _read_json(path)
+    newest = get_args(kind.model_fields["schema_version"].annotation)[0]
+    version = document.get("schema_version", newest) if isinstance(document, dict) else newest
+    if version not in range(1, newest + 1):
+        check_version(path, document, newest)
+    try:
+        return kind.model_validate(document)
+    except ValidationError as error:
+        raise StorageError(
+            f"{path}: {first_problem(error, 'the file')}.", "Restore the file from a backup, or create a new project."
+        ) from error
+
+
+def _read_json(path: Path) -> Any:
+    try:
+        return json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError, RecursionError) as error:
+        raise StorageError(f"{path} cannot be read: {error}.", "Restore the file from a backup, or create a new project.") from error

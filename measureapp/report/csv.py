@@ -29,6 +29,7 @@ COLUMNS = (
     *(f"uncertainty_{name}" for name in CONTRIBUTIONS),
 )
 DIGITS = 9
+FORMULA = ("=", "+", "-", "@", "\t", "\r")  # beginnings of formulas
 
 
 def csv_text(model: ReportModel) -> str:
@@ -42,8 +43,15 @@ def csv_text(model: ReportModel) -> str:
         budget = document.pop("uncertainty_budget")
         document |= {f"uncertainty_{name}": budget.get(name) for name in CONTRIBUTIONS}
         document["datums"] = "|".join(document["datums"])
-        writer.writerow({key: round(value, DIGITS) if isinstance(value, float) else value for key, value in document.items()})
+        writer.writerow({key: _cell(value) for key, value in document.items()})
     return text.getvalue()
+
+
+def _cell(value: object) -> object:
+    """Round numbers, and mark texts that a spreadsheet would take for a formula and carry out with an apostrophe."""
+    if isinstance(value, float):
+        return round(value, DIGITS)
+    return f"'{value}" if isinstance(value, str) and value.startswith(FORMULA) else value
 
 
 def write_csv(model: ReportModel, path: Path) -> Path:

@@ -16,7 +16,7 @@ from measureapp.acquire.session import RigSession
 from measureapp.acquire.task import Visit
 from measureapp.data.plan import Viewpoint
 from measureapp.devices.status import DeviceStatus
-from measureapp.errors import DeviceError, FrameError, LimitError, StorageError
+from measureapp.errors import DeviceError, FrameError, LimitError, PlanError, StorageError
 from measureapp.progress import Cancelled
 
 WATCHDOG_S = 60.0  # nothing waits; only a deadlock takes longer
@@ -199,6 +199,8 @@ class SteppedRun:
             raise DeviceError(f"{device} refuses.", "Choose another setting.")
         if outcome == "limit":
             raise LimitError(f"{device} cannot go there.", "Choose another goal.")
+        if outcome == "no path":
+            raise PlanError("There is no path from here.", "Start elsewhere.")
         return "" if outcome == "ok" else outcome
 
     @property

@@ -222,6 +222,13 @@ def test_a_viewpoint_that_stays_refused_is_tried_once_more_at_the_end_and_then_r
     assert run.ended.message.startswith("2 of 3 viewpoints are stored and kept; not v0.")
 
 
+def test_a_viewpoint_without_a_path_from_here_is_tried_from_elsewhere(run, disk):
+    run.steps.go("no path")
+    to_the_end(run)
+    assert stored(run) == ["v1", "v2", "v0"]
+    assert run.ended.reason == "done"
+
+
 def test_a_run_that_a_fault_ends_says_the_reason_what_is_kept_and_how_to_go_on(run):
     until(run, "store")
     run.steps.go("ok")

@@ -26,7 +26,7 @@ from measureapp.progress import Cancelled
 PLAN = fake_plan(4)
 NAMES = tuple(viewpoint.id for viewpoint in PLAN)
 OUTCOMES = {
-    "move": ("refused", "refused", "refused", "limit", "timeout", "off", "lost", "oserror"),
+    "move": ("refused", "refused", "no path", "limit", "timeout", "off", "lost", "oserror"),
     "trigger": ("failed", "double", "double", "missing", "refused", "refused", "lost"),
     "check": ("contradiction",),
     "store": ("full", "full", "full", "bug"),

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from datetime import UTC, datetime, timedelta
 from math import radians
 
 import pytest
 from acquire.fake_rig import Cell, Truthful, drawn, fake_plan, fake_rig, released
 from acquire.test_engine import once, run, stopped
 
+from measureapp.acquire import run as engine_run
+from measureapp.acquire import session
 from measureapp.acquire.engine import Engine
-from measureapp.acquire.events import ViewpointFailed, ViewpointRetaken
+from measureapp.acquire.events import ViewpointFailed, ViewpointRetaken, ViewpointStored
 from measureapp.acquire.tasks.fringes import FringeTask
 from measureapp.devices.camera import StreamStatistics
 from measureapp.devices.rig import Rig
@@ -189,3 +192,23 @@ def test_a_person_has_to_reset_the_stop_after_an_axis_stopped_elsewhere(rig, cel
     with pytest.raises(DeviceError, match="The rig was stopped"):
         Engine(rig).run(plan.name, plan.viewpoints[1:], task, lambda _: None, NoProgress())
     assert cell.moves == moves
+
+
+def test_d11_a_clock_that_is_set_back_changes_nothing_but_the_times_recorded(rig, cell, monkeypatch):
+    """By an hour with every look at it."""
+    start, looks = datetime(2026, 1, 1, tzinfo=UTC), []
+
+    class SetBack(datetime):
+        @classmethod
+        def now(cls, tz=None):
+            looks.append(start - timedelta(hours=len(looks)))
+            return looks[-1]
+
+    monkeypatch.setattr(engine_run, "datetime", SetBack)
+    monkeypatch.setattr(session, "datetime", SetBack)
+    events = run(rig, fake_plan(), sink := Truthful(cell))
+    assert stored(sink) == ["v0", "v1", "v2"]
+    times = [stack.conditions.taken_at for stack in sink.stacks]
+    assert times == sorted(times, reverse=True), "the clock was not looked at"
+    assert len({stack.approach for stack in sink.stacks}) == 3
+    assert all(0.0 <= event.seconds < 60.0 for event in events if isinstance(event, ViewpointStored))

@@ -127,7 +127,7 @@ def spoiled(change):
 
         def next_frame(*, timeout_s):
             frame = genuine(timeout_s=timeout_s)
-            first_view = abs(table.angle_rad()) < 1e-3
+            first_view = abs(table.angle_rad() - 0.1745) < 1e-3  # at 10 degrees
             if first_view:
                 kept.append(frame.pixels)
                 return frame
@@ -148,7 +148,7 @@ def all_stale(rig):
 
     def next_frame(*, timeout_s):
         frame = genuine(timeout_s=timeout_s)
-        if abs(table.angle_rad()) < 1e-3:
+        if abs(table.angle_rad() - 0.1745) < 1e-3:
             kept.append(frame.pixels)
             return frame
         return replace(frame, pixels=kept[frame.number].copy())

@@ -52,7 +52,9 @@ def arguments(tmp_path: Path) -> Callable[..., list[str]]:
     plan = plan_around_part(read_rig("paper"), "plan", radius_mm=100, height_mm=80, count=4)
 
     def words(attack: str, views: int = 3, time_scale: float = 0.0) -> list[str]:
-        viewpoints = tuple(plan.viewpoints[0].model_copy(update={"id": f"v{index}", "table_deg": 90.0 * index}) for index in range(views))
+        viewpoints = tuple(
+            plan.viewpoints[0].model_copy(update={"id": f"v{index}", "table_deg": 90.0 * index + 10.0}) for index in range(views)
+        )
         changed = plan.model_copy(update={"viewpoints": viewpoints, "bracket": ExposureBracket(exposures_us=(80_000, 40_000))})
         (tmp_path / "plan.json").write_text(changed.model_dump_json(), encoding="utf-8")
         settings = f'attack = "{attack}", record = "{tmp_path / "record"}", shipped = "{SHIPPED}", time_scale = {time_scale}'
@@ -81,7 +83,7 @@ def stored(tmp_path: Path) -> list[str]:
     ("attack", "kind", "words"),
     [
         ("oserror", "DeviceLost", "The rotary table failed: ConnectionResetError: [Errno 104] Connection reset by peer"),
-        ("stuck", "MotionError", "v1: the table stopped at 0.000°"),
+        ("stuck", "MotionError", "v1: the table stopped at 10.000°"),
         ("value error", "DeviceLost", "The measuring head failed: ValueError: bad reply"),
         ("turning", "MotionError", "v0: the robot moved while images were taken"),
     ],
@@ -115,10 +117,11 @@ def test_a_view_with_a_wrong_image_is_refused_and_the_others_are_kept(
 
 
 @pytest.mark.timed
+@pytest.mark.parametrize("ending", [name for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)])
 def test_ctrl_c_during_a_move_stops_every_device_is_told_and_leaves_a_project_to_resume(
-    plugins: Path, arguments: Scan, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    ending: str, plugins: Path, arguments: Scan, tmp_path: Path
 ) -> None:
-    """The real command, interrupted by its parent while the table turns."""
+    """The real command, interrupted by its parent while the table turns; so when its terminal is closed, or the computer shuts down."""
     command = [sys.executable, "-c", PROGRAM, str(plugins), *arguments("", time_scale=1.0)]
     process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=dict(os.environ))
     end = time.monotonic() + 60.0
@@ -127,10 +130,12 @@ def test_ctrl_c_during_a_move_stops_every_device_is_told_and_leaves_a_project_to
         time.sleep(0.02)
     time.sleep(0.3)
     interrupted = time.time()
-    process.send_signal(signal.SIGINT)
-    out, _ = process.communicate(timeout=30.0)
+    process.send_signal(getattr(signal, ending))
+    out, said = process.communicate(timeout=30.0)
     assert process.returncode == 130
     assert json.loads(out)["error"]["type"] == "Cancelled"
+    assert "0 of 3 viewpoints are stored and kept; not v0, v1, v2." in said
+    assert "Run the same command with --resume." in said
     stops = record(tmp_path, "stop")
     assert {name for _, name in stops} == ALL
     assert max(moment for moment, _ in stops) - interrupted < 0.5

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import json
-import os
-import shutil
 from pathlib import Path
 
 import pytest
-from demo_fixture import Demo
+from demo_fixture import Demo, linked_copy
 
 from measureapp.cli import main
+from measureapp.project import upkeep
 from measureapp.project.folder import ProjectFolder
 
 
@@ -23,7 +22,7 @@ def answer(capsys: pytest.CaptureFixture[str], *arguments: object) -> tuple[int,
 @pytest.fixture
 def copy(demo: Demo, tmp_path: Path) -> Path:
     """The demo's project; files are links, so that they are replaced and never written into."""
-    return Path(shutil.copytree(demo.folder, tmp_path / "project", copy_function=os.link))
+    return linked_copy(demo.folder, tmp_path / "project")
 
 
 def edit_settings(folder: Path, **world: object) -> None:
@@ -31,6 +30,7 @@ def edit_settings(folder: Path, **world: object) -> None:
     settings["rig"]["driver_settings"]["world"] = world
     (folder / "project.json").unlink()
     (folder / "project.json").write_text(json.dumps(settings), encoding="utf-8")
+    upkeep.accept_changes(folder, ["project.json"])
 
 
 def own_history(folder: Path) -> None:
@@ -85,4 +85,4 @@ def test_a_calibration_that_was_changed_by_hand_is_refused(copy: Path, capsys: p
     path.unlink()
     path.write_text(json.dumps(cameras), encoding="utf-8")
     code, document, _ = answer(capsys, "calibrate", "check", "--project", copy)
-    assert code == 2 and "was modified after it was stored" in document["error"]["message"]
+    assert code == 2 and "cameras.json is not what was stored" in document["error"]["message"]

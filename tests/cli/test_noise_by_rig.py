@@ -114,7 +114,7 @@ def test_a_damaged_noise_file_of_a_project_is_refused_before_anything_moves(
 ) -> None:
     settings = ProjectSettings(name="one view", part="one view", rig=read_rig(str(rig)))
     project = ProjectFolder.create(tmp_path / "project", settings)
-    (project.path / "calibration").mkdir()
+    (project.path / "calibration").mkdir(exist_ok=True)
     (project.path / "calibration" / "noise.json").write_text("{", encoding="utf-8")
     said = refused_with(capsys, "scan", plan, "--rig", rig, "--project", project.path, "--calibration", demo.folder)
     assert "noise.json is not JSON" in said

@@ -80,6 +80,8 @@ INPUTS: list[tuple[str, str]] = [
     ("calibrate guide --robot-poses IN --guide-positions POSES --board-poses POSES --hand-eye POSES --out OUT.json", "csv"),
     ("calibrate guide --robot-poses POSES --guide-positions IN --board-poses POSES --hand-eye POSES --out OUT.json", "csv"),
     ("calibrate rig --robot-poses IN --guide-positions POSES --angles POSES --out OUT.json", "csv"),
+    ("calibrate run --rig IN --project OUT", "toml"),
+    ("calibrate run --rig paper --plan IN --project OUT", "json"),
     ("calibrate check --calibration POSES --robot-poses POSES --guide-positions IN --angles POSES", "csv"),
     ("calibrate check --project IN", ""),
     ("calibrate history IN", ""),
@@ -96,6 +98,7 @@ INPUTS: list[tuple[str, str]] = [
     ("discard IN view01", ""),
     ("report IN --out OUT", ""),
     ("repeat IN IN --out OUT", ""),
+    ("join IN PROJECT --out OUT", ""),
     ("scan PLAN --rig paper --project OUT --calibration IN", ""),
 ]
 

@@ -76,15 +76,17 @@ def full(stack: FringeStack) -> None:
     raise StorageError("The disk is full.", "Free some space.")
 
 
+@pytest.mark.parametrize("gone", ["", "stacks", "stacks/v0"])
 @pytest.mark.parametrize("last", [False, True])
-def test_a_project_folder_that_is_removed_during_a_scan_is_no_success(last, words: Words, at_store, tmp_path: Path, capsys) -> None:
-    at_store += [("after", nothing)] * (2 if last else 1) + [("after", lambda _: shutil.rmtree(tmp_path / "project"))]
+def test_a_project_or_a_folder_in_it_that_is_removed_during_a_scan_is_no_success(
+    last, gone, words: Words, at_store, tmp_path: Path, capsys
+) -> None:
+    at_store += [("after", nothing)] * (2 if last else 1) + [("after", lambda _: shutil.rmtree(tmp_path / "project" / gone))]
     code, document, said = answer(words(), capsys)
     assert code == 2
     assert document["error"]["type"] == "StorageError"
     assert "gone" in document["error"]["message"]
     assert "The images are stored" not in said
-    assert not list((tmp_path / "project").rglob("*.npy"))
 
 
 def test_without_a_person_a_full_disk_ends_the_scan_and_says_how_to_go_on(words: Words, at_store, capsys) -> None:
@@ -139,7 +141,8 @@ def test_exposures_are_chosen_at_every_viewpoint_and_kept_with_its_images(words:
 
 def test_a_scan_with_exposures_of_its_own_is_continued(words: Words, tmp_path: Path, capsys) -> None:
     assert answer(words("--auto-bracket", "4"), capsys)[0] == 0
-    shutil.rmtree(tmp_path / "project" / "stacks" / "v2")
+    assert main(["discard", str(tmp_path / "project"), "v2"]) == 0
+    capsys.readouterr()
     code, document, _ = answer(words("--auto-bracket", "4", "--resume"), capsys)
     assert (code, [view["state"] for view in document["views"]]) == (0, ["stored"] * 3)
     store = FrameStore(tmp_path / "project" / "stacks")

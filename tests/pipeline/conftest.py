@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import json
-import os
 import shutil
 from pathlib import Path
 
 import pytest
-from demo_fixture import Demo
+from demo_fixture import Demo, linked_copy
 
+from measureapp.project import upkeep
 from measureapp.simulate.parts import make_part
 from measureapp.simulate.truth import Truth
 from measureapp.simulate.world import World
@@ -19,7 +19,7 @@ from measureapp.simulate.world import World
 def raw_copy(demo: Demo, tmp_path: Path) -> Path:
     """The demo's project with its images only: nothing that was computed, and not even the seed of the virtual rig."""
     folder = tmp_path / "project"
-    shutil.copytree(demo.folder, folder, copy_function=os.link)
+    linked_copy(demo.folder, folder)
     for computed in ("results", "report"):
         shutil.rmtree(folder / computed)
     for computed in ("cameras.json", "rig.json"):
@@ -28,6 +28,7 @@ def raw_copy(demo: Demo, tmp_path: Path) -> Path:
     settings["rig"]["driver_settings"] = {}
     (folder / "project.json").unlink()  # a link until now
     (folder / "project.json").write_text(json.dumps(settings), encoding="utf-8")
+    upkeep.accept_changes(folder, ["project.json"])
     return folder
 
 

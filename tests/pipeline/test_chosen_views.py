@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import os
-import shutil
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
-from demo_fixture import Demo
+from demo_fixture import Demo, linked_copy
 
 from measureapp.data.cloud import CloudQuality, PointCloud, StitchedCloud
 from measureapp.data.fringe import AxisReadback
@@ -59,7 +57,7 @@ def test_a_choice_about_a_view_that_is_not_there_is_refused_with_the_names_there
 
 @pytest.mark.slow
 def test_a_refused_view_leaves_the_results_and_comes_back_when_the_choice_is_taken_back(demo: Demo, tmp_path: Path) -> None:
-    project = ProjectFolder.open(Path(shutil.copytree(demo.folder, tmp_path / "project", copy_function=os.link)))
+    project = ProjectFolder.open(linked_copy(demo.folder, tmp_path / "project"))
     before = project.measurement()
     assert before is not None
     name = before.views[2].viewpoint_id

@@ -13,6 +13,7 @@ from measureapp.fringe.noise.model import CameraNoise
 from measureapp.inspection.surface.deviation import signed_distances
 from measureapp.inspection.surface.nominal import NominalSurface
 from measureapp.pipeline.prediction.light import NOT_USED, CameraExposures, PartLight
+from measureapp.pipeline.prediction.measured_light import light_of_views
 from measureapp.pipeline.prediction.uncertainty import exposing_of
 from measureapp.pipeline.prediction.views import PredictedScene
 from tests.pipeline.predicted_rig import box, joined, nominal_rig, plan_for
@@ -110,3 +111,14 @@ def test_a_dark_part_gives_no_points_at_the_planned_exposures() -> None:
     plan = plan_for(rig.description, 3)
     scene = PredictedScene.of(rig, NominalSurface(box((80.0, 60.0, 40.0))), light=PartLight(white=0.02))
     assert scene.predict(plan[0], exposing_of(plan)(plan[0])) is None
+
+
+def test_the_brightness_of_a_part_is_recovered_from_its_views() -> None:
+    rig = nominal_rig()
+    plan = plan_for(rig.description, 3)
+    scene = PredictedScene.of(rig, NominalSurface(box((80.0, 60.0, 40.0))), light=PartLight(white=0.6))
+    view = scene.predict(plan[0], exposing_of(plan)(plan[0]))
+    assert view is not None
+    found = light_of_views([view], rig.calibration, rig.description)
+    assert found is not None and found.white == pytest.approx(0.6, rel=0.05)
+    assert light_of_views([], rig.calibration, rig.description) is None

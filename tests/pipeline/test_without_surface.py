@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import os
-import shutil
 from pathlib import Path
 
 import pytest
-from demo_fixture import Demo
+from demo_fixture import Demo, linked_copy
 
 from measureapp.cli.outcome import report_event
 from measureapp.pipeline.events import Event, SurfaceFailed
@@ -20,7 +18,7 @@ from measureapp.register.surface import closed
 def test_points_and_dimensions_do_without_a_surface_and_it_is_told_why(
     demo: Demo, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    project = ProjectFolder.open(Path(shutil.copytree(demo.folder, tmp_path / "project", copy_function=os.link)))
+    project = ProjectFolder.open(linked_copy(demo.folder, tmp_path / "project"))
     before, events = project.measurement(), list[Event]()
     monkeypatch.setattr(closed, "available_bytes", lambda: 1000)
     made = restitch(project, project.view_choices(), events.append, NoProgress()).measurement

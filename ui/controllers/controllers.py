@@ -10,6 +10,7 @@ from ui.controllers.calibrating import CalibratingController
 from ui.controllers.comparison import ComparisonController
 from ui.controllers.demo import DemoController
 from ui.controllers.documents import DocumentsController
+from ui.controllers.extending import ExtendingController
 from ui.controllers.files import FilesController
 from ui.controllers.filtering import FilteringController
 from ui.controllers.growing import GrowingController
@@ -19,6 +20,7 @@ from ui.controllers.planning import PlanningController
 from ui.controllers.programming import ProgrammingController
 from ui.controllers.project import ProjectController
 from ui.controllers.recent_calibration import RecentCalibrationController
+from ui.controllers.rig_calibrating import RigCalibratingController
 from ui.controllers.rig_control import RigControl
 from ui.controllers.rig_editing import RigEditing
 from ui.controllers.scanning import ScanController
@@ -46,6 +48,8 @@ class Controllers(QObject):
         self.rig = RigControl(session, self.jobs, self)
         self.rig_editing = RigEditing(session, self.editing, self.rig, self)
         self.scanning = ScanController(session, self.jobs, self.rig, self)
+        self.extending = ExtendingController(session, self.jobs, self.scanning, self)
+        self.rig_calibrating = RigCalibratingController(session, self.jobs, self)
         self.demo = DemoController(session, self.jobs, self.rig, self.scanning, self)
         self.project = ProjectController(session, self.jobs, self)
         self.documents = DocumentsController(session, self.jobs, self)

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
 from measureapp.errors import InputError, MeasureError
+from ui.controllers.stored_sessions import project_on_disk
 
 if TYPE_CHECKING:
     from measureapp.data.plan import ScanPlan
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
 
 Exposures = Literal["plan", "once", "each"]
 MakeRequest = Callable[["Job"], "ScanRequest"]
+MOST_FOLDERS = 1000
 NO_PLAN = InputError("There is no scan plan.", "Make one on the page Plan, or choose a plan file.")
 
 
@@ -57,6 +59,23 @@ class CheckedScan:
         if self.problem is not None:
             return (self.problem,)
         return () if self.found is None else self.found.problems
+
+
+def suggested_choices(session: Session) -> ScanChoices:
+    """Return the open project if nothing was scanned into it, else a new folder with its part and calibration."""
+    folder = project_on_disk(session)
+    if folder is not None and not session.views and not any((folder / "stacks").glob("*")):
+        return ScanChoices(folder)
+    numbers = range(1, MOST_FOLDERS)
+    home = Path.home() / "MeasureApp"
+    new = next((home / f"scan-{number}" for number in numbers if not (home / f"scan-{number}").exists()), None)
+    if folder is None:
+        return ScanChoices(new)
+    inspection = folder / "inspection"
+    nominal = next(iter(sorted(inspection.glob("nominal.*"))), None)
+    program = inspection / "program.toml"
+    calibrated = folder if session.calibration is not None else None
+    return ScanChoices(new, session.part, nominal, program if program.is_file() else None, calibrated)
 
 
 def request_maker(choices: ScanChoices, session: Session) -> MakeRequest:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -20,6 +21,7 @@ from ui.session import RunNow, Session
 
 if TYPE_CHECKING:
     from measureapp.acquire.control import RunControl
+    from measureapp.acquire.time_left import RunClock, TimeLeft
     from measureapp.data.plan import ScanPlan
     from measureapp.data.rig import RigDescription
     from measureapp.pipeline.events import Event
@@ -50,12 +52,18 @@ class ScanController(QObject):
         self._events = RunEvents(session, self)
         self._control: RunControl | None = None
         self._wanted: ScanChoices | None = None  # started after a check without problems
+        self._passed = False
         self._subject = "scan"
+        self._clock: RunClock | None = None
 
     @property
     def is_running(self) -> bool:
         """Whether a scan runs."""
         return self._session.run.state != "idle"
+
+    def left(self) -> TimeLeft | None:
+        """Return how long the taking of images still takes; None while that is not known."""
+        return None if self._clock is None else self._clock.left(time.monotonic())
 
     # before
 
@@ -66,7 +74,7 @@ class ScanController(QObject):
 
     def start(self, choices: ScanChoices) -> None:
         """Check, and start the scan if nothing prevents it."""
-        self._wanted = choices
+        self._wanted, self._passed = choices, False
         self._check(choices)
 
     def _check(self, choices: ScanChoices) -> None:
@@ -74,18 +82,24 @@ class ScanController(QObject):
             return
         self._rig.connect_rig()
         make, session = request_maker(choices, self._session), self._session
-        self._runner.run("Checking the scan", lambda job: check_scan(job, choices, make, session), self._show_checked)
+        job = self._runner.run("Checking the scan", lambda job: check_scan(job, choices, make, session), self._show_checked)
+        job.finished.connect(self._start_checked)
 
     @Slot(object)
     def _show_checked(self, found: CheckedScan) -> None:
-        wanted, self._wanted = self._wanted, None
         self.checked.emit(found)
-        if wanted is found.choices and not found.problems:
-            self.run("Scan", request_maker(wanted, self._session))
-        elif found.problems:
+        self._passed = not found.problems
+        if found.problems:
             self._session.tell(
                 f"{several(len(found.problems), 'thing prevents', 'things prevent')} the scan.", "See the list on the page Scan.", "warning"
             )
+
+    @Slot()
+    def _start_checked(self) -> None:
+        """Start the scan that was wanted, unless its check has failed; the job of the check has ended."""
+        wanted, self._wanted = self._wanted, None
+        if wanted is not None and self._passed:
+            self.run("Scan", request_maker(wanted, self._session))
 
     # the run
 
@@ -123,8 +137,23 @@ class ScanController(QObject):
     def _apply(self, event: Event | ScanPrepared) -> None:
         if isinstance(event, ScanPrepared):
             self._show_prepared(event)
-        else:
-            self._events.apply(event)
+            return
+        self._count(event)
+        self._events.apply(event)
+
+    def _count(self, event: Event) -> None:
+        """Let the clock of the run follow its events."""
+        from measureapp.acquire.events import AcquisitionEvent, RunEnded, RunStarted
+        from measureapp.acquire.time_left import RunClock, planned_seconds
+
+        plan = self._session.plan
+        if isinstance(event, RunStarted) and plan is not None:
+            wanted = [viewpoint for viewpoint in plan if viewpoint.id in event.viewpoint_ids]
+            self._clock = RunClock(planned_seconds(plan, wanted))
+        elif isinstance(event, RunEnded):
+            self._clock = None
+        elif self._clock is not None and isinstance(event, AcquisitionEvent):
+            self._clock.receive(event, time.monotonic())
 
     def _show_prepared(self, prepared: ScanPrepared) -> None:
         session, request = self._session, prepared.request
@@ -153,7 +182,7 @@ class ScanController(QObject):
 
     @Slot()
     def _ended(self) -> None:
-        self._control = None
+        self._control = self._clock = None
         self._session.set_run(RunNow())
 
     # during

@@ -78,6 +78,21 @@ def duration(seconds: float) -> str:
     return f"{whole // 3600} h {whole % 3600 // 60:02d} min"
 
 
+def rough_duration(seconds: float) -> str:
+    r"""Format an estimated duration without digits that nobody knows: ``20 s``, ``4 min``, ``1 h 10 min``.
+
+    >>> rough_duration(17.0), rough_duration(200.0), rough_duration(4100.0)
+    ('20\xa0s', '4\xa0min', '1\xa0h 10\xa0min')
+    """
+    if seconds <= 60:
+        return f"{max(10, 10 * math.ceil(seconds / 10))}\u00a0s"
+    minutes = math.ceil(seconds / 60)
+    if minutes < 60:
+        return f"{minutes}\u00a0min"
+    hours, rest = divmod(10 * math.ceil(minutes / 10), 60)
+    return f"{hours}\u00a0h" + (f" {rest}\u00a0min" if rest else "")
+
+
 def exposure(microseconds: int) -> str:
     """Format an exposure time: ``80 ms``."""
     return f"{microseconds / 1000:g}\u00a0ms" if microseconds >= 1000 else f"{microseconds}\u00a0µs"

@@ -26,6 +26,7 @@ from ui.widgets.properties_panel import Group, Properties
 if TYPE_CHECKING:
     from measureapp.calibrate.draft.draft import Kind
     from measureapp.data.calibration import CameraCalibration, ProjectorCalibration
+    from ui.wizards.automatic import AutomaticCalibration
     from ui.wizards.wizard import CalibrationWizard
 
 EMPTY_TEXT = (
@@ -80,8 +81,15 @@ class CalibrationPage(Page):
         menu.aboutToShow.connect(lambda: self.offers)
         self.calibrate = Button("Calibrate", self.look, "calibration", tip="Calibrate the whole rig again, or one part")
         self.calibrate.setMenu(menu)
+        self.automatic_action = menu.addAction("Calibrate automatically…", self.open_automatic)
+        self.automatic_action.setToolTip("The connected rig takes all images of the board itself, and everything is solved together")
+        menu.addSeparator()
+        self.automatic: AutomaticCalibration | None = None
         self.cameras_alone = Button("Cameras only…", self.look, "camera", "normal", "Focal length, distortion and pose of every camera")
         self.cameras_alone.clicked.connect(partial(self.open_wizard, "cameras"))
+        self.automatically = Button("Calibrate automatically…", self.look, "rig", "normal", self.automatic_action.toolTip())
+        self.automatically.clicked.connect(self.open_automatic)
+        self.empty.add_quiet(self.automatically)
         self.empty.add_quiet(self.cameras_alone)
         self.last_one = Button("Use the last one", self.look, "undo")
         self.last_one.clicked.connect(self.controllers.recent_calibration.take_up)
@@ -118,10 +126,20 @@ class CalibrationPage(Page):
             self.wizards[name] = CalibrationWizard(self.look, kind, self.controllers.calibrating(kind), self)
         self.wizards[name].begin()
 
+    def open_automatic(self) -> None:
+        """Open the window of the automatic calibration; it is made when first used."""
+        from ui.wizards.automatic import AutomaticCalibration
+
+        if self.automatic is None:
+            self.automatic = AutomaticCalibration(self.look, self.session, self.controllers.rig_calibrating, self)
+        self.automatic.begin()
+
     def close_page(self) -> None:
         """Close a wizard that is open; what it collected is kept."""
         for wizard in self.wizards.values():
             wizard.close()
+        if self.automatic is not None:
+            self.automatic.close()
 
     def _show_busy(self) -> None:
         if self.session.busy_with and self.session.calibration is None:

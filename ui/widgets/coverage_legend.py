@@ -10,6 +10,7 @@ from ui.look.look import Look
 from ui.widgets.basic import clear, column, label, row
 from ui.widgets.not_measured import SWATCH, HatchedSwatch
 
+IN_A_LINE = 2  # swatches, so that the smallest window has room for them
 Swatch = tuple[tuple[int, int, int] | None, str]  # a colour, None: hatched; and what it means
 
 
@@ -18,21 +19,24 @@ class CoverageLegend(QWidget):
 
     def __init__(self, look: Look) -> None:
         super().__init__()
-        self.words, self._row = label("", "strong", wrap=True), row(spacing=8)
-        self.setLayout(column(self.words, self._row, spacing=4, margin=4))
+        self.words, self._lines = label("", "strong", wrap=True), column(spacing=4)
+        self.setLayout(column(self.words, self._lines, spacing=4, margin=4))
         look.changed.connect(self.update)
         self.hide()
 
     def show_swatches(self, swatches: Sequence[Swatch], words: str) -> None:
         """Show colours with their meaning after a sentence."""
-        clear(self._row)
+        clear(self._lines)
         self.words.setText(words)
         self.words.setVisible(bool(words))
-        for colour, meaning in swatches:
-            self._row.addSpacing(4)
-            self._row.addWidget(HatchedSwatch() if colour is None else _plain(colour))
-            self._row.addWidget(label(meaning, "small"))
-        self._row.addStretch(1)
+        for first in range(0, len(swatches), IN_A_LINE):
+            line = row(spacing=8)
+            for colour, meaning in swatches[first : first + IN_A_LINE]:
+                line.addWidget(HatchedSwatch() if colour is None else _plain(colour))
+                line.addWidget(label(meaning, "small"))
+                line.addSpacing(4)
+            line.addStretch(1)
+            self._lines.addLayout(line)
         self.setVisible(bool(words or swatches))
 
 

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from PySide6.QtCore import Signal
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QSizePolicy, QSpinBox, QStackedWidget, QWidget
 
 from ui.look.look import Look
@@ -27,6 +28,7 @@ SIDES = {
     f"{side} {axis}": tuple(sign * int(axis == other) for other in "xyz") for axis in "zxy" for side, sign in (("above", 1), ("below", -1))
 }
 LIMIT_MM, FIELD_WIDTH, SIDE_WIDTH = 20_000.0, 80, 64
+ROOM_FOR_WORDS = 500  # px
 
 
 class FilterForm(QWidget):
@@ -56,6 +58,7 @@ class FilterForm(QWidget):
             self.fields.addWidget(shown)
         self.button = Button("Filter", look, "filter", tip="Apply to the merged cloud; the stitched cloud is kept")
         self.button.clicked.connect(self.asked)
+        self.button.allow_compact()
         self.setLayout(column(row(self.kind, 0, self.button), self.fields, margin=8))
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Maximum)
         self.kind.valueChanged.connect(self._show_kind)
@@ -89,6 +92,11 @@ class FilterForm(QWidget):
             [*box, label("mm", "soft")],
             [label("Keep points", "soft"), self.side, label("=", "soft"), self.offset],
         ]  # fmt: skip
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Reduce the button to its icon where there is little room."""
+        super().resizeEvent(event)
+        self.button.set_compact(self.width() < ROOM_FOR_WORDS)
 
     def value(self) -> Filter:
         """Return the chosen filter. Raises InputError for an empty box."""

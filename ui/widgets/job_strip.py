@@ -74,13 +74,13 @@ class JobStrip(QFrame):
             layout.activate()
             self._fit_message()
 
-    def show_progress(self, share: float, note: str) -> None:
-        """Show the progress of the job and the estimated remaining time."""
+    def show_progress(self, share: float, note: str, *, with_time: bool = True) -> None:
+        """Show the progress of the job and the estimated remaining time, unless the page states a better one."""
         self.bar.setValue(round(1000 * share))
         self.note.setText(note)
         self.note.setToolTip(note)
         elapsed = time.monotonic() - self._started
-        if share > SETTLED_SHARE and elapsed > SETTLED_S:
+        if with_time and share > SETTLED_SHARE and elapsed > SETTLED_S:
             self.time_left.setText(f"{duration(elapsed * (1 - share) / share)} left")
 
     def show_message(self, text: str, hint: str, level: str) -> None:

@@ -56,9 +56,10 @@ def register(app: typer.Typer) -> None:
         from measureapp.planning.generate import GeneratorSettings, generate_plan
         from measureapp.project.calibration.matrix_file import read_transform
         from measureapp.project.geometry.robot_file import arm_of
-        from measureapp.project.plan_file import write_plan
+        from measureapp.project.plan_file import check_plan_name, write_plan
         from measureapp.project.rig_file import read_rig
 
+        check_plan_name(out)
         description = read_rig(rig)
         settings = GeneratorSettings(
             name=out.stem, coverage=coverage, viewpoints=viewpoints, sigma_mm=sigma, samples=samples, candidates=candidates, seed=seed

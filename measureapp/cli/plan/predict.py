@@ -29,8 +29,14 @@ def register(app: typer.Typer) -> None:
             Path | None, typer.Option("--calibration", help="Project whose calibration of this rig is used; default: a typical one.")
         ] = None,
         brightness: Annotated[
-            float, typer.Option("--brightness", min=0.05, max=20.0, help="Grey level of the part under white light, 1: just saturated.")
-        ] = 1.0,
+            float | None,
+            typer.Option(
+                "--brightness",
+                min=0.01,
+                max=20.0,
+                help="Grey level of the part under white light at the longest exposure; 1: just saturated. Default: as measured, else 1.",
+            ),
+        ] = None,
         improve: Annotated[
             bool, typer.Option("--improve", help="Try further viewpoints and longer exposures, and state what each would gain.")
         ] = False,
@@ -46,14 +52,15 @@ def register(app: typer.Typer) -> None:
         reply(_document(found, advice), "\n".join(_lines(found, advice)), as_json)
 
 
-def _setup(plan: Path, rig: str | None, program: Path | None, calibration: Path | None, brightness: float) -> PredictionSetup:
+def _setup(plan: Path, rig: str | None, program: Path | None, calibration: Path | None, brightness: float | None) -> PredictionSetup:
     from measureapp.pipeline.prediction.light import PartLight
     from measureapp.pipeline.prediction.setup import setup_of_files, setup_of_project
     from measureapp.project.folder import ProjectFolder
     from measureapp.project.plan_file import read_plan
     from measureapp.project.rig_file import read_rig
 
-    light, progress = PartLight(white=brightness), TerminalProgress()
+    light = None if brightness is None else PartLight(white=brightness)
+    progress = TerminalProgress()
     if plan.is_dir():
         if rig is not None or program is not None or calibration is not None:
             hint = "Name the plan's file, or omit --rig, --program and --calibration for a project."
@@ -87,7 +94,7 @@ def _dimension(one: Dimension) -> dict[str, Any]:
 
 
 def _lines(found: Prediction, advice: Advice | None) -> list[str]:
-    lines = [f"Predicted for {len(found.views)} views; {found.source}."]
+    lines = [f"Predicted for {len(found.views)} view{'s' * (len(found.views) > 1)}; {found.source}."]
     for one in found.dimensions:
         if one.uncertainty is None:
             lines.append(f"  {one.name}: not measured, {one.reason}")

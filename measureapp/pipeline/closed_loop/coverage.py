@@ -25,6 +25,7 @@ WIDE = VisibilityLimits(camera_incidence_deg=78.0, projector_incidence_deg=78.0,
 REACH_SPACINGS, REACH_MM = 2.0, 0.5  # distance of a measured point from its sample: spacings of the points, plus the part's deviation
 SAME_SIDE = 0.5  # least cosine between the normals of a sample and a measured point
 NEIGHBOURS = 4  # measured points looked at for each sample
+STANDING_MM = 10.0  # error of the table's height in a rig description
 MOST_POINTS = 400_000  # of a cloud, to be searched
 
 
@@ -83,8 +84,7 @@ def measure_coverage(
     required_mm : standard deviation required of a point; None: that it is measured
     """
     progress.report(0, 3, "samples of the nominal")
-    table_from_part = _table_from_part(measurement, rig)
-    part = nominal.seen_from(_part_from_nominal(measurement, nominal, table_from_part))
+    table_from_part, part = _on_table(measurement, nominal, rig)
     scene = PartScene.of(part, rig)
     some = sample_surface(scene, samples)
     progress.report(1, 3, "measured samples")
@@ -138,14 +138,23 @@ def _nearest(samples: SurfaceSamples, points_mm: FloatArray, normals: FloatArray
     return _Nearest(np.asarray(good.any(axis=1)), np.take_along_axis(index, first[:, None], axis=1)[:, 0])
 
 
-def _table_from_part(measurement: Measurement, rig: RigDescription) -> RigidTransform:
-    """Return the shift from the calibration's frame `part` to that of planning, whose origin is in the middle of the table's top."""
+def _on_table(measurement: Measurement, nominal: Mesh, rig: RigDescription) -> tuple[RigidTransform, Mesh]:
+    """Return the shift from the calibration's frame `part` to that of planning, and the nominal in its place there.
+
+    The calibration does not know the height of the table, the description only to some millimetres: a part that seems to float or sink by
+    no more than that stands on it.
+    """
     top_mm = measurement.calibration.table_from_guide.apply(np.array(rig.table.centre_in_guide_mm))
-    return RigidTransform.from_parts(np.eye(3), [0.0, 0.0, -float(top_mm[2])], "part", "part")
-
-
-def _part_from_nominal(measurement: Measurement, nominal: Mesh, table_from_part: RigidTransform) -> RigidTransform:
+    table_from_part = _raised(-float(top_mm[2]))
     if measurement.inspection is None:
-        return standing(nominal)
+        return table_from_part, nominal.seen_from(standing(nominal))
     found = measurement.inspection.alignment.nominal_from_part
-    return table_from_part @ RigidTransform(found.matrix, nominal.frame, "part").inverse()
+    part = nominal.seen_from(table_from_part @ RigidTransform(found.matrix, nominal.frame, "part").inverse())
+    low_mm = float(part.vertices_mm[:, 2].min())
+    if abs(low_mm) > STANDING_MM:
+        return table_from_part, part
+    return _raised(-low_mm) @ table_from_part, part.seen_from(_raised(-low_mm))
+
+
+def _raised(by_mm: float) -> RigidTransform:
+    return RigidTransform.from_parts(np.eye(3), [0.0, 0.0, by_mm], "part", "part")

@@ -25,10 +25,20 @@ SEED = 1
 
 def with_calibration_error(views: Sequence[ViewResult], rig: RigModel) -> tuple[ViewResult, ...]:
     """Displace clouds and kinematic positions by a typical error of the calibration; without a covariance they stay as they are."""
+    return displace(views, rig, draw_error(views, rig))
+
+
+def draw_error(views: Sequence[ViewResult], rig: RigModel) -> FloatArray | None:
+    """Return a typical error (K,) of the calibration in its standard deviations; None without a covariance."""
     errors = None if rig.uncertainty is None else camera_errors(rig.uncertainty, views)
-    if errors is None:
+    return None if errors is None else _typical_draw(errors, np.concatenate([_thinned(view) for view in views]))
+
+
+def displace(views: Sequence[ViewResult], rig: RigModel, drawn: FloatArray | None) -> tuple[ViewResult, ...]:
+    """Displace clouds and kinematic positions by one error of the calibration, as `draw_error` returns it."""
+    errors = None if rig.uncertainty is None or drawn is None else camera_errors(rig.uncertainty, views)
+    if errors is None or drawn is None:
         return tuple(views)
-    drawn = _typical_draw(errors, np.concatenate([_thinned(view) for view in views]))
     return tuple(_displaced(view, number, errors, drawn) for number, view in enumerate(views))
 
 

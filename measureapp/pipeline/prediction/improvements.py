@@ -2,22 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
+from measureapp.arrays import FloatArray
 from measureapp.data.dimension import Dimension
 from measureapp.data.measurement import ViewResult
+from measureapp.data.mesh import Mesh
 from measureapp.data.plan import ExposureBracket, ScanPlan, Viewpoint
-from measureapp.pipeline.prediction.calibration_draw import with_calibration_error
+from measureapp.geometry.transform import RigidTransform
+from measureapp.pipeline.prediction.calibration_draw import displace, draw_error
 from measureapp.pipeline.prediction.uncertainty import Job, Prediction, evaluate, exposing_of, predict_views
-from measureapp.pipeline.prediction.views import PredictedScene
+from measureapp.pipeline.prediction.views import PredictedScene, table_top_mm
+from measureapp.planning.coverage.samples import SurfaceSamples
+from measureapp.planning.coverage.scene import PartScene
+from measureapp.planning.coverage.visibility import seen_by
 from measureapp.planning.generate import images_time_s
 from measureapp.planning.next_views import between_angles, repeats
 from measureapp.planning.travel import AxisSpeeds, travel_times_s
-from measureapp.progress import NoProgress, PartOf, Progress
+from measureapp.progress import PartOf, Progress
 from measureapp.project.geometry.robot_file import arm_of
 from measureapp.register.joint.registration_cache import RegistrationCache
 
@@ -25,6 +31,7 @@ HALF = 0.5
 LONGER = 2  # factor of all exposures
 FIXED = ("calibration", "scale")  # contributions that no viewpoint and no exposure reduces
 MOST_TRIED = 3  # of repeats, and of viewpoints between others
+BOX_MM, FEATURE_SAMPLES = 1.0, 1500  # around a feature; of all features
 LEAST_GAIN = 0.02  # of U: less is within what noise alone changes
 
 
@@ -60,20 +67,19 @@ class Advice:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _Change:
-    """A change that is to be tried."""
+class _Added:
+    """A viewpoint that is to be tried, with its predicted view."""
 
     words: str
-    seconds: float
-    viewpoint: Viewpoint | None
-    views: Callable[[], Sequence[ViewResult]]
+    viewpoint: Viewpoint
+    view: ViewResult
 
 
 def advise(plan: ScanPlan, scene: PredictedScene, job: Job, base: Prediction, progress: Progress) -> Advice:
     """Predict U again with each of a few changes of the plan, and state for every dimension what would halve it.
 
-    Tried are repeats of viewpoints, viewpoints between neighbouring angles of the table, and all exposures twice as long. Where calibration
-    and scale alone exceed half of U, no change can halve it, and their share is stated instead.
+    Tried are repeats of viewpoints, viewpoints between neighbouring angles of the table, and all exposures twice as long; all with the same
+    error of the calibration. Where calibration and scale alone exceed half of U, no change can halve it, and their part is stated instead.
 
     Raises
     ------
@@ -82,17 +88,33 @@ def advise(plan: ScanPlan, scene: PredictedScene, job: Job, base: Prediction, pr
     Cancelled
         From ``progress``.
     """
+    unchanged = predict_views(plan, scene, PartOf(progress, 0.0, 0.2))
+    added = _added(plan, scene, base, PartOf(progress, 0.2, 0.3))
+    drawn = draw_error(unchanged, scene.rig)
+    displaced = displace((*unchanged, *(one.view for one in added)), scene.rig, drawn)
+    own, new = displaced[: len(unchanged)], displaced[len(unchanged) :]
     trials: list[Trial] = []
     with RegistrationCache() as cache:
-        unchanged = predict_views(plan, scene, PartOf(progress, 0.0, 0.2))
-        changes = _changes(plan, scene, unchanged)
-        for number, change in enumerate(changes):
-            progress.report(0.2 + 0.8 * number / len(changes), 1, f"trying {change.words}")
-            found = evaluate(with_calibration_error(change.views(), scene.rig), scene, job, cache=cache)
-            known = {one.name: one.uncertainty for one in found.dimensions if one.uncertainty is not None}
-            trials.append(Trial(change.words, change.seconds, change.viewpoint, known))
+        now = evaluate(own, scene, job, cache=cache)
+        for number, (one, view) in enumerate(zip(added, new, strict=True)):
+            progress.report(0.3 + 0.5 * number / len(added), 1, f"trying {one.words}")
+            found = evaluate((*own, view), scene, job, cache=cache)
+            trials.append(Trial(one.words, _seconds(plan, one.viewpoint, scene), one.viewpoint, _known(found)))
+    trials.append(_try_exposures(plan, scene, job, drawn, PartOf(progress, 0.8, 1.0)))
     progress.report(1, 1, "improvements predicted")
-    return Advice(tuple(trials), tuple(answer_for(one, trials) for one in base.dimensions if one.uncertainty))
+    return Advice(tuple(trials), tuple(answer_for(one, trials) for one in now.dimensions if one.uncertainty))
+
+
+def _known(found: Prediction) -> dict[str, float]:
+    return {one.name: one.uncertainty for one in found.dimensions if one.uncertainty is not None}
+
+
+def _try_exposures(plan: ScanPlan, scene: PredictedScene, job: Job, drawn: FloatArray | None, progress: Progress) -> Trial:
+    longer = _with_longer_exposures(plan)
+    brighter = scene.with_brightness(LONGER)  # the light of the part refers to the longest exposure of the plan, which is now longer
+    views = displace(predict_views(longer, brighter, progress), scene.rig, drawn)
+    seconds = images_time_s(longer) - images_time_s(plan)
+    return Trial(f"all exposures {LONGER} times as long", seconds, None, _known(evaluate(views, scene, job)))
 
 
 def answer_for(dimension: Dimension, trials: Sequence[Trial]) -> str:
@@ -103,7 +125,7 @@ def answer_for(dimension: Dimension, trials: Sequence[Trial]) -> str:
     gains = [(trial, now - trial.uncertainties.get(dimension.name, now)) for trial in trials]
     helping = [(trial, gain) for trial, gain in gains if gain > LEAST_GAIN * now]
     if fixed > HALF * now:
-        words = f"{dimension.name}: no viewpoint or exposure can halve U; the calibration's share of it is {(fixed / now) ** 2:.0%}"
+        words = f"{dimension.name}: no viewpoint or exposure can halve U; the calibration alone gives {fixed / now:.0%} of it"
         return f"{words}. {_most(helping, dimension)}" if helping else f"{words}."
     halving = [(trial, gain) for trial, gain in helping if now - gain <= HALF * now]
     if halving:
@@ -121,30 +143,56 @@ def _most(helping: Sequence[tuple[Trial, float]], dimension: Dimension) -> str:
     return f"Most for its time: {trial.change}, U = {left:.4f} {dimension.unit} instead of {dimension.uncertainty:.4f}, for {trial.seconds:.0f} s."
 
 
-def _changes(plan: ScanPlan, scene: PredictedScene, unchanged: Sequence[ViewResult]) -> list[_Change]:
-    """Return the changes to be tried: the viewpoints that give most points first."""
-    rig, exposing = scene.rig.description, exposing_of(plan)
-    points = {view.viewpoint_id: len(view.cloud) for view in unchanged}
-    own = sorted(plan, key=lambda viewpoint: -points.get(viewpoint.id, 0))
-    changes = []
-    for words, wanted in (("repeating", repeats(own)), ("adding", between_angles(own, rig, arm_of(rig)))):
-        for viewpoint in wanted[:MOST_TRIED]:
+def _added(plan: ScanPlan, scene: PredictedScene, base: Prediction, progress: Progress) -> list[_Added]:
+    """Return the viewpoints to be tried: of repeats and of new ones those that tell most about the measured features."""
+    exposing, found = exposing_of(plan), list[_Added]()
+    wanted = {
+        "repeating": repeats(tuple(plan)),
+        "adding": between_angles(tuple(plan), scene.rig.description, arm_of(scene.rig.description)),
+    }
+    for number, (words, some) in enumerate(wanted.items()):
+        progress.report(number, len(wanted), "viewpoints to be tried")
+        for viewpoint in _most_informative(some, plan, scene, base)[:MOST_TRIED]:
             view = scene.predict(viewpoint, exposing(viewpoint))
             if view is not None and view.quality.accepted:
-                name = viewpoint.id.removesuffix("-again")
-                what = (
-                    f"{words} {name}"
-                    if words == "repeating"
-                    else f"{words} a viewpoint at table {viewpoint.table_deg:g}°, {_station(viewpoint)}"
-                )
-                changes.append(_Change(what, _seconds(plan, viewpoint, scene), viewpoint, lambda view=view: (*unchanged, view)))  # type: ignore[misc]
-    longer = _with_longer_exposures(plan)
-    added = images_time_s(longer) - images_time_s(plan)
-    # the light of the part refers to the longest exposure of the plan, which is now longer
-    brighter = scene.with_brightness(LONGER)
-    words = f"all exposures {LONGER} times as long"
-    changes.append(_Change(words, added, None, lambda: predict_views(longer, brighter, NoProgress())))
-    return changes
+                again = f"repeating {viewpoint.id.removesuffix('-again')}"
+                new = f"adding a viewpoint at table {viewpoint.table_deg:g}°, {_station(viewpoint)}"
+                found.append(_Added(again if words == "repeating" else new, viewpoint, view))
+    return found
+
+
+def _most_informative(viewpoints: Sequence[Viewpoint], plan: ScanPlan, scene: PredictedScene, base: Prediction) -> list[Viewpoint]:
+    """Return viewpoints by the information they add on the features, relative to what the plan has of them; the most first."""
+    if not viewpoints:
+        return []
+    rig = scene.rig.description
+    shift = RigidTransform.from_parts(np.eye(3), [0.0, 0.0, -table_top_mm(scene.rig)], "part", "part")
+    surface = scene.surface
+    mesh = Mesh(surface.vertices_mm, surface.triangles, "nominal").seen_from(shift @ scene.part_from_nominal)
+    samples = _feature_samples(base, scene, shift)
+    part = PartScene.of(mesh, rig)
+    known, new = (
+        np.nan_to_num(1.0 / np.square(seen_by(some, samples, rig, part).sigma_mm.astype(float)))
+        for some in (tuple(plan), tuple(viewpoints))
+    )
+    usual = float(np.median(new[new > 0])) if (new > 0).any() else 1.0
+    gains = (new / (known.sum(axis=0) + usual)).sum(axis=1)
+    return [viewpoints[number] for number in np.argsort(-gains, kind="stable")]
+
+
+def _feature_samples(base: Prediction, scene: PredictedScene, shift: RigidTransform) -> SurfaceSamples:
+    """Return points of the measured features in the frame `part` of planning; of the whole part where there are no features."""
+    stitched = base.stitched
+    points = scene.part_from_nominal.inverse().apply(stitched.points_mm)
+    inside = np.zeros(len(points), np.bool_)
+    for feature in base.features:
+        if feature.boundary_mm is not None:
+            around = np.asarray(feature.boundary_mm)
+            inside |= np.all((points >= around.min(axis=0) - BOX_MM) & (points <= around.max(axis=0) + BOX_MM), axis=1)
+    chosen = np.flatnonzero(inside) if inside.any() else np.arange(len(points))
+    chosen = chosen[:: max(1, len(chosen) // FEATURE_SAMPLES)]
+    normals = shift.rotate(np.asarray(stitched.normals[chosen], float))
+    return SurfaceSamples(shift.apply(stitched.points_mm[chosen]), normals, np.ones(len(chosen)))
 
 
 def _station(viewpoint: Viewpoint) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 import numpy as np
 
@@ -16,6 +16,7 @@ from measureapp.inspection.surface.nominal import NominalSurface
 SHADOW_OFFSET_MM = 0.02  # start of a shadow ray above its surface
 OUTLINE_POINTS = 9  # along each edge of the nominal's box, to find its place in an image
 MARGIN_PX = 4
+PIXELS_AT_ONCE = 500_000  # bounds the memory for full-size images
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,6 +60,18 @@ def projector_of(cameras: CameraArrayCalibration, rig: RigDescription) -> Projec
 def see(surface: NominalSurface, camera: Lens, projector: Lens, standoff_mm: float) -> SeenPixels:
     """Cast a ray through every pixel of a camera, and one from each point hit to the projector."""
     row, column = _pixels_of_box(surface, camera)
+    starts = range(0, max(len(row), 1), PIXELS_AT_ONCE)
+    parts = [
+        _see_pixels(surface, camera, projector, standoff_mm, (row[start : start + PIXELS_AT_ONCE], column[start : start + PIXELS_AT_ONCE]))
+        for start in starts
+    ]
+    return SeenPixels(*(np.concatenate([getattr(part, field.name) for part in parts]) for field in fields(SeenPixels)))
+
+
+def _see_pixels(
+    surface: NominalSurface, camera: Lens, projector: Lens, standoff_mm: float, pixels_at: tuple[IntArray, IntArray]
+) -> SeenPixels:
+    row, column = pixels_at
     rays = camera.nominal_from_lens.rotate(camera.pinhole.rays(np.column_stack([column, row]).astype(float)))
     hits = surface.hits(np.broadcast_to(camera.position_mm, rays.shape), rays)
     triangle, normal = hits.triangles, surface.normals[hits.triangles]

@@ -6,12 +6,14 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from measureapp.data.calibration import RigCalibration
+from measureapp.data.measurement import Measurement
 from measureapp.data.plan import ScanPlan
 from measureapp.data.rig import RigDescription
 from measureapp.errors import InputError, PlanError
 from measureapp.geometry.transform import RigidTransform
 from measureapp.inspection.surface.nominal import NominalSurface
 from measureapp.pipeline.prediction.light import PartLight
+from measureapp.pipeline.prediction.measured_light import light_of_views
 from measureapp.pipeline.prediction.rig_model import RigModel
 from measureapp.pipeline.prediction.typical_rig import typical_rig
 from measureapp.pipeline.prediction.uncertainty import Job
@@ -35,6 +37,10 @@ class PredictionSetup:
 def setup_of_project(project: ProjectFolder, progress: Progress, light: PartLight | None = None) -> PredictionSetup:
     """Prepare the prediction of a project's plan; the part stands where the last measurement found it, else in the middle of the table.
 
+    Parameters
+    ----------
+    light : of the part; None: as the last measurement found it, else as `PartLight` assumes
+
     Raises
     ------
     PlanError
@@ -49,7 +55,11 @@ def setup_of_project(project: ProjectFolder, progress: Progress, light: PartLigh
         raise PlanError(f"{project.path} has no scan plan.", "Plan the scan first.")
     job = job_of_project(project)
     rig = rig_of_project(project) or typical_rig(project.rig(), plan, project.settings.board, arm_of(project.rig()), progress)
-    return PredictionSetup(plan, PredictedScene.of(rig, NominalSurface(job.nominal), placed_nominal(project), light), job)
+    measurement = project.measurement()
+    place = None if measurement is None else placed_nominal(measurement)
+    if light is None and measurement is not None:
+        light = light_of_views(measurement.views, measurement.calibration, project.rig())
+    return PredictionSetup(plan, PredictedScene.of(rig, NominalSurface(job.nominal), place, light), job)
 
 
 def setup_of_files(
@@ -84,7 +94,14 @@ def setup_of_files(
         rig = typical_rig(description, plan, DEFAULT_BOARD, arm_of(description), progress)
     else:
         rig = rig_with(calibrated, calibrated.require_calibration())
+        if _sizes(rig.description) != _sizes(description):
+            message = f"{calibrated.path} was calibrated with other cameras than those of {description.name}, or at another resolution."
+            raise InputError(message, "Name a project of this rig, or omit the calibration.")
     return PredictionSetup(plan, PredictedScene.of(rig, NominalSurface(job.nominal), part_from_nominal, light), job)
+
+
+def _sizes(rig: RigDescription) -> dict[str, tuple[int, int]]:
+    return {camera.name: (camera.width_px, camera.height_px) for camera in rig.cameras}
 
 
 def rig_of_project(project: ProjectFolder) -> RigModel | None:
@@ -107,10 +124,9 @@ def job_of_project(project: ProjectFolder) -> Job:
     return Job(read_program(project.program), read_mesh(project.nominal, "nominal"))
 
 
-def placed_nominal(project: ProjectFolder) -> RigidTransform | None:
-    """Return part_from_nominal as the last measurement found it; None if there is none."""
-    measurement = project.measurement()
-    if measurement is None or measurement.inspection is None:
+def placed_nominal(measurement: Measurement) -> RigidTransform | None:
+    """Return part_from_nominal as a measurement found it; None without an inspection."""
+    if measurement.inspection is None:
         return None
     found = measurement.inspection.alignment.nominal_from_part
     return RigidTransform(found.matrix, "nominal", "part").inverse()

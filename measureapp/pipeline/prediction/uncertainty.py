@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from measureapp.data.cloud import StitchedCloud
 from measureapp.data.dimension import Dimension
+from measureapp.data.feature import Feature
 from measureapp.data.inspection_program import InspectionProgram
 from measureapp.data.measurement import ViewResult
 from measureapp.data.mesh import Mesh
@@ -38,6 +39,7 @@ class Prediction:
     views: tuple[ViewResult, ...]  # those that see something of the part
     stitched: StitchedCloud
     dimensions: tuple[Dimension, ...]
+    features: tuple[Feature, ...]  # in the nominal's frame
     source: str  # where the rig's calibration is from, in words
 
     def uncertainty(self, name: str) -> float | None:
@@ -101,4 +103,4 @@ def evaluate(
     )
     settings = inspection_settings(rig.calibration, rig.description, views)
     found = inspect(stitched, job.program, job.nominal, settings, PartOf(progress, 0.7, 1.0))
-    return Prediction(tuple(views), stitched, found.dimensions, rig.source)
+    return Prediction(tuple(views), stitched, found.dimensions, found.features, rig.source)

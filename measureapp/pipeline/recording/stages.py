@@ -20,7 +20,7 @@ from measureapp.pipeline.recording.motions import (
 )
 from measureapp.project.calibration import board_views
 from measureapp.project.calibration.camera_file import read_cameras
-from measureapp.project.calibration.recording_file import KNOWN_CAMERAS, RecordingNote, read_note
+from measureapp.project.calibration.recording_file import KNOWN_CAMERAS, NOTE, RecordingNote, read_note
 from measureapp.project.folder import ProjectFolder
 
 NAMES = {"hand_eye": "hand-eye", "guide": "the guide", "axis": "the table's axis"}
@@ -92,10 +92,12 @@ def is_recording(project: ProjectFolder) -> bool:
 
 def recorded(project: ProjectFolder) -> Recorded:
     """Return what an imported project contains. Raises InputError when it was not imported, StorageError when it is damaged."""
+    views = project.path / "calibration" / "views"
+    project.journal.check(project.path / NOTE, project.path / "calibration" / KNOWN_CAMERAS, *views.glob("*/view.json"))
     note = read_note(project.path)
     if note is None:
         raise InputError(f"{project.path} was not imported from a recording.", "Import one with `measureapp import`.")
-    stored = board_views.load_readbacks(project.path / "calibration" / "views")
+    stored = board_views.load_readbacks(views)
     standing = [BoardReadback(name, readback, name not in note.in_cell) for name, (_, readback) in stored.items() if name not in note.loose]
     names = [camera.name for camera in project.rig().cameras]
     known = read_cameras(project.path / "calibration" / KNOWN_CAMERAS) if note.cameras_known else None

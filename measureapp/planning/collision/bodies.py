@@ -23,10 +23,14 @@ class Kind(Enum):
     """What a body belongs to."""
 
     ARM = "arm"
+    ROUGH = "arm of unknown shape"
     HEAD = "head"
     GROUND = "ground"  # floor and guide beam, under the robot
     OBSTACLE = "obstacle"  # table, part, fixtures
     KEEP_OUT = "keep-out box"
+
+
+LINKS = {Kind.ARM, Kind.ROUGH}
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -66,7 +70,7 @@ class Pair:
         kinds = {bodies[first].kind, bodies[second].kind}
         if bodies[first].carrier > bodies[second].carrier:
             first, second = second, first
-        return cls(first, second, 0.0 if Kind.KEEP_OUT in kinds or kinds == {Kind.ARM} else clearance_mm)
+        return cls(first, second, 0.0 if Kind.KEEP_OUT in kinds or len(kinds & LINKS) == len(kinds) else clearance_mm)
 
 
 def pairs_of(bodies: Sequence[Body], clearance_mm: float) -> tuple[Pair, ...]:
@@ -86,8 +90,9 @@ def _belong_together(one: Body, other: Body) -> bool:
     if high.carrier == TABLE:
         return low.carrier == FIXED and (low.kind in (Kind.KEEP_OUT, Kind.GROUND) or high.name == TABLE_NAME)
     if low.carrier == FIXED:
-        return high.carrier == BASE and low.kind is not Kind.OBSTACLE  # the robot stands on its guide
-    return high.carrier - low.carrier <= 1
+        stands = high.carrier == BASE or (high.carrier == 1 and low.kind is Kind.GROUND)  # link 1 turns, and comes no nearer to the ground
+        return stands and low.kind is not Kind.OBSTACLE
+    return high.carrier - low.carrier <= (2 if low.kind is high.kind is Kind.ROUGH else 1)
 
 
 class BodyTable:
@@ -103,16 +108,17 @@ class BodyTable:
         self._margins_mm = np.array([body.solid.margin_mm for body in bodies])
         self._first, self._second = np.array([(pair.first, pair.second) for pair in pairs], int).reshape(-1, 2).T
 
-    def lower_bounds_mm(self, frames: FloatArray) -> FloatArray:
-        """Return what the distance of every pair is at least, (N, pairs), for carriers at ``frames`` (N, 9, 4, 4).
+    def lower_bounds_mm(self, frames: FloatArray, pairs: npt.NDArray[np.intp]) -> FloatArray:
+        """Return what the distance of ``pairs`` (P,), by number, is at least, (N, P), for carriers at ``frames`` (N, 9, 4, 4).
 
         It is the distance of the sphere around one body from the bounds of the other, whichever way it is larger.
         """
+        first, second = self._first[pairs], self._second[pairs]
         carried = frames[:, self.carriers]
         middles = np.einsum("nbij,bj->nbi", carried[:, :, :3], self._middles)
         poses = carried @ self._placed
-        ways = (self._outside_mm(poses, middles, *pair) for pair in ((self._first, self._second), (self._second, self._first)))
-        bounds: FloatArray = np.maximum(*ways) - self._margins_mm[self._first] - self._margins_mm[self._second]
+        ways = (self._outside_mm(poses, middles, *pair) for pair in ((first, second), (second, first)))
+        bounds: FloatArray = np.maximum(*ways) - self._margins_mm[first] - self._margins_mm[second]
         return bounds
 
     def _outside_mm(self, poses: FloatArray, middles: FloatArray, blocks: npt.NDArray[np.intp], balls: npt.NDArray[np.intp]) -> FloatArray:

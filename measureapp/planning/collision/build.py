@@ -23,15 +23,9 @@ BEHIND_MM, AHEAD_MM = 90.0, 30.0  # of the entrance pupil: end of the housing, f
 CELL_HALF_MM, FLOOR_THICKNESS_MM = 4000.0, 500.0
 LEAST_TABLE_MM = 20.0  # thickness of a table whose top lies on the floor
 BOARD_RADIUS_MM, BOARD_HEIGHT_MM = 150.0, 190.0  # of the largest usual board, tilted by 45° with its centre 90 mm above the table
-CAPSULE_SHARES = (
-    0.13,
-    0.13,
-    0.13,
-    0.13,
-    0.1,
-    0.05,
-    0.05,
-)  # radius over the arm's stretched length, base to flange; typical arms are slimmer
+FOREARM, WRIST = 4, 5  # the link before the wrist, and the joint at its centre
+WRIST_SHARE = 0.6  # radius over the distance of the flange from the wrist
+CAPSULE_SHARES = (0.13, 0.13, 0.13, 0.13, 0.1)  # radius over the stretched arm, base to forearm; typical arms are slimmer
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -86,23 +80,37 @@ def cell_bodies(rig: RigDescription, arm: ArmModel | None, part: PartSolid | Non
 
 
 def _arm_bodies(arm: ArmModel) -> Iterator[Body]:
+    kind = Kind.ARM if arm.bodies else Kind.ROUGH
     for one in arm.bodies or _assumed_bodies(arm):
         solid = capsule(*one.ends_mm, one.radius_mm, one.margin_mm) if one.radius_mm > 0.0 else box(*one.ends_mm, one.margin_mm)
-        yield Body(_link_name(one.link), Kind.ARM, one.link, solid, np.eye(4))
+        yield Body(_link_name(one.link), kind, one.link, solid, np.eye(4))
 
 
 def _assumed_bodies(arm: ArmModel) -> Iterator[LinkBody]:
-    """Yield a thick capsule along every link of an arm of which only the kinematics are known."""
+    """Yield a thick capsule along every link of an arm of which only the kinematics are known.
+
+    At the wrist the forearm must be thinner than the flange is away from it, or nothing could be mounted there; its thick part ends halfway.
+    What is between wrist and flange belongs to link 5.
+    """
     origins = np.vstack([np.zeros(3), arm.link_frames(np.zeros(JOINTS))[:, :3, 3], arm.forward_matrices(np.zeros(JOINTS))[:3, 3]])
     length_mm = float(np.linalg.norm(np.diff(origins, axis=0), axis=1).sum())
-    points = [(float(x), float(y), float(z)) for x, y, z in origins]
+    wrist_mm = max(1.0, WRIST_SHARE * float(np.linalg.norm(origins[JOINTS + 1] - origins[WRIST])))
+    ends = origins[1:].copy()
+    ends[FOREARM] = (origins[FOREARM] + origins[WRIST]) / 2.0
     for link, share in enumerate(CAPSULE_SHARES):
-        yield LinkBody(link, (points[link], points[link + 1]), share * length_mm, 0.0)
+        yield LinkBody(link, (_point(origins[link]), _point(ends[link])), share * length_mm, 0.0)
+    yield LinkBody(FOREARM, (_point(origins[FOREARM]), _point(origins[WRIST])), wrist_mm, 0.0)
+    yield LinkBody(WRIST, (_point(origins[WRIST]), _point(origins[JOINTS + 1])), wrist_mm, 0.0)
+
+
+def _point(position_mm: FloatArray) -> tuple[float, float, float]:
+    x, y, z = (float(value) for value in position_mm)
+    return x, y, z
 
 
 def _head_bodies(rig: RigDescription, base_from_flange: FloatArray) -> Iterator[Body]:
     placed = base_from_flange @ rig.flange_from_head.transform("flange", "head").matrix
-    for one in rig.cell.head or derived_head(rig):
+    for one in rig.cell.head_bodies or derived_head(rig):
         yield Body(f"head ({one.name})", Kind.HEAD, FLANGE, box(one.low_mm, one.high_mm, HEAD_MARGIN_MM), placed)
 
 

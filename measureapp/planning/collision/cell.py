@@ -13,6 +13,7 @@ from measureapp.data.rig import RigDescription
 from measureapp.errors import LimitError
 from measureapp.geometry.kinematics.arm import ArmModel
 from measureapp.geometry.kinematics.choice import away_from_singularities, driven
+from measureapp.geometry.kinematics.refine import seeds
 from measureapp.geometry.kinematics.singularity import GOAL_MARGINS
 from measureapp.geometry.transform import RigidTransform
 from measureapp.planning.collision.build import PartSolid, cell_bodies, check_part_fits
@@ -21,6 +22,7 @@ from measureapp.planning.collision.motion import Mechanism, Placement
 from measureapp.planning.reach import LIMIT_MARGIN_RAD, limit_violations
 
 ORDER: tuple[Axis, ...] = ("table", "guide", "robot")  # in which a session moves the axes, one after the other
+SAMPLED = 200  # joint angles at which bodies are looked at that touch in all of them
 REST_RAD = np.array(
     [0.0, 0.0, 0.0, 0.0, np.pi / 6.0, 0.0]
 )  # where an arm is assumed to come from, if nothing is known; away from singularities
@@ -112,6 +114,19 @@ class Cell:
     def distances_mm(self, placement: Placement) -> FloatArray:
         """Return the distance of every pair of `scene`, (pairs,); not above 0 where they touch or overlap."""
         return self._sweep(placement, placement).distances_mm()
+
+    def always_touching(self) -> str:
+        """Return the names of two bodies that touch whatever the joint angles, an error of the model; empty if there are none."""
+        if self.kept is None:
+            return ""
+        pairs = np.arange(len(self.scene.pairs))
+        for joints_rad in seeds(self.kept.limits_rad, SAMPLED):
+            place = Placement(self.kept.forward_matrices(joints_rad), joints_rad, 0.0, 0.0)
+            pairs = pairs[self.distances_mm(place)[pairs] <= 0.0]
+            if not len(pairs):
+                return ""
+        pair = self.scene.pairs[pairs[0]]
+        return f"{self.scene.bodies[pair.first].name} and {self.scene.bodies[pair.second].name}"
 
     # moves
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from measureapp.data.plan import Viewpoint
 from measureapp.data.rig import RigDescription
-from measureapp.errors import PlanError
+from measureapp.errors import InputError, PlanError
 from measureapp.geometry.kinematics.arm import ArmModel
 from measureapp.planning.collision.build import PartSolid
 from measureapp.planning.collision.cell import Cell
@@ -65,13 +65,20 @@ def check_collisions(
     ------
     PlanError
         The part is larger than the table.
+    InputError
+        Bodies touch whatever the joint angles.
     """
     return check_in(Cell.of(rig, arm, part), tuple(plan), start)
 
 
 def check_in(cell: Cell, viewpoints: Sequence[Viewpoint], start: Placement | None = None) -> CollisionReport:
-    """Check viewpoints in a cell that is built already; as `check_collisions`."""
+    """Check viewpoints in a cell that is built already; as `check_collisions`. Raises InputError where bodies always touch."""
     at = {viewpoint.id: problem for viewpoint in viewpoints if (problem := cell.problem_at(viewpoint))}
+    if at and (names := cell.always_touching()):
+        raise InputError(
+            f"The bodies {names} touch whatever the joint angles: the model of the cell is wrong.",
+            "Correct these bodies in the robot's file or in [cell] of the rig description.",
+        )
     free = [viewpoint for viewpoint in viewpoints if viewpoint.id not in at]
     here = start if start is not None else start_of(cell, free)
     moves: list[Move] = []

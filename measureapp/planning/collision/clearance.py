@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+import numpy.typing as npt
 
 from measureapp.arrays import FloatArray
 from measureapp.planning.collision.bodies import Body, BodyTable, Kind, Pair, pairs_of
@@ -13,7 +14,8 @@ from measureapp.planning.collision.distance import distance_mm
 from measureapp.planning.collision.motion import CHANGES, Mechanism, Placement, samples
 
 STEP_MM = 2.0  # nothing travels further between two samples of a move: a clearance may be less than found by as much
-SUBJECTS = (Kind.HEAD, Kind.ARM, Kind.OBSTACLE, Kind.GROUND, Kind.KEEP_OUT)  # which of two bodies is said to meet the other
+SUBJECTS = (Kind.HEAD, Kind.ARM, Kind.ROUGH, Kind.OBSTACLE, Kind.GROUND, Kind.KEEP_OUT)  # which of two bodies is said to meet the other
+COARSE = 8  # samples of a move at a time, to find the pairs that stay far apart
 LEAVING_MM = 0.5  # rounding, by which a pair that is too close already may come closer
 
 
@@ -62,8 +64,9 @@ class Sweep:
         self._travels_mm = scene.travels @ scene.mechanism.changes(start, end)
         self.shares = samples(float(self._travels_mm.max(initial=0.0)), STEP_MM)
         self._frames = scene.mechanism.frames(start, end, self.shares)
-        self._bounds_mm = scene.table.lower_bounds_mm(self._frames)
         self._apart_mm = np.array([pair.apart_mm for pair in scene.pairs])
+        self._near = self._candidates(scene.table)
+        self._bounds_mm = scene.table.lower_bounds_mm(self._frames, self._near)
 
     def first_encounter(self, *, leaving: bool = False) -> Encounter | None:
         """Return what comes too close first along the move; None if nothing does.
@@ -73,8 +76,8 @@ class Sweep:
         leaving : pairs that are too close at its start may move apart; those that overlap there are not asked
         """
         found: tuple[int, float, Pair] | None = None
-        for number in np.flatnonzero((self._bounds_mm <= self._apart_mm).any(axis=0)).tolist():
-            hit = self._first(number, leaving, len(self.shares) if found is None else found[0])
+        for column, number in enumerate(self._near.tolist()):
+            hit = self._first(number, self._bounds_mm[:, column], leaving, len(self.shares) if found is None else found[0])
             if hit is not None:
                 found = (*hit, self._pairs[number])
         if found is None:
@@ -88,12 +91,19 @@ class Sweep:
         """Return the distance of every pair at the start of the move, (pairs,); not above 0 where they touch or overlap."""
         return np.array([self._distance_mm(pair, 0) for pair in self._pairs])
 
-    def _first(self, number: int, leaving: bool, before: int) -> tuple[int, float] | None:
+    def _candidates(self, table: BodyTable) -> npt.NDArray[np.intp]:
+        """Return the numbers of the pairs that may come too close, judged by few samples and the ways between them."""
+        coarse = self._frames[::COARSE]
+        travelled_mm = self._travels_mm * (COARSE / max(1, len(self.shares) - 1))
+        bounds_mm = table.lower_bounds_mm(coarse, np.arange(len(self._pairs))) - travelled_mm
+        return np.flatnonzero((bounds_mm <= self._apart_mm).any(axis=0))
+
+    def _first(self, number: int, bounds_mm: FloatArray, leaving: bool, before: int) -> tuple[int, float] | None:
         """Return the first sample before ``before`` at which a pair is too close, and its distance there."""
         pair, travel_mm = self._pairs[number], float(self._travels_mm[number])
         apart_mm, step_mm = pair.apart_mm, travel_mm / max(1, len(self.shares) - 1)
         last = before if travel_mm > 0.0 else min(before, 1)
-        near = np.flatnonzero(self._bounds_mm[:last, number] <= apart_mm)
+        near = np.flatnonzero(bounds_mm[:last] <= apart_mm)
         if leaving and len(near) and (now := self._distance_mm(pair, 0)) <= apart_mm:
             if now <= 0.0:
                 return None

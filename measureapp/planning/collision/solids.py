@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -11,6 +12,7 @@ import numpy.typing as npt
 from measureapp.arrays import FloatArray
 
 HULL_DIRECTIONS = 400  # of the support points of a hull: enough for a part, and each distance still takes 10 µs
+BLOCK = 20_000
 GOLDEN_RAD = float(np.pi) * (3.0 - 5.0**0.5)
 
 
@@ -84,7 +86,8 @@ def hull(points_mm: FloatArray, margin_mm: float = 0.0) -> Solid:
     from scipy.spatial import ConvexHull
 
     kept = ConvexHull(_support(points_mm)) if len(points_mm) > HULL_DIRECTIONS else ConvexHull(points_mm)
-    outside_mm = max(0.0, float((points_mm @ kept.equations[:, :3].T + kept.equations[:, 3]).max()))
+    normals, offsets = kept.equations[:, :3].T, kept.equations[:, 3]
+    outside_mm = max(0.0, *(float((block @ normals + offsets).max()) for block in _blocks(points_mm)))
     vertices = kept.points[kept.vertices]
     number = np.full(len(kept.points), -1)
     number[kept.vertices] = np.arange(len(vertices))
@@ -101,7 +104,19 @@ def _support(points_mm: FloatArray) -> FloatArray:
     radius, turn = np.sqrt(1.0 - height**2), GOLDEN_RAD * step
     spiral = np.column_stack([radius * np.cos(turn), radius * np.sin(turn), height])
     directions = np.vstack([spiral, np.eye(3), -np.eye(3)])
-    return points_mm[np.unique((points_mm @ directions.T).argmax(axis=0))]
+    best, reach_mm = np.zeros(len(directions), int), np.full(len(directions), -np.inf)
+    for number, block in enumerate(_blocks(points_mm)):
+        along = block @ directions.T
+        further = along.max(axis=0) > reach_mm
+        best = np.where(further, number * BLOCK + along.argmax(axis=0), best)
+        reach_mm = np.maximum(reach_mm, along.max(axis=0))
+    return points_mm[np.unique(best)]
+
+
+def _blocks(points_mm: FloatArray) -> Iterator[FloatArray]:
+    """Yield points in blocks, so that large nominals need no large memory."""
+    for start in range(0, len(points_mm), BLOCK):
+        yield points_mm[start : start + BLOCK]
 
 
 def _outward(found: Any) -> npt.NDArray[np.int64]:

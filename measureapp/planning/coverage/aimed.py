@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import islice
+
 import numpy as np
 
 from measureapp.arrays import FloatArray
@@ -21,6 +23,7 @@ from measureapp.planning.reach import limit_violations
 from measureapp.progress import Progress
 
 CLUSTERS = 60
+LEAST_MEMBERS = 3  # samples of a cluster, on average
 TRIES = 12  # poses checked for reach, of each cluster
 KEPT = 3  # of each cluster
 AZIMUTHS_DEG = (0.0, 30.0, -30.0, 60.0, -60.0)
@@ -41,7 +44,7 @@ def aimed_candidates(
     """
     head = Head.of(rig)
     viewpoints: list[Viewpoint] = []
-    groups = clusters(missed, CLUSTERS) if len(missed) else []
+    groups = clusters(missed, min(CLUSTERS, 1 + len(missed) // LEAST_MEMBERS)) if len(missed) else []
     for number, members in enumerate(groups):
         progress.report(number, len(groups), "viewpoints for pockets")
         some = missed.subset(members)
@@ -50,7 +53,7 @@ def aimed_candidates(
         seen = seen_from(poses, some, head, scene, limits).seen @ some.areas_mm2
         best = [pose for pose in np.argsort(-seen, kind="stable")[:TRIES] if seen[pose] > 0.0]
         found = (realise(poses[pose], rig, arm, f"p{number:02d}-{pose:03d}") for pose in best)
-        viewpoints += [one for one in found if one is not None][:KEPT]
+        viewpoints += islice((one for one in found if one is not None), KEPT)
     return Candidates(tuple(viewpoints), np.arange(len(viewpoints)), heads_at(viewpoints, rig))
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 from dataclasses import dataclass
 from datetime import datetime
 from math import inf
@@ -15,13 +16,16 @@ from measureapp.arrays import ImageArray, read_only
 from measureapp.data.board import BoardView
 from measureapp.data.conditions import Conditions
 from measureapp.data.fringe import AxisReadback
+from measureapp.data.rig import NAME
 from measureapp.errors import FrameMismatch, InputError, StorageError
 from measureapp.project.atomic import replacing, replacing_together, write_json
 from measureapp.project.documents import conditions_document, conditions_from, readback_document, readback_from
 from measureapp.project.frame_store import checksum
 from measureapp.project.images import read_image
 from measureapp.project.journal.entries import Entry
+from measureapp.project.text_document import check_version
 
+FORMAT = 1
 DESCRIPTION, STORED = "view.json", "board view stored"
 
 
@@ -105,12 +109,20 @@ def _load_description(place: Path) -> _Description:
     path = place / DESCRIPTION
     try:
         document = json.loads(path.read_text(encoding="utf-8"))
-        cameras, checksums = tuple(document["cameras"]), dict(document.get("checksums", {}))
+        check_version(path, document, FORMAT)
+        cameras, checksums = _names(document["cameras"]), dict(document.get("checksums", {}))
         readback, conditions = readback_from(document["readback"]), conditions_from(document.get("conditions"))
         taken_s = datetime.fromisoformat(conditions.taken_at).timestamp() if conditions is not None else -inf
         return _Description(document["viewpoint_id"], cameras, readback, checksums, conditions, taken_s)
-    except (OSError, ValueError, KeyError, TypeError, FrameMismatch) as error:
+    except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError, FrameMismatch) as error:
         raise StorageError(f"{path} cannot be read: {error}.", "Take the view again.") from error
+
+
+def _names(cameras: object) -> tuple[str, ...]:
+    """Return names of cameras, which name files in the folder of a view. Raises ValueError for any others."""
+    if not isinstance(cameras, list) or not all(isinstance(name, str) and re.fullmatch(NAME, name) for name in cameras):
+        raise ValueError("its cameras are not names")
+    return tuple(cameras)
 
 
 def _image(place: Path, camera: str) -> ImageArray:

@@ -49,7 +49,7 @@ def read_cameras(path: Path) -> CameraArrayCalibration:
         document = json.loads(path.read_text(encoding="utf-8"))
     except OSError as error:
         raise InputError(f"{path} cannot be read: {error.strerror or error}.", "Give the path of a cameras.json.") from error
-    except ValueError as error:
+    except (ValueError, RecursionError) as error:
         raise InputError(f"{path} is not JSON: {error}.", "Give a cameras.json written by `measureapp calibrate cameras`.") from error
     return cameras_from(document, str(path))
 

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import zipfile
+import zlib
 from pathlib import Path
 
 import numpy as np
 
 from measureapp.calibrate.cameras.projector_sightings import ProjectorPixels
 from measureapp.errors import StorageError
+from measureapp.project.array_files import read_npz
 from measureapp.project.atomic import replacing
 from measureapp.project.frame_store import checksum
 
@@ -27,8 +29,8 @@ def write_projector_pixels(path: Path, lit: ProjectorPixels) -> None:
 def read_projector_pixels(path: Path) -> ProjectorPixels:
     """Read what `write_projector_pixels` wrote. Raises StorageError when the file is damaged or missing."""
     try:
-        with np.load(path) as arrays:
-            column, row = (int(value) for value in arrays["corner_px"])
-            return ProjectorPixels((column, row), arrays["pixels"], arrays["sigma_px"])
-    except (OSError, KeyError, ValueError, EOFError, zipfile.BadZipFile) as error:
+        arrays = read_npz(path)
+        column, row = (int(value) for value in arrays["corner_px"])
+        return ProjectorPixels((column, row), arrays["pixels"], arrays["sigma_px"])
+    except (OSError, KeyError, ValueError, EOFError, zipfile.BadZipFile, zlib.error) as error:
         raise StorageError(f"{path} cannot be read: {error}.", "Restore it from a backup, or take the position again.") from error

@@ -117,5 +117,5 @@ def read_note(project: Path) -> RecordingNote | None:
         return None
     try:
         return RecordingNote.model_validate(json.loads(path.read_text(encoding="utf-8")))
-    except (OSError, ValueError) as error:
+    except (OSError, ValueError, RecursionError) as error:
         raise StorageError(f"{path} cannot be read: {error}.", "Restore it from a backup, or import the recording again.") from error

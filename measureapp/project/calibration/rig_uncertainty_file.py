@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import zlib
 from dataclasses import asdict, fields
 from pathlib import Path
 from typing import Any
@@ -14,6 +15,7 @@ from measureapp.calibrate.motions.chain_state import ChainState
 from measureapp.calibrate.rig.stitch_uncertainty import RigUncertainty
 from measureapp.data.calibration import LabelledCovariance, RigCalibration
 from measureapp.errors import StorageError
+from measureapp.project.array_files import read_npz
 from measureapp.project.atomic import replacing
 from measureapp.project.documents import noise_document, noise_from
 
@@ -43,8 +45,7 @@ def write_rig_uncertainty(path: Path, rig: RigUncertainty) -> None:
 def read_rig_uncertainty(path: Path, calibration: RigCalibration) -> RigUncertainty:
     """Read what `write_rig_uncertainty` wrote for ``calibration``. Raises StorageError when the file is damaged."""
     try:
-        with Path(path).open("rb") as file, np.load(file, allow_pickle=False) as stored:
-            arrays = dict(stored)
+        arrays = read_npz(Path(path))
         noise = noise_from(_part(arrays, "noise"))
         free = Free(**{name: bool(value) for name, value in _part(arrays, "free").items()})
         state = _part(arrays, "state")
@@ -55,7 +56,7 @@ def read_rig_uncertainty(path: Path, calibration: RigCalibration) -> RigUncertai
         cameras = _part(arrays, "cameras")
         known = LabelledCovariance(tuple(map(str, cameras["parameters"])), cameras["covariance"]) if cameras else None
         return RigUncertainty(calibration, chain, ChainState(**state), arrays["covariance"], known, arrays.get("by_cameras"))
-    except (OSError, ValueError, KeyError, TypeError, EOFError, BadZipFile) as error:
+    except (OSError, ValueError, KeyError, TypeError, EOFError, BadZipFile, zlib.error) as error:
         raise StorageError(f"{path} cannot be read: {error}.", "Calibrate again, or delete this file to continue without it.") from error
 
 

@@ -14,17 +14,19 @@ from typing import TYPE_CHECKING, Any
 
 from measureapp.data.calibration import RigCalibration
 from measureapp.data.validity import CheckRecord
-from measureapp.errors import InputError, StorageError
+from measureapp.errors import FrameMismatch, InputError, StorageError
 from measureapp.project.atomic import replacing, replacing_together, write_json
 from measureapp.project.calibration.camera_file import cameras_document, read_cameras, write_cameras
 from measureapp.project.calibration.rig_uncertainty_file import write_rig_uncertainty
 from measureapp.project.documents import calibration_id, check_document, check_from, digest, rig_calibration_document, rig_calibration_from
 from measureapp.project.journal.entries import Entry
+from measureapp.project.text_document import check_version
 
 if TYPE_CHECKING:
     from measureapp.calibrate.rig.stitch_uncertainty import RigUncertainty
 
 CAMERAS, RIG, FORMER, HISTORY = "cameras.json", "rig.json", "former", "history.jsonl"
+FORMAT = 1
 STORED, ARCHIVED = "calibration stored", "calibration archived"
 RIG_UNCERTAINTY = "rig_uncertainty.npz"  # uncertainty of the calibration, if stored
 
@@ -54,10 +56,11 @@ def load(folder: Path) -> RigCalibration | None:
         return None
     try:
         document = json.loads(path.read_text(encoding="utf-8"))
+        check_version(path, document, FORMAT)
         stored = document.pop("checksum", None)
         calibration = rig_calibration_from(document, read_cameras(folder / CAMERAS))
         found = _checksum(json.loads((folder / CAMERAS).read_text(encoding="utf-8")), document)
-    except (OSError, KeyError, TypeError, ValueError, AttributeError) as error:
+    except (OSError, KeyError, TypeError, ValueError, AttributeError, RecursionError, FrameMismatch) as error:
         raise StorageError(f"{path} does not hold a calibration: {error}.", "Calibrate again.") from error
     if stored is not None and stored != found:
         raise StorageError(
@@ -87,7 +90,7 @@ def history(folder: Path) -> tuple[CheckRecord, ...]:
     for text in path.read_text(encoding="utf-8", errors="replace").splitlines():
         try:
             lines.append(check_from(json.loads(text)))
-        except (ValueError, TypeError, KeyError):
+        except (ValueError, TypeError, KeyError, RecursionError):
             continue
     return tuple(lines)
 

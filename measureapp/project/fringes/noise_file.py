@@ -67,7 +67,7 @@ def read_noise(path: Path) -> dict[str, CameraNoise]:
         raise InputError(f"{path} cannot be read: {error.strerror or error}.", "Check the path.") from error
     except ValidationError as error:
         raise InputError(f"{path} is not a noise file: {first_problem(error, 'file')}.", TAKE_FLATS) from error
-    except ValueError as error:
+    except (ValueError, RecursionError) as error:
         raise InputError(f"{path} is not JSON.", TAKE_FLATS) from error
     poor = [f"{name}: {entry.verdict}" for name, entry in file.cameras.items() if not entry.accepted]
     if poor:

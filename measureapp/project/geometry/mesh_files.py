@@ -84,6 +84,8 @@ def read_obj(path: Path) -> tuple[FloatArray, IntArray, FloatArray | None]:
 
 def _obj_index(word: str, vertices: int) -> int:
     index = int(word.split("/", 1)[0])
+    if abs(index) > np.iinfo(np.int32).max:
+        raise ValueError(f"there is no vertex {word}")
     return index - 1 if index > 0 else vertices + index
 
 

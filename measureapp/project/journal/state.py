@@ -13,7 +13,7 @@ from measureapp.project.journal import database, disk, publish
 from measureapp.project.journal.entries import CHAIN_START, FileState, Line
 
 STORED, DROPPED, RESULTS = "viewpoint stored", "viewpoint dropped", "results stored"
-ACCEPT = "Restore it from a backup. If you changed it on purpose: measureapp verify PROJECT --accept {name}"
+ACCEPT = "Restore it from a backup. If you changed it on purpose, accept it (measureapp verify PROJECT --accept {name})."
 AGAIN = "Restore it from a backup, or take the viewpoint again: measureapp discard PROJECT {viewpoint}, then measureapp scan … --resume."
 COMPUTE = "Compute it again: measureapp process PROJECT."
 
@@ -108,16 +108,17 @@ class Journal:
             self.check(path)
             self._checked[path] = (found.st_size, found.st_mtime_ns)
 
-    def check_sizes(self, viewpoint: str) -> None:
-        """Compare only the sizes of a viewpoint's files with the journal. Raises Damaged."""
-        contents = self.contents()
-        for name in [] if contents is None else [name for name, owner in contents.owner.items() if owner == viewpoint]:
-            assert contents is not None
-            path = self.project / name
-            if not path.is_file() or path.stat().st_size != contents.files[name].size:
-                raise Damaged(
-                    f"{path} is {'shorter or longer than' if path.is_file() else 'missing:'} what was stored.", remedy(name, viewpoint)
-                )
+    def size_problems(self) -> tuple[str, ...]:
+        """Return, in sentences, which files are missing or have another size than what was stored; no content is read. Raises StorageError."""
+        contents, found = self.contents(), []
+        for name, state in sorted(contents.files.items()) if contents is not None else ():
+            waiting = self.project / state.part if state.part else None
+            path = waiting if waiting is not None and waiting.exists() else self.project / name
+            if not path.exists():
+                found.append(f"{self.project / name} is missing.")
+            elif path.stat().st_size != state.size:
+                found.append(f"{self.project / name} has {path.stat().st_size} bytes; {state.size} were stored.")
+        return tuple(found)
 
     def is_same(self, name: str, known: FileState) -> bool:
         """Whether a file has the content ``known``; what waits beside its place counts as if it were there."""

@@ -99,6 +99,7 @@ def feature_starts(target: PreparedSetUp, source: PreparedSetUp) -> Iterator[Flo
     registration = o3d.pipelines.registration
     size = FPFH_VOXELS * target.prepared.voxel_mm
     clouds = [_with_features(one, size) for one in (source, target)]
+    o3d.utility.set_verbosity_level(o3d.utility.VerbosityLevel.Error)  # few correspondences are no news here
     for seed in range(FPFH_RUNS):
         o3d.utility.random.seed(seed)
         result = registration.registration_ransac_based_on_feature_matching(

@@ -13,13 +13,13 @@ import trimesh
 from measureapp.data.cell import CellDescription, Fixture, NamedBox
 from measureapp.data.plan import FlangePose, Viewpoint
 from measureapp.data.rig import KeepOutBox, MotionRules, ParkPose, RigDescription
-from measureapp.errors import PlanError
+from measureapp.errors import InputError, PlanError
+from measureapp.geometry.kinematics.arm import LinkBody
 from measureapp.planning.calibration_views import calibration_viewpoints
 from measureapp.planning.collision.bodies import Body
 from measureapp.planning.collision.build import PartSolid
 from measureapp.planning.collision.cell import Cell
 from measureapp.planning.collision.check import NO_ARM, NO_PART, NO_SHAPE, check_collisions
-from measureapp.planning.collision.motion import Placement
 from measureapp.planning.collision.routes import NoRoute, find_route
 from measureapp.planning.viewpoints import LookAt, plan_around_part, viewpoint_looking_at
 from measureapp.project.geometry.robot_file import arm_of
@@ -66,14 +66,11 @@ def test_the_calibration_is_free_of_collisions_and_was_not_by_reach_alone() -> N
     assert len(report.moves) == len(views)
 
 
-def test_bodies_that_always_touch_would_be_an_error_of_the_model() -> None:
-    cell = Cell.of(RIG, ARM, IMPELLER)
-    never_apart = set(range(len(cell.scene.pairs)))
-    for joints_rad in np.random.default_rng(2).uniform(*cell.kept.limits_rad.T, (300, 6)):
-        place = Placement(ARM.forward_matrices(joints_rad), joints_rad, 0.0, 0.0)
-        bounds = cell.distances_mm(place)
-        never_apart -= {number for number, distance_mm in enumerate(bounds) if distance_mm > cell.scene.pairs[number].apart_mm}
-    assert never_apart == set()
+def test_bodies_that_always_touch_are_an_error_of_the_model() -> None:
+    assert Cell.of(RIG, ARM, IMPELLER).always_touching() == ""
+    fat = replace(ARM, bodies=(*ARM.bodies, LinkBody(4, ((0.0, 0.0, 791.1), (560.0, 0.0, 791.1)), 90.0)))
+    with pytest.raises(InputError, match=r"head .* touch whatever the joint angles"):
+        check_collisions([PLAN[0]], RIG, fat, IMPELLER)
 
 
 # what is found
@@ -127,7 +124,8 @@ def test_a_fixture_on_the_table_turns_with_it() -> None:
 def test_what_cannot_be_checked_is_told() -> None:
     plan = (PLAN[0], PLAN[1])
     assert check_collisions(plan, RIG, None, None).notes == (NO_ARM, NO_PART)
-    assert check_collisions(plan, RIG, replace(ARM, bodies=()), None).notes == (NO_SHAPE, NO_PART)
+    unknown = check_collisions(plan, RIG, replace(ARM, bodies=()), None)
+    assert (unknown.notes, unknown.problems) == ((NO_SHAPE, NO_PART), ())
 
 
 def test_without_a_model_of_the_arm_the_head_is_checked_on_straight_ways() -> None:
@@ -147,7 +145,7 @@ def test_without_a_model_of_the_arm_the_head_is_checked_on_straight_ways() -> No
 
 def test_a_head_that_the_rig_describes_replaces_the_derived_one() -> None:
     small = (NamedBox(name="all", low_mm=(-60, -60, -60), high_mm=(60, 60, 30)),)
-    cell = Cell.of(rig_with(cell=CellDescription(head=small)), ARM)
+    cell = Cell.of(rig_with(cell=CellDescription(head_bodies=small)), ARM)
     assert [body.name for body in cell.scene.bodies if body.name.startswith("head")] == ["head (all)"]
 
 

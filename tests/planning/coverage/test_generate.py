@@ -11,6 +11,7 @@ from measureapp.geometry.transform import RigidTransform, rotation_about
 from measureapp.planning import generate
 from measureapp.planning.coverage.candidates import checked_grid
 from measureapp.planning.coverage.extent import extent_on_table, standing
+from measureapp.planning.coverage.limits import VisibilityLimits
 from measureapp.planning.coverage.result import GeneratedPlan
 from measureapp.planning.coverage.samples import sample_surface
 from measureapp.planning.coverage.scene import PartScene
@@ -28,6 +29,7 @@ from tests.planning.coverage.reference import greedy_cover
 RIG = read_rig("paper")
 ARM = arm_of(RIG)
 QUICK = GeneratorSettings(samples=500, candidates=400)
+SMALL = GeneratorSettings(samples=250, candidates=200)
 
 
 def placed(mesh: Mesh) -> Mesh:
@@ -131,15 +133,35 @@ def test_a_deep_bore_has_no_free_line_of_sight_at_its_bottom() -> None:
 
 def test_where_only_colliding_viewpoints_see_a_surface_the_reason_is_the_collision() -> None:
     cell = Feasibility(RIG, ARM, is_free=lambda viewpoint: -90.0 < viewpoint.table_deg < 90.0)
-    found = generate_plan(casting(), cell, QUICK)
+    found = generate_plan(casting(), cell, SMALL)
     assert Cause.COLLISION in {area.cause for area in found.unreachable}
     assert all(-90.0 < one.table_deg < 90.0 for one in found.plan)
+
+
+def test_where_only_mirror_directions_see_a_surface_the_reason_is_the_light() -> None:
+    limits = VisibilityLimits(mirror_deg=60.0, camera_incidence_deg=45.0, projector_incidence_deg=45.0)
+    glossy = SMALL.model_copy(update={"limits": limits})
+    found = generate_plan(casting(60.0), Feasibility(RIG, ARM), glossy)
+    assert Cause.LIGHT in {area.cause for area in found.unreachable}
+
+
+def test_collisions_checked_for_all_angles_of_the_table_at_once_are_those_of_every_viewpoint() -> None:
+    from measureapp.planning.collision.build import PartSolid
+    from measureapp.planning.collision.cell import Cell
+
+    part = placed(casting())
+    cell, exact = checked(casting()), Cell.of(RIG, ARM, PartSolid.of_points(part.vertices_mm))
+    grid, _ = checked_grid(extent_on_table(part, RIG), RIG, ARM, None, NoProgress(), 1500)
+    some = [grid.viewpoints[place] for place in np.random.default_rng(4).choice(len(grid), 60, replace=False)]
+    found = [cell.is_free(one) for one in some] if cell.is_free else []
+    assert found == [not exact.problem_at(one) for one in some]
+    assert 0.1 < np.mean(found) < 0.9
 
 
 def test_a_robot_that_reaches_only_low_views_leaves_the_rest_out_of_reach() -> None:
     robot = RIG.robot.model_copy(update={"max_reach_mm": 480.0})
     low = RIG.model_copy(update={"robot": robot})
-    found = generate_plan(casting(), Feasibility(low), QUICK)
+    found = generate_plan(casting(), Feasibility(low), SMALL)
     assert Cause.REACH in {area.cause for area in found.unreachable}
 
 
@@ -192,7 +214,7 @@ def test_the_generator_can_be_cancelled_at_any_report() -> None:
 
     for share in (0.0, 0.3, 0.7):
         with pytest.raises(Cancelled):
-            generate_plan(casting(), Feasibility(RIG, ARM), QUICK, progress=StopAfter(share))
+            generate_plan(casting(), Feasibility(RIG, ARM), SMALL, progress=StopAfter(share))
 
 
 def test_progress_never_goes_back() -> None:
@@ -202,9 +224,22 @@ def test_progress_never_goes_back() -> None:
         def report(self, done: float, total: float, note: str = "") -> None:
             told.append(done / total)
 
-    generate_plan(casting(), Feasibility(RIG, ARM), QUICK, progress=Listener())
+    generate_plan(casting(), Feasibility(RIG, ARM), SMALL, progress=Listener())
     assert told == sorted(told)
     assert told[-1] == 1.0
+
+
+def test_a_flat_sheet_is_planned_with_collisions_checked() -> None:
+    corners = np.array([[-80.0, -60, 0], [80, -60, 0], [80, 60, 30], [-80, 60, 30]])
+    sheet = Mesh(corners, np.array([[0, 1, 2], [0, 2, 3]]), "nominal")
+    found = generate_plan(sheet, checked(sheet), QUICK)
+    assert found.planned_share > 0.95
+    assert (found.samples.normals[:, 2] > 0.0).all()
+
+
+def test_a_search_that_needs_too_much_memory_is_refused() -> None:
+    with pytest.raises(PlanError, match="too much memory"):
+        generate_plan(casting(), Feasibility(RIG, ARM), GeneratorSettings(samples=50_000, candidates=20_000))
 
 
 def test_an_unknown_pattern_set_is_refused() -> None:

@@ -33,7 +33,7 @@ DEMO_WORDS = (
 )
 NO_SAFETY = "Hold a button to move on. Stop is no safety function:\nin danger use the emergency stop."
 STATE_INTERVAL_MS, LIVE_INTERVAL_MS = 3_000, 33
-CARD_WIDTH = 352
+CARD_WIDTH = 384
 OWN_RIG = "Open a rig description…"
 
 

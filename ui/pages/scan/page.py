@@ -9,24 +9,26 @@ from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QStackedWidget, QWidget
 
 from ui.controllers.controllers import Controllers
-from ui.controllers.scan_choices import CheckedScan
+from ui.controllers.scan_choices import CheckedScan, ScanChoices, suggested_choices
 from ui.controllers.stored_sessions import project_on_disk
 from ui.look.look import Look
-from ui.look.wording import counted, percent, several
+from ui.look.wording import counted, percent, rough_duration, several
 from ui.pages.layers import PlacedClouds, placements_of, view_layer
-from ui.pages.scan.pictures import Pictures
+from ui.pages.scan.missing import MissingDialog
 from ui.pages.scan.run_bar import RunBar
 from ui.pages.scan.setup import ScanSetup
 from ui.pages.viewport_page import Composer, Picture, ViewportPage
 from ui.session import Session
 from ui.widgets.basic import Button, card, column, label, row
 from ui.widgets.empty_state import EmptyState
+from ui.widgets.pictures import Pictures
 from ui.widgets.properties_panel import Group, Properties
 from ui.widgets.viewpoint_tiles import Tile, TileList
 from ui.workers.job import Job
 
 if TYPE_CHECKING:
     from measureapp.acquire.events import ImageTaken
+    from measureapp.acquire.time_left import TimeLeft
     from measureapp.data.measurement import ViewResult
 
 LIVE_INTERVAL_MS = 66
@@ -50,13 +52,14 @@ class ScanPage(ViewportPage):
         self.tiles = TileList(look)
         self.bar = RunBar(look)
         self.pictures = Pictures(look)
+        self.missing_dialog = MissingDialog(look, self)
         self.pictures_title = label("Images", "caption")
         self._placed = PlacedClouds()
         self._wants_setup = False
         self._lay_out(look)
         self._timer = QTimer(self)
         self._timer.setInterval(LIVE_INTERVAL_MS)
-        self._timer.timeout.connect(self._take_images)
+        self._timer.timeout.connect(self._tick)
         self._connect()
         self._make_images()
         self._show()
@@ -81,8 +84,9 @@ class ScanPage(ViewportPage):
         self.new = Button("New scan…", look, "add", "normal", "Choose project, plan and exposures of another scan")
         self.go_on = Button("Resume the scan", look, "run", "primary")
         self.again = Button("Recompute", look, "again", "normal", "Recompute everything from the stored images")
+        self.missing = Button("What is missing…", look, "holes", "normal", "Compare with the nominal, and propose the views that pay")
         self.next_step = Button("See the clouds", look, "clouds", "primary")
-        for button in (self.back, self.new, self.again, self.go_on, self.next_step):
+        for button in (self.back, self.new, self.again, self.missing, self.go_on, self.next_step):
             self.action_row.addWidget(button)
 
     def _connect(self) -> None:
@@ -98,6 +102,9 @@ class ScanPage(ViewportPage):
         self.setup.checkClicked.connect(lambda: scanning.check(self.setup.value()))
         self.setup.startClicked.connect(lambda: scanning.start(self.setup.value()))
         scanning.checked.connect(self._show_checked)
+        self.missing.clicked.connect(controllers.extending.look)
+        controllers.extending.found.connect(self.missing_dialog.show_found)
+        self.missing_dialog.scanClicked.connect(controllers.extending.scan)
         self.bar.pauseClicked.connect(scanning.pause)
         self.bar.resumeClicked.connect(scanning.resume)
         self.bar.skipClicked.connect(self._skip)
@@ -117,6 +124,8 @@ class ScanPage(ViewportPage):
     def set_up(self) -> None:
         """Show what a scan needs."""
         self._wants_setup = True
+        if self.setup.value() == ScanChoices():
+            self.setup.setValue(suggested_choices(self.session))
         self.setup.refresh()
         self._show()
 
@@ -167,7 +176,7 @@ class ScanPage(ViewportPage):
             self.empty.say("The rig is being prepared…", "The viewpoints appear here when the scan begins.", offer=False)
         else:
             self._timer.stop()
-            self._take_images()
+            self._tick()
             self.empty.say(*EMPTY)
             if self.isVisible():
                 self._show_stored()
@@ -187,6 +196,7 @@ class ScanPage(ViewportPage):
         self.back.setVisible(setting_up and has_run)
         self.new.setVisible(idle_run)
         self.again.setVisible(idle_run and any(state.status in HAVE_IMAGES for state in points.values()))
+        self.missing.setVisible(idle_run and self.controllers.extending.can_look)
         self.go_on.setVisible(idle_run and bool(missing))
         self.next_step.setVisible(idle_run and bool(self.session.views) and not missing)
         kept = len(points) - len(missing)
@@ -210,9 +220,9 @@ class ScanPage(ViewportPage):
         running = run.state != "idle"
         closed = chosen is not None and chosen.status in {"stored", "processed", "failed", "skipped"}
         can_retake = closed and (running or (not self.session.busy_with and project_on_disk(self.session) is not None))
-        words = "Choose a viewpoint to see its images, to skip it or to take it again." if running else ""
+        words = left_words(self.controllers.scanning.left()) if running else f"{chosen.id} is chosen." if chosen is not None else ""
         self.bar.setVisible(running or can_retake)
-        self.bar.show_run(run, words if running else f"{chosen.id} is chosen." if chosen is not None else "", can_retake=can_retake)
+        self.bar.show_run(run, words, can_retake=can_retake)
 
     def _show_summary(self) -> None:
         points = self.session.viewpoints.values()
@@ -243,6 +253,12 @@ class ScanPage(ViewportPage):
         if stored and not self.session.busy_with and self.pictures.is_empty:
             self.controllers.stored_images.show(stored[0])
 
+    def _tick(self) -> None:
+        if self.isVisible() and not self.controllers.rig_calibrating.is_running:  # another window shows the images of a calibration
+            self._take_images()
+        if self.session.run.state == "running":
+            self._show_bar()
+
     def _take_images(self) -> None:
         if self.session.cell.live:  # images of the Rig page
             return
@@ -268,6 +284,13 @@ class ScanPage(ViewportPage):
             return Picture(tuple(layers))
 
         return compose
+
+
+def left_words(left: TimeLeft | None) -> str:
+    """Return how long a run still takes."""
+    if left is None or not left.bound_s:
+        return "Choose a viewpoint to see its images, to skip it or to take it again."
+    return f"About {rough_duration(left.expected_s)} left, at most {rough_duration(left.bound_s)}; then the clouds are stitched."
 
 
 def state_words(states: list[str]) -> str:

@@ -1,0 +1,65 @@
+"""What a scan has not measured, with causes, and the viewpoints that are expected to measure it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import Signal
+from PySide6.QtWidgets import QDialog, QWidget
+
+from ui.look.look import Look
+from ui.look.wording import percent, rough_duration
+from ui.widgets.basic import Button, column, label, row
+from ui.widgets.checklist import Checklist, Item
+
+if TYPE_CHECKING:
+    from measureapp.pipeline.closed_loop.of_project import ClosedLoop
+
+SMALLEST = (560, 440)
+NOTHING_PAYS = Item("good", "No viewpoint or exposure within reach is expected to measure more.")
+
+
+class MissingDialog(QDialog):
+    """Lists holes by cause and proposals by gain; one button scans them."""
+
+    scanClicked = Signal()
+
+    def __init__(self, look: Look, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.setWindowTitle("What is missing")
+        self.setMinimumSize(*SMALLEST)
+        self.list = Checklist(look)
+        self.scan = Button(
+            "Add and scan them", look, "run", "primary", "Add these viewpoints to the plan and take them; stored images are kept"
+        )
+        self.close_button = Button("Close", look)
+        self.scan.clicked.connect(self.accept)
+        self.accepted.connect(self.scanClicked)
+        self.close_button.clicked.connect(self.reject)
+        layout = column(label("What is missing", "heading"), self.list, row(0, self.close_button, self.scan), margin=16, spacing=12)
+        layout.setStretch(1, 1)
+        self.setLayout(layout)
+
+    def show_found(self, found: ClosedLoop) -> None:
+        """Show what was found."""
+        self.list.show_items(items_of(found))
+        self.scan.setVisible(bool(found.proposals))
+        self.show()
+
+
+def items_of(found: ClosedLoop) -> tuple[Item, ...]:
+    """Return measured fraction, holes by cause, and proposals."""
+    measured = f"{percent(found.sufficient)} of the surface is measured, of {percent(found.accessible)} that does not touch the support."
+    items = [Item("note", measured, f"Median standard deviation {found.median_sigma_mm:.4f} mm.")]
+    items += [Item("warning", f"{percent(share)} is missing: {words}.") for words, share in found.shares().items()]
+    if not found.proposals:
+        return (*items, NOTHING_PAYS)
+    items += [
+        Item(
+            "good",
+            f"{one.viewpoint.id}: + {percent(one.share)} in {rough_duration(one.seconds)}.",
+            f"{one.reason[:1].upper()}{one.reason[1:]}.",
+        )
+        for one in found.proposals
+    ]
+    return (*items, Item("note", f"With all of them {percent(found.expected)} are expected."))
