@@ -368,3 +368,9 @@ def test_a_new_scan_of_the_same_part_begins_with_its_documents_and_calibration(a
     assert scanned.back.isVisible()
     scanned.back.click()
     assert scanned.new.isVisible()
+
+
+def test_exposures_chosen_by_a_probe_are_reported(application):
+    application.controllers.scanning._events.apply(p.ExposuresChosen((80_000, 20_000), 0.91, 0.84, "", "view-02"))
+    said = application.session.messages[-1].text.replace("\u00a0", " ")
+    assert said == "Viewpoint view-02: exposures of 80, 20 ms chosen by a probe: 91.0 % of the lit pixels decodable, 84.0 % as planned."
