@@ -374,3 +374,28 @@ def test_exposures_chosen_by_a_probe_are_reported(application):
     application.controllers.scanning._events.apply(p.ExposuresChosen((80_000, 20_000), 0.91, 0.84, "", "view-02"))
     said = application.session.messages[-1].text.replace("\u00a0", " ")
     assert said == "Viewpoint view-02: exposures of 80, 20 ms chosen by a probe: 91.0 % of the lit pixels decodable, 84.0 % as planned."
+
+
+def test_a_project_without_nominal_and_program_gets_them_with_the_scan_and_one_that_has_them_keeps_them(
+    application, page, quick, idle, tmp_path
+):
+    project = ProjectFolder.create(tmp_path / "board", ProjectSettings(name="board", part="wheel", rig=application.session.rig))
+    page.set_up()
+    page.setup.setValue(ScanChoices(project.path, nominal=tmp_path / "n.stl"))
+    assert page.setup.nominal.isVisible() and not page.setup.part.isVisible()
+    quick.gate.set()
+    page.setup.start.click()
+    idle()
+    created = quick.requests[0].created
+    assert (created.name, created.part, created.nominal) == ("board", "wheel", tmp_path / "n.stl")
+    (project.path / "inspection").mkdir()
+    (project.path / "inspection" / "nominal.stl").write_bytes(b"")
+    page.set_up()
+    assert not page.setup.nominal.isVisible()
+
+
+def test_a_scan_that_was_stopped_says_so_on_the_page_rig(application, running, window, idle, qtbot):
+    application.session.connection.latch.set("Stop was pressed.")
+    application.controllers.jobs.cancel()
+    idle()
+    qtbot.waitUntil(lambda: application.session.cell.stopped == "Stop was pressed.", timeout=PATIENCE_MS)

@@ -139,9 +139,9 @@ class ScanSetup(QWidget):
         self.plan.text.setPlaceholderText(
             "None yet: choose a file, or make one on the page Plan" if plan is None else f"{plan.name}, {several(len(plan), 'viewpoint')}"
         )
-        existing = chosen.is_existing
-        for editor in (self.part, self.nominal, self.program):
-            self._form.setRowVisible(editor, not existing)
+        self._form.setRowVisible(self.part, not chosen.is_existing)
+        for editor in (self.nominal, self.program):
+            self._form.setRowVisible(editor, not chosen.has_documents)
         self._form.setRowVisible(self.seconds, chosen.exposures != "plan")
         self.what.setText(_project_words(chosen))
         ready = rig is not None and chosen.folder is not None and (plan is not None or chosen.plan_file is not None)
