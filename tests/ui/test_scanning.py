@@ -274,7 +274,7 @@ def test_a_run_that_is_cancelled_leaves_no_thread(application, running, idle):
 
 def test_of_many_images_that_arrive_at_once_only_the_newest_is_converted(application, page, monkeypatch):
     shown = []
-    monkeypatch.setattr(page.pictures, "show_image", lambda camera, pixels, _exposure: shown.append((camera, int(pixels[0, 0]))))
+    monkeypatch.setattr(page.pictures, "show_image", lambda camera, pixels, *_: shown.append((camera, int(pixels[0, 0]))))
     for level in range(50):
         application.session.images.put("left", e.ImageTaken("view-01", "left", 80_000, np.full((4, 4), level, np.uint8)))
     page._take_images()
@@ -399,3 +399,14 @@ def test_a_scan_that_was_stopped_says_so_on_the_page_rig(application, running, w
     application.controllers.jobs.cancel()
     idle()
     qtbot.waitUntil(lambda: application.session.cell.stopped == "Stop was pressed.", timeout=PATIENCE_MS)
+
+
+def test_of_a_bracket_the_longest_exposure_that_is_hardly_saturated_stays(page):
+    def send(exposure_us, level, viewpoint="view-01"):
+        page.show_images((e.ImageTaken(viewpoint, "left", exposure_us, np.full((486, 648), level, np.uint8)),))
+        return page.pictures.images["left"].caption.replace("\u00a0", " ")
+
+    assert send(100_000, 255) == "left · 100 ms · 100.0 % saturated"
+    assert send(40_000, 200) == "left · 40 ms"
+    assert send(20_000, 100) == "left · 40 ms"
+    assert send(100_000, 120, "view-02") == "left · 100 ms"

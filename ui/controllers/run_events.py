@@ -161,6 +161,6 @@ class RunEvents(QObject):
         if event.reason == "failed":
             self._session.tell(event.message or "The scan failed.", "", "error")
         elif event.reason == "done":
-            self._session.tell("The scan is complete.", "", "done")
+            self._session.tell("All images are taken.", "The clouds are computed and stitched.")
             if event.message:
                 self._session.tell(event.message, "", "warning")
