@@ -410,3 +410,9 @@ def test_of_a_bracket_the_longest_exposure_that_is_hardly_saturated_stays(page):
     assert send(40_000, 200) == "left · 40 ms"
     assert send(20_000, 100) == "left · 40 ms"
     assert send(100_000, 120, "view-02") == "left · 100 ms"
+
+
+def test_a_scan_of_which_everything_is_stored_has_no_time_left(application, page):
+    scanning = application.controllers.scanning
+    scanning._apply(e.RunStarted("six views", ()))
+    assert scanning.left() is None

@@ -149,7 +149,7 @@ class ScanController(QObject):
         plan = self._session.plan
         if isinstance(event, RunStarted) and plan is not None:
             wanted = [viewpoint for viewpoint in plan if viewpoint.id in event.viewpoint_ids]
-            self._clock = RunClock(planned_seconds(plan, wanted))
+            self._clock = RunClock(planned_seconds(plan, wanted)) if wanted else None  # all may be stored
         elif isinstance(event, RunEnded):
             self._clock = None
         elif self._clock is not None and isinstance(event, AcquisitionEvent):
