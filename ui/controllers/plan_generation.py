@@ -31,13 +31,15 @@ def generate(wanted: Wanted, rig: RigDescription, arm: ArmModel | None, part: Pr
     """Generate a plan free of collisions, with the patterns and exposures of the former one."""
     from dataclasses import replace
 
+    from measureapp.geometry.transform import RigidTransform
     from measureapp.planning.edit import set_plan
     from measureapp.planning.feasibility import Feasibility
     from measureapp.planning.generate import GeneratorSettings, generate_plan
 
-    cell = Feasibility.checked(rig, arm, part.mesh)
     settings = GeneratorSettings(name=part.path.parent.name, viewpoints=wanted.viewpoints, coverage=wanted.coverage)
-    made = generate_plan(part.mesh, cell, settings, progress=job)
+    feasible = Feasibility.checked(rig, arm, part.mesh)
+    in_place = RigidTransform.identity("part", part.mesh.frame)
+    made = generate_plan(part.mesh, feasible, settings, part_from_nominal=in_place, progress=job)
     former = wanted.former
     if former is None:
         return made

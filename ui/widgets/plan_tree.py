@@ -16,7 +16,7 @@ from ui.widgets.plan_tree_model import NAME, Aims, PlanTreeModel, RowState
 if TYPE_CHECKING:
     from measureapp.data.plan import ScanPlan, Viewpoint
 
-WIDTHS = (0, 60, 80, 92, 76, 88)
+WIDTHS = (0, 64, 80, 100, 78, 84)
 OPENED_GROUPS = 4  # of a new plan; more would hide each other
 
 

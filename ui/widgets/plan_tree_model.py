@@ -204,7 +204,7 @@ class PlanTreeModel(QAbstractItemModel):
 
     def _group_text(self, group: ViewpointGroup, column: int) -> str:
         if column == NAME:
-            return f"{group.id} ({several(len(group.poses) * len(group.table_deg), 'viewpoint')})"
+            return f"{group.id} ({len(group.poses) * len(group.table_deg)})"
         if column == GUIDE:
             return several(len(group.poses), "pose")
         if column == TABLE:

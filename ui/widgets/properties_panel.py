@@ -120,6 +120,7 @@ def _grid(group: Group) -> QGridLayout:
             grid.addWidget(label(value, wrap=True), place, 0, 1, 2)
             continue
         shown = QLabel(value)
+        shown.setTextFormat(Qt.TextFormat.PlainText)  # names come from files
         shown.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignTop)
         shown.setWordWrap(True)
         shown.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)

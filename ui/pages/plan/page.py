@@ -58,6 +58,8 @@ class PlanPage(ViewportPage):
         self.shown = Segments(preview.SHOWN, name="Colours of the part", tips=preview.SHOWN_TIPS)
         self.problem, self.hint = label("", "problem", wrap=True), label("", "soft")
         self.legend = CoverageLegend(look)
+        for words in (self.state, self.problem):
+            words.setTextFormat(Qt.TextFormat.PlainText)  # a plan may have any name
         self._lay_out(look)
         self._connect(session)
         self._show()
@@ -177,7 +179,7 @@ class PlanPage(ViewportPage):
         if plan is None:
             self.state.setText("No scan plan.")
             return
-        words = [f"{plan.name}: {several(len(plan), 'viewpoint')}"]
+        words = [several(len(plan), "viewpoint")]
         if found is not None and found.plan is plan:
             count = len(found.check.sentences())
             words.append(f"about {duration(found.check.time_s)}, {storage(found.check.bytes)}")
@@ -229,7 +231,7 @@ class PlanPage(ViewportPage):
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Reduce the tools beside the colours to icons earlier than other pages do."""
         super().resizeEvent(event)
-        for button in self.tool_buttons:
+        for button in (*self.tool_buttons, self.open_file, self.save_file):
             button.set_compact(self.width() < ROOM_FOR_TOOLS)
 
     def _scenery(self) -> preview.Scenery | None:
