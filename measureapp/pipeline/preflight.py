@@ -90,6 +90,7 @@ def check_connected(plan: ScanPlan, rig: Rig, project: ProjectFolder, calibratio
     linked = [camera.link for camera in rig.cameras.values() if isinstance(camera, OnLink) and camera.transfer_s]
     overloads = check_link(linked)
     problems = (
+        *_gather(rig.latch.check),
         *offline.problems,
         *unready,
         *_gather(validity, *exposures, lambda: _check_sequence(rig)),

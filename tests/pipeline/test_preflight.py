@@ -46,6 +46,12 @@ def test_a_sound_plan_on_a_ready_rig_has_no_problem_and_tells_time_and_space(rig
     assert preflight_lines(found, plan)[0].startswith("2 viewpoints, 0.0")
 
 
+def test_a_rig_that_was_stopped_is_a_problem_before_the_scan_starts(rig: Rig, plan: ScanPlan, project: ProjectFolder) -> None:
+    rig.latch.set("Stop was pressed.")
+    (problem,) = check_connected(plan, rig, project, None).problems
+    assert problem.message == "The rig was stopped: Stop was pressed." and "reset the stop" in problem.hint
+
+
 def test_several_problems_are_told_in_one_error(rig: Rig, plan: ScanPlan, project: ProjectFolder) -> None:
     far = plan.viewpoints[0].model_copy(update={"guide_mm": 5000.0})
     ambiguous = PatternSet(name="one", projector_px=1024, groups=(PhaseShiftGroup(pitch_px=16),))

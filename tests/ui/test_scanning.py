@@ -274,7 +274,7 @@ def test_a_run_that_is_cancelled_leaves_no_thread(application, running, idle):
 
 def test_of_many_images_that_arrive_at_once_only_the_newest_is_converted(application, page, monkeypatch):
     shown = []
-    monkeypatch.setattr(page.pictures, "show_image", lambda camera, pixels, _exposure: shown.append((camera, int(pixels[0, 0]))))
+    monkeypatch.setattr(page.pictures, "show_image", lambda camera, pixels, *_: shown.append((camera, int(pixels[0, 0]))))
     for level in range(50):
         application.session.images.put("left", e.ImageTaken("view-01", "left", 80_000, np.full((4, 4), level, np.uint8)))
     page._take_images()
@@ -368,3 +368,51 @@ def test_a_new_scan_of_the_same_part_begins_with_its_documents_and_calibration(a
     assert scanned.back.isVisible()
     scanned.back.click()
     assert scanned.new.isVisible()
+
+
+def test_exposures_chosen_by_a_probe_are_reported(application):
+    application.controllers.scanning._events.apply(p.ExposuresChosen((80_000, 20_000), 0.91, 0.84, "", "view-02"))
+    said = application.session.messages[-1].text.replace("\u00a0", " ")
+    assert said == "Viewpoint view-02: exposures of 80, 20 ms chosen by a probe: 91.0 % of the lit pixels decodable, 84.0 % as planned."
+
+
+def test_a_project_without_nominal_and_program_gets_them_with_the_scan_and_one_that_has_them_keeps_them(
+    application, page, quick, idle, tmp_path
+):
+    project = ProjectFolder.create(tmp_path / "board", ProjectSettings(name="board", part="wheel", rig=application.session.rig))
+    page.set_up()
+    page.setup.setValue(ScanChoices(project.path, nominal=tmp_path / "n.stl"))
+    assert page.setup.nominal.isVisible() and not page.setup.part.isVisible()
+    quick.gate.set()
+    page.setup.start.click()
+    idle()
+    created = quick.requests[0].created
+    assert (created.name, created.part, created.nominal) == ("board", "wheel", tmp_path / "n.stl")
+    (project.path / "inspection").mkdir()
+    (project.path / "inspection" / "nominal.stl").write_bytes(b"")
+    page.set_up()
+    assert not page.setup.nominal.isVisible()
+
+
+def test_a_scan_that_was_stopped_says_so_on_the_page_rig(application, running, window, idle, qtbot):
+    application.session.connection.latch.set("Stop was pressed.")
+    application.controllers.jobs.cancel()
+    idle()
+    qtbot.waitUntil(lambda: application.session.cell.stopped == "Stop was pressed.", timeout=PATIENCE_MS)
+
+
+def test_of_a_bracket_the_longest_exposure_that_is_hardly_saturated_stays(page):
+    def send(exposure_us, level, viewpoint="view-01"):
+        page.show_images((e.ImageTaken(viewpoint, "left", exposure_us, np.full((486, 648), level, np.uint8)),))
+        return page.pictures.images["left"].caption.replace("\u00a0", " ")
+
+    assert send(100_000, 255) == "left · 100 ms · 100.0 % saturated"
+    assert send(40_000, 200) == "left · 40 ms"
+    assert send(20_000, 100) == "left · 40 ms"
+    assert send(100_000, 120, "view-02") == "left · 100 ms"
+
+
+def test_a_scan_of_which_everything_is_stored_has_no_time_left(application, page):
+    scanning = application.controllers.scanning
+    scanning._apply(e.RunStarted("six views", ()))
+    assert scanning.left() is None

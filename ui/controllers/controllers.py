@@ -49,7 +49,7 @@ class Controllers(QObject):
         self.rig_editing = RigEditing(session, self.editing, self.rig, self)
         self.scanning = ScanController(session, self.jobs, self.rig, self)
         self.extending = ExtendingController(session, self.jobs, self.scanning, self)
-        self.rig_calibrating = RigCalibratingController(session, self.jobs, self)
+        self.rig_calibrating = RigCalibratingController(session, self.jobs, self.rig, self)
         self.demo = DemoController(session, self.jobs, self.rig, self.scanning, self)
         self.project = ProjectController(session, self.jobs, self)
         self.documents = DocumentsController(session, self.jobs, self)

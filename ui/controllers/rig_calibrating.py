@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 
 from measureapp.errors import MeasureError
 from ui.controllers.jobs import JobRunner
+from ui.controllers.rig_control import RigControl
 from ui.controllers.run_events import RunEvents
 from ui.controllers.stored_sessions import project_on_disk
 from ui.session import Session
@@ -31,9 +32,9 @@ class RigCalibratingController(QObject):
     failed = Signal(object)  # MeasureError
     ended = Signal()  # however it ended
 
-    def __init__(self, session: Session, runner: JobRunner, parent: QObject | None = None) -> None:
+    def __init__(self, session: Session, runner: JobRunner, rig: RigControl, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._session, self._runner = session, runner
+        self._session, self._runner, self._rig = session, runner, rig
         self._events = RunEvents(session, self)
         self._job: Job | None = None
 
@@ -101,4 +102,5 @@ class RigCalibratingController(QObject):
     @Slot()
     def _end(self) -> None:
         self._job = None
+        self._rig.refresh()  # where it stands, and whether it was stopped
         self.ended.emit()

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Slot
 
+from ui.look.wording import percent
 from ui.session import RunNow, Session, ViewpointStatus
 from ui.workers.job import Job
 
@@ -14,7 +15,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from measureapp.acquire.events import AcquisitionEvent, ImageTaken, RunEnded
-    from measureapp.pipeline.events import Event, ProcessingEvent, ValidityKnown
+    from measureapp.pipeline.events import Event, ExposuresChosen, ProcessingEvent, ValidityKnown
 
 
 ENTERED: Mapping[str, tuple[ViewpointStatus, str]] = {  # state of a run's viewpoint -> state and note shown
@@ -109,6 +110,8 @@ class RunEvents(QObject):
 
         session = self._session
         match event:
+            case e.ExposuresChosen():
+                self._report_exposures(event)
             case e.CalibrationReady():
                 session.set_calibration(event.calibration)
                 session.tell("The rig is calibrated.")
@@ -137,6 +140,13 @@ class RunEvents(QObject):
         if known is not None and known.status in {"waiting", "moving"}:
             self._session.set_viewpoint(event.viewpoint_id, "capturing")
 
+    def _report_exposures(self, event: ExposuresChosen) -> None:
+        """Report the exposures that a probe has chosen."""
+        times = ", ".join(f"{exposure_us / 1000:g}" for exposure_us in event.exposures_us)
+        where = f"Viewpoint {event.viewpoint_id}: exposures" if event.viewpoint_id else "Exposures"
+        shares = f"{percent(event.decodable_share)} of the lit pixels decodable, {percent(event.planned_share)} as planned"
+        self._session.tell(f"{where} of {times}\u00a0ms chosen by a probe: {shares}.", event.note)
+
     def _report_validity(self, event: ValidityKnown) -> None:
         """Report age and temperature before the scan, and camera drift after it."""
         self._session.set_validity(event.validity)
@@ -151,6 +161,6 @@ class RunEvents(QObject):
         if event.reason == "failed":
             self._session.tell(event.message or "The scan failed.", "", "error")
         elif event.reason == "done":
-            self._session.tell("The scan is complete.", "", "done")
+            self._session.tell("All images are taken.", "The clouds are computed and stitched.")
             if event.message:
                 self._session.tell(event.message, "", "warning")

@@ -42,6 +42,11 @@ class ScanChoices:
         """Whether the project exists."""
         return self.folder is not None and (self.folder / "project.json").is_file()
 
+    @property
+    def has_documents(self) -> bool:
+        """Whether the project exists with a nominal or an inspection program, which a scan does not replace."""
+        return self.is_existing and self.folder is not None and any((self.folder / "inspection").glob("*.*"))
+
 
 @dataclass(frozen=True, eq=False)
 class CheckedScan:
@@ -91,6 +96,7 @@ def request_maker(choices: ScanChoices, session: Session) -> MakeRequest:
 
 def _request(choices: ScanChoices, rig: RigDescription | None, plan: ScanPlan | None) -> ScanRequest:
     from measureapp.pipeline.run import NewProject, ScanRequest
+    from measureapp.project.folder import ProjectFolder
     from measureapp.project.plan_file import read_plan
 
     if rig is None:
@@ -104,6 +110,9 @@ def _request(choices: ScanChoices, rig: RigDescription | None, plan: ScanPlan | 
     created = None
     if not choices.is_existing:
         created = NewProject(choices.folder.name, choices.part or choices.folder.name, choices.program, choices.nominal)
+    elif (choices.program or choices.nominal) and not choices.has_documents:
+        kept = ProjectFolder.open(choices.folder).settings
+        created = NewProject(kept.name, kept.part, choices.program, choices.nominal, kept.board)
     return ScanRequest(
         plan,
         rig,

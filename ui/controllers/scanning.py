@@ -122,7 +122,7 @@ class ScanController(QObject):
             job.emit_event(_prepared(request))
             return scan_into_project(request, events.sink(job), job, control, session.connection)
 
-        job = self._runner.run(title, work, self._finish, on_event=self._apply, on_stopped=self._stopped, moves=True)
+        job = self._runner.run(title, work, self._finish, on_event=self._apply, moves=True)
         job.finished.connect(self._ended)
 
     def _refuse_second(self) -> bool:
@@ -149,7 +149,7 @@ class ScanController(QObject):
         plan = self._session.plan
         if isinstance(event, RunStarted) and plan is not None:
             wanted = [viewpoint for viewpoint in plan if viewpoint.id in event.viewpoint_ids]
-            self._clock = RunClock(planned_seconds(plan, wanted))
+            self._clock = RunClock(planned_seconds(plan, wanted)) if wanted else None  # all may be stored
         elif isinstance(event, RunEnded):
             self._clock = None
         elif self._clock is not None and isinstance(event, AcquisitionEvent):
@@ -175,15 +175,10 @@ class ScanController(QObject):
         self._session.tell(f"The {self._subject} is complete.{summary}", "", "done")
 
     @Slot()
-    def _stopped(self) -> None:
-        rig = self._session.connection
-        if rig is not None and rig.latch.reason:
-            self._rig.refresh()
-
-    @Slot()
     def _ended(self) -> None:
         self._control = self._clock = None
         self._session.set_run(RunNow())
+        self._rig.refresh()  # where it stands, and whether it was stopped
 
     # during
 

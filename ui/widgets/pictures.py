@@ -14,7 +14,7 @@ from ui.widgets.image_view import MAX_SIDE, ImageView
 RED = 0xFFD1495B
 LEVELS = 254  # grey levels; the last entry of the table marks saturation
 EVERY = 4  # pixels, in rows and columns, for the share that is saturated
-LEAST_SHOWN = 0.0005  # saturated share
+LEAST_SHOWN, HARDLY = 0.0005, 0.01  # saturated share
 
 
 def marked_image(pixels: np.ndarray, saturation: int) -> QImage:
@@ -37,6 +37,7 @@ class Pictures(QWidget):
         self._look = look
         self.images: dict[str, ImageView] = {}
         self._saturations: dict[str, int] = {}
+        self._shown: dict[str, tuple[str, float]] = {}  # viewpoint and saturated share of the image of a camera
         self._layout = column(spacing=8)
         self.setLayout(self._layout)
 
@@ -45,18 +46,24 @@ class Pictures(QWidget):
         if saturations == self._saturations:
             return
         clear(self._layout)
-        self._saturations = dict(saturations)
+        self._saturations, self._shown = dict(saturations), {}
         self.images = {name: ImageView(self._look, name, whole=True) for name in saturations}
         for image in self.images.values():
             image.setMinimumSize(144, 72)
             self._layout.addWidget(image, 1)
 
-    def show_image(self, camera: str, pixels: np.ndarray, exposure_us: int) -> None:
-        """Show an image of one camera; unknown cameras are ignored."""
-        if camera not in self.images:
+    def show_image(self, camera: str, pixels: np.ndarray, exposure_us: int, of: str = "") -> None:
+        """Show an image of one camera; unknown cameras are ignored.
+
+        Of the images of one viewpoint, ``of``, the first that is hardly saturated stays: exposures run from long to short, and the shortest
+        shows nothing to people.
+        """
+        before, saturated_before = self._shown.get(camera, ("", 1.0))
+        if camera not in self.images or (of and of == before and saturated_before <= HARDLY):
             return
         saturation = self._saturations[camera]
         share = float(np.mean(pixels[::EVERY, ::EVERY] >= saturation))
+        self._shown[camera] = (of, share)
         saturated = f" · {percent(share, 1)} saturated" if share > LEAST_SHOWN else ""
         self.images[camera].show_image(marked_image(pixels, saturation), f"{camera} · {exposure(exposure_us)}{saturated}")
 

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from measureapp.pipeline.closed_loop.of_project import ClosedLoop
 
 SMALLEST = (560, 440)
+LEAST_SHOWN = 0.0005  # share of the surface
 NOTHING_PAYS = Item("good", "No viewpoint or exposure within reach is expected to measure more.")
 
 
@@ -51,7 +52,7 @@ def items_of(found: ClosedLoop) -> tuple[Item, ...]:
     """Return measured fraction, holes by cause, and proposals."""
     measured = f"{percent(found.sufficient)} of the surface is measured, of {percent(found.accessible)} that does not touch the support."
     items = [Item("note", measured, f"Median standard deviation {found.median_sigma_mm:.4f} mm.")]
-    items += [Item("warning", f"{percent(share)} is missing: {words}.") for words, share in found.shares().items()]
+    items += [Item("warning", f"{percent(share)} is missing: {words}.") for words, share in found.shares().items() if share >= LEAST_SHOWN]
     if not found.proposals:
         return (*items, NOTHING_PAYS)
     items += [

@@ -268,7 +268,7 @@ class ScanPage(ViewportPage):
         """Show these images, each in the place of its camera."""
         for event in events:
             self.pictures_title.setText(f"Images of {event.viewpoint_id}")
-            self.pictures.show_image(event.camera, event.pixels, event.exposure_us)
+            self.pictures.show_image(event.camera, event.pixels, event.exposure_us, event.viewpoint_id)
 
     def composer(self) -> Composer | None:
         """Compose the clouds so far, in kinematic or, after stitching, in registered positions."""

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QLineEdit, QWidget
 
 from ui.controllers.scan_choices import CheckedScan, ScanChoices
 from ui.look.look import Look
-from ui.look.wording import several, storage
+from ui.look.wording import rough_duration, several, storage
 from ui.session import Session
 from ui.widgets.basic import Button, Form, card, label, row, scrolled
 from ui.widgets.checklist import Checklist, Item
@@ -139,9 +139,9 @@ class ScanSetup(QWidget):
         self.plan.text.setPlaceholderText(
             "None yet: choose a file, or make one on the page Plan" if plan is None else f"{plan.name}, {several(len(plan), 'viewpoint')}"
         )
-        existing = chosen.is_existing
-        for editor in (self.part, self.nominal, self.program):
-            self._form.setRowVisible(editor, not existing)
+        self._form.setRowVisible(self.part, not chosen.is_existing)
+        for editor in (self.nominal, self.program):
+            self._form.setRowVisible(editor, not chosen.has_documents)
         self._form.setRowVisible(self.seconds, chosen.exposures != "plan")
         self.what.setText(_project_words(chosen))
         ready = rig is not None and chosen.folder is not None and (plan is not None or chosen.plan_file is not None)
@@ -168,7 +168,7 @@ def items_of(checked: CheckedScan) -> tuple[Item, ...]:
         if not checked.problems:
             found.append(Item("good", "Nothing prevents the scan."))
         left = checked.planned - checked.stored
-        time = "" if checked.found.images_s is None else f", at least {checked.found.images_s / 60:.0f}\u00a0min for the images"
+        time = "" if checked.found.images_s is None else f", at least {rough_duration(checked.found.images_s)} for the images"
         found.append(Item("note", f"{several(left, 'viewpoint')}, {storage(checked.found.bytes)}{time}."))
         if checked.stored:
             found.append(Item("note", f"{several(checked.stored, 'viewpoint is', 'viewpoints are')} stored already and kept."))
