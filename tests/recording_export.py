@@ -60,10 +60,9 @@ def write_recording(project: ProjectFolder, folder: Path, chosen: Chosen = Chose
 
 def write_rig(project: ProjectFolder, path: Path) -> None:
     """Write the rig as a description with driver "recorded"."""
-    document = project.rig().model_dump(mode="json")
+    document = project.rig().model_dump(mode="json", exclude_none=True)
     document = {name: value for name, value in document.items() if name not in ("driver_settings", "devices", "links", "head", "motion")}
     document["driver"] = "recorded"
-    document["calibration_rules"] = {key: value for key, value in document["calibration_rules"].items() if value is not None}
     path.write_text("\n".join(_toml(document)) + "\n", encoding="utf-8")
 
 
