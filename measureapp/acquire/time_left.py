@@ -14,6 +14,7 @@ from measureapp.acquire.events import (
     RunEnded,
     RunPaused,
     RunResumed,
+    RunStarted,
     ViewpointEntered,
     ViewpointStored,
 )
@@ -97,6 +98,9 @@ class RunClock:
     def receive(self, event: AcquisitionEvent, now_s: float) -> None:
         """Note an event that came at ``now_s``, in seconds of any clock that never runs back."""
         match event:
+            case RunStarted():  # of which some viewpoints may be stored already
+                wanted = set(event.viewpoint_ids)
+                self._states = {name: ViewpointState.WAITING if name in wanted else ViewpointState.STORED for name in self._states}
             case ViewpointEntered():
                 self._enter(event.viewpoint_id, event.state, now_s)
             case ViewpointStored():

@@ -18,6 +18,8 @@ from measureapp.data.plan import FlangePose, Viewpoint
 from measureapp.data.rig import RigDescription
 from measureapp.geometry.kinematics.arm import ArmModel
 from measureapp.geometry.transform import RigidTransform
+from measureapp.planning.collision.build import PartSolid
+from measureapp.planning.collision.cell import Cell
 from measureapp.planning.reach import limit_violations
 from measureapp.project.geometry.robot_file import arm_of
 
@@ -51,6 +53,7 @@ def suggest_viewpoint(draft: Draft, rig: RigDescription, name: str) -> Suggestio
     distance = float(np.median([place.apply(solution.board.middle_mm)[2] for place in solution.boards.values()]))
     best: tuple[float, Suggestion] | None = None
     arm = arm_of(rig)
+    cell = Cell.of(rig, arm, PartSolid.board_on_stand())
     lenses = draft.setup.lenses
     for place in candidates(solution, distance, lenses):
         if any(_is_near(place, known) for known in solution.boards.values()):
@@ -58,7 +61,7 @@ def suggest_viewpoint(draft: Draft, rig: RigDescription, name: str) -> Suggestio
         viewpoint = _viewpoint(rig, arm, name, place, observation, seen)
         if viewpoint is not None:
             gain = gain_of(solution, place, lenses)
-            if gain > (LEAST_GAIN if best is None else best[0]):
+            if gain > (LEAST_GAIN if best is None else best[0]) and not cell.problem_at(viewpoint):
                 best = gain, Suggestion(viewpoint, _ghost(solution, place, solution.board))
     return None if best is None else best[1]
 

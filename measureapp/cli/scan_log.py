@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
+from math import ceil
 from typing import Any
 
 from measureapp.acquire.events import (
+    AcquisitionEvent,
     RunEnded,
     RunPaused,
     RunStarted,
@@ -17,6 +20,7 @@ from measureapp.acquire.events import (
     ViewpointStored,
 )
 from measureapp.acquire.run_states import ViewpointState
+from measureapp.acquire.time_left import RunClock, planned_seconds
 from measureapp.cli.outcome import exposures_line, report_warnings
 from measureapp.cli.reply import say
 from measureapp.data.plan import ScanPlan
@@ -40,11 +44,14 @@ class ScanLog:
 
     def __init__(self, plan: ScanPlan, wait: Callable[[], None] = lambda: None) -> None:
         self._wait = wait
+        self._clock = RunClock(planned_seconds(plan, tuple(plan)))
         self.states: dict[str, dict[str, Any]] = {viewpoint.id: {"state": "stored"} for viewpoint in plan}
         self.ended = RunEnded("done")
 
     def note(self, event: Event) -> None:
         """Record one event of the run."""
+        if isinstance(event, AcquisitionEvent):
+            self._clock.receive(event, time.monotonic())
         match event:
             case ExposuresChosen():
                 say(exposures_line(event))
@@ -66,7 +73,7 @@ class ScanLog:
                 self.states[event.viewpoint_id]["state"] = STATES.get(event.state, "missing")
             case ViewpointStored():
                 self.states[event.viewpoint_id] = {"state": "stored", "seconds": event.seconds}
-                say(f"{event.viewpoint_id}: stored")
+                say(f"{event.viewpoint_id}: stored{self._left()}")
             case ViewpointSkipped():
                 say(f"{event.viewpoint_id}: skipped")
             case ViewpointQueued():
@@ -83,3 +90,21 @@ class ScanLog:
             say(event.message)
         elif event.reason != "done" and event.kept:
             say(f"{event.kept} Run the same command with --resume.")
+
+    def _left(self) -> str:
+        """Return the time left, as the end of a line; empty at the end."""
+        left = self._clock.left(time.monotonic())
+        return f"; {duration(left.expected_s)} left, {duration(left.bound_s)} at most" if left.expected_s else ""
+
+
+def duration(seconds: float) -> str:
+    """Return a duration for a person.
+
+    >>> duration(8.2), duration(95.0), duration(4000.0)
+    ('9 s', '1 min 35 s', '1 h 7 min')
+    """
+    whole = ceil(seconds)
+    if whole < 60:
+        return f"{whole} s"
+    minutes = ceil(whole / 60)
+    return f"{whole // 60} min {whole % 60} s" if whole < 3600 else f"{minutes // 60} h {minutes % 60} min"

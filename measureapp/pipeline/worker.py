@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+import os
 import queue
+import sys
 import threading
 import time
 from collections.abc import Callable
 from concurrent.futures import Future
+from contextlib import suppress
 from typing import Any, TypeVar
 
 T = TypeVar("T")
 LEAVE_S = 30.0  # for the task under way, when the worker is closed
+NICE = 5  # of its thread, so that images are taken first where processors are scarce
 
 
 class Worker:
@@ -49,6 +53,7 @@ class Worker:
         self._thread.join(within_s)
 
     def _work(self) -> None:
+        _step_back()
         while (entry := self._waiting.get()) is not None:
             task, future = entry
             if not future.set_running_or_notify_cancel():
@@ -61,3 +66,10 @@ class Worker:
             finally:
                 self._since = None
             del task, future, entry  # an idle worker keeps no images alive
+
+
+def _step_back() -> None:
+    """Lower the priority of this thread and of those it starts; only Linux has priorities of threads."""
+    if sys.platform == "linux":
+        with suppress(OSError):
+            os.setpriority(os.PRIO_PROCESS, 0, min(19, os.getpriority(os.PRIO_PROCESS, 0) + NICE))  # 0: this thread

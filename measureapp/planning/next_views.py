@@ -49,6 +49,14 @@ def free_id(wanted: str, taken: Collection[str]) -> str:
     return f"{wanted}{number}"
 
 
+def numbered_id(prefix: str, taken: Collection[str]) -> str:
+    """Return ``prefix`` with the first number that is not taken, from 01."""
+    number = 1
+    while f"{prefix}{number:02d}" in taken:
+        number += 1
+    return f"{prefix}{number:02d}"
+
+
 def _within(angle_deg: float, limits_deg: tuple[float, float]) -> float:
     """Return the same angle, by whole turns, within the limits where that is possible."""
     low, high = limits_deg
@@ -65,12 +73,13 @@ class Gain:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Holes:
-    """What is missing of N samples, and what C candidates are expected to measure of it."""
+    """What is missing of N samples, and what C candidates are expected to measure of it; those of negative overlap are left out."""
 
     areas_mm2: FloatArray  # (N,)
     missing: FloatArray  # (N,), 1 where nothing is measured, down to 0 where enough is
     chance: FloatArray  # (C, N), that a candidate measures a sample; 0 where it does not see it
-    overlap: FloatArray  # (C,), share of what a candidate sees that is measured already
+    seen_mm2: FloatArray  # (C,), area that a candidate sees, measured or not
+    overlap: FloatArray  # (C,), share of it that is measured already
     seconds: FloatArray  # (C,)
 
 
@@ -81,18 +90,19 @@ def choose_by_gain(holes: Holes, most: int, least_mm2: float, least_overlap: flo
     ----------
     most : number of candidates
     least_mm2 : the choice ends when no candidate adds more
-    least_overlap : candidates with less in common with what is measured could not be registered
+    least_overlap : candidates with less in common with what is measured, or expected from those before them, could not be registered
     """
-    left = holes.missing.copy()
-    free = holes.overlap >= least_overlap
+    left, overlap, sees = holes.missing.copy(), holes.overlap.copy(), holes.chance > 0
+    free = holes.overlap >= 0.0
     chosen: list[Gain] = []
     while len(chosen) < most:
         gains = holes.chance @ (holes.areas_mm2 * left)
-        rates = np.where(free & (gains > least_mm2), gains / holes.seconds, -1.0)
+        rates = np.where(free & (overlap >= least_overlap) & (gains > least_mm2), gains / holes.seconds, -1.0)
         best = int(np.argmax(rates)) if len(rates) else -1
         if best < 0 or rates[best] <= 0.0:
             break
         chosen.append(Gain(best, float(gains[best])))
+        overlap += sees @ (holes.areas_mm2 * left * holes.chance[best]) / np.maximum(holes.seen_mm2, 1e-300)
         left *= 1.0 - holes.chance[best]
         free[best] = False
     return tuple(chosen)

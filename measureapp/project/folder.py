@@ -288,8 +288,9 @@ class ProjectFolder:
 
     @property
     def report_template(self) -> Path | None:
-        """File of the report's template, if the project has its own."""
+        """File of the report's template, if the project has its own. Raises Damaged."""
         path = self.path / "inspection" / REPORT_TEMPLATE
+        self.journal.check_once(path)
         return path if path.exists() else None
 
     def former_nominals(self) -> tuple[Path, ...]:

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from acquire.fake_rig import fake_plan
 
-from measureapp.acquire.events import RunEnded, RunPaused, RunResumed, ViewpointEntered, ViewpointStored
+from measureapp.acquire.events import RunEnded, RunPaused, RunResumed, RunStarted, ViewpointEntered, ViewpointStored
 from measureapp.acquire.run_states import ACTIVE, ViewpointState
 from measureapp.acquire.time_left import AxisSpeeds, RunClock, TimeLeft, planned_seconds
 
@@ -84,6 +84,12 @@ def test_a_viewpoint_taken_again_counts_again_and_a_skipped_one_no_more():
     assert clock.left(0.0).expected_s == pytest.approx(10.0)
     clock.receive(ViewpointEntered("a", ViewpointState.WAITING), 0.0)
     assert clock.left(0.0).expected_s == pytest.approx(20.0)
+
+
+def test_viewpoints_stored_by_an_earlier_run_do_not_count():
+    clock = RunClock({"a": 10.0, "b": 10.0})
+    clock.receive(RunStarted("plan", ("b",)), 0.0)
+    assert clock.left(0.0).expected_s == pytest.approx(10.0)
 
 
 def test_the_plan_gives_the_first_estimate_from_moves_exposures_and_settling():

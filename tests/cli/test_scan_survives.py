@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import json
+import re
 import shutil
 from collections.abc import Callable
 from pathlib import Path
@@ -111,6 +112,8 @@ def test_at_a_terminal_a_full_disk_pauses_the_scan_and_enter_stores_the_very_ima
     assert (code, document["ended"], [view["state"] for view in document["views"]]) == (0, "done", ["stored"] * 3)
     assert "Paused: The disk is full. Free some space. Then resume the run: the images of v1 are in memory" in said
     assert "Press Enter to go on, or Ctrl-C to stop." in said
+    assert re.search(r"v0: stored; \d+ s left, \d+ s at most\n", said)
+    assert said.rstrip().endswith("v2: stored")
     for camera, images in refused[0].images.items():
         assert np.array_equal(np.load(tmp_path / "project" / "stacks" / "v1" / f"{camera}.npy"), images)
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import sys
 import threading
 from collections.abc import Callable, Iterator
 from dataclasses import replace
@@ -20,6 +22,7 @@ from measureapp.pipeline import processing
 from measureapp.pipeline.events import Event, ViewFailed, ViewReady
 from measureapp.pipeline.processing import MOST_MAPS, Processing
 from measureapp.pipeline.watch import Stopwatch
+from measureapp.pipeline.worker import NICE
 from measureapp.progress import NoProgress
 from measureapp.project.folder import ProjectFolder, ProjectSettings
 from measureapp.project.rig_file import read_rig
@@ -193,3 +196,13 @@ def test_what_was_decoded_and_dropped_leaves_nothing_behind(sink, stack, computi
     sink.drop("v0")
     sink.finish(NoProgress())
     assert (computing.got, project.stored_viewpoints()) == ({}, ())
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="priorities of threads are known to Linux only")
+def test_computing_gives_way_to_taking_images(sink, stack, computing) -> None:
+    here, found = os.getpriority(os.PRIO_PROCESS, 0), []
+    computing.do = lambda _: found.append(os.getpriority(os.PRIO_PROCESS, 0))
+    take(sink, stack, "v0")
+    sink.finish(NoProgress())
+    assert found == [min(19, here + NICE)]
+    assert os.getpriority(os.PRIO_PROCESS, 0) == here

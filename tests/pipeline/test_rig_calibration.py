@@ -31,14 +31,10 @@ def rig() -> Rig:
 @pytest.fixture
 def few(rig: Rig, monkeypatch: pytest.MonkeyPatch) -> list[Viewpoint]:
     """The first viewpoints alone, and a solver that solves nothing; the list can be made longer."""
-    viewpoints = list(poses(rig)[:2])
+    viewpoints = list(calibration_viewpoints(rig.description, motions=("robot",), arm=arm_of(rig.description))[:2])
     monkeypatch.setattr(rig_calibration, "calibration_viewpoints", lambda *_, **__: tuple(viewpoints))
     monkeypatch.setattr(rig_calibration, "solve_calibration", lambda *_: SimpleNamespace(solution=None, refused=()))
     return viewpoints
-
-
-def poses(rig: Rig) -> tuple[Viewpoint, ...]:
-    return calibration_viewpoints(rig.description, motions=("robot",), arm=arm_of(rig.description))
 
 
 def run(rig: Rig, folder: Path, **kinds: Any) -> tuple[Any, ProjectFolder]:
@@ -46,7 +42,7 @@ def run(rig: Rig, folder: Path, **kinds: Any) -> tuple[Any, ProjectFolder]:
 
 
 def test_views_are_stored_and_only_missing_ones_are_taken_afterwards(rig: Rig, few: list[Viewpoint], tmp_path: Path) -> None:
-    further = poses(rig)[2]
+    further = calibration_viewpoints(rig.description, motions=("robot",), arm=arm_of(rig.description))[2]
     first, project = run(rig, tmp_path / "p")
     assert first.taken == tuple(viewpoint.id for viewpoint in few) and first.kept == ()
     few.append(further)
@@ -56,10 +52,9 @@ def test_views_are_stored_and_only_missing_ones_are_taken_afterwards(rig: Rig, f
 
 
 def test_a_board_that_is_nowhere_ends_the_run_with_the_viewpoints_and_what_to_do(rig: Rig, few: list[Viewpoint], tmp_path: Path) -> None:
-    few[:] = poses(rig)[:6]
+    few[:] = calibration_viewpoints(rig.description, motions=("robot",), arm=arm_of(rig.description))[:6]
     without = replace(rig, place_on_table=lambda _: None)  # as where a person forgot it
-    first = ", ".join(viewpoint.id for viewpoint in few[:3])
-    with pytest.raises(CalibrationError, match=f"No camera detects the board of 14 × 11 corners from {first}") as refused:
+    with pytest.raises(CalibrationError, match=r"No camera detects the board of 14 × 11 corners from pose01, pose02, pose03") as refused:
         run(without, tmp_path / "p")
     assert "on its stand" in refused.value.hint
     assert ProjectFolder.open(tmp_path / "p").board_views() == ()

@@ -136,7 +136,7 @@ def test_a_check_with_the_board_is_noted_with_its_images(tmp_path: Path, rig: Ri
     (place,) = (project.path / "calibration" / "checks").iterdir()
     assert len([*place.glob("*/left.png")]) == len(found.views) >= 3
     with pytest.raises(CalibrationError, match="has no calibration"):
-        check_with_board(ProjectFolder(tmp_path / "empty", project.settings), connect_rig(project.rig()), NoProgress())
+        check_with_board(ProjectFolder.create(tmp_path / "empty", project.settings), connect_rig(project.rig()), NoProgress())
 
 
 def test_a_knock_of_a_camera_that_does_not_exist_is_refused(rig: RigDescription) -> None:

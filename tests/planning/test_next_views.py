@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from measureapp.planning.chances import GREY, INCIDENCE_DEG, Chances
-from measureapp.planning.next_views import Holes, between_angles, choose_by_gain, free_id, repeats
+from measureapp.planning.next_views import Holes, between_angles, choose_by_gain, free_id, numbered_id, repeats
 from measureapp.planning.viewpoints import plan_around_part
 from measureapp.project.rig_file import read_rig
 
@@ -21,6 +21,7 @@ def holes(chance: list[list[float]], seconds: list[float] | None = None, overlap
         np.ones(samples),
         np.ones(samples),
         table,
+        (table > 0).sum(axis=1).astype(float),
         ones if overlap is None else np.array(overlap),
         10 * ones if seconds is None else np.array(seconds),
     )
@@ -69,7 +70,19 @@ def test_the_greedy_choice_is_within_its_bound_of_the_best_set() -> None:
 
 def test_the_gain_for_the_time_decides_and_views_without_overlap_are_left_out() -> None:
     assert [one.candidate for one in choose_by_gain(holes([[1, 1, 1], [1, 1, 0]], [30.0, 10.0]), 1, 0.01, 0.1)] == [1]
-    assert [one.candidate for one in choose_by_gain(holes([[1, 1, 1], [1, 1, 0]], overlap=[0.05, 0.5]), 2, 0.01, 0.1)] == [1]
+    assert [one.candidate for one in choose_by_gain(holes([[1, 1, 1], [1, 1, 0]], overlap=[0.05, 0.5]), 1, 0.01, 0.1)] == [1]
+
+
+def test_a_view_without_overlap_becomes_possible_by_those_before_it() -> None:
+    """The second candidate sees nothing that is measured, but half of what the first is expected to measure."""
+    one = holes([[1, 1, 1, 1, 0, 0], [0, 0, 1, 1, 1, 1]], overlap=[0.5, 0.0])
+    assert [gain.candidate for gain in choose_by_gain(one, 2, 0.01, 0.2)] == [0, 1]
+    left_out = holes([[1, 1, 1, 1, 0, 0], [0, 0, 1, 1, 1, 1]], overlap=[0.5, -1.0])
+    assert [gain.candidate for gain in choose_by_gain(left_out, 2, 0.01, 0.2)] == [0]
+
+
+def test_new_viewpoints_are_numbered_on() -> None:
+    assert numbered_id("next", {"next01", "next02", "view01"}) == "next03"
 
 
 def test_chances_are_recovered_by_incidence_and_grey_level() -> None:

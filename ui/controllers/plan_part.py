@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 from PySide6.QtCore import QObject, Signal, Slot
 
-from measureapp.data.length_unit import LengthUnit
 from ui.controllers.jobs import JobRunner
 from ui.session import Session
 
@@ -48,36 +47,44 @@ class PlanPart(QObject):
         super().__init__(parent)
         self._session, self._runner = session, runner
         self.prepared: PreparedPart | None = None
+        self._chosen: Path | None = None  # by a person; None: that of the project
         self._wanted: tuple[Path, RigDescription] | None = None
+        self._is_watched = False
         session.projectChanged.connect(self._follow_project)
-        session.rigChanged.connect(self._follow_rig)
+        session.rigChanged.connect(self._follow)
 
     @Slot(object)
-    def choose(self, path: Path, unit: LengthUnit = LengthUnit.MM) -> None:
-        """Read a nominal from a file."""
+    def choose(self, path: Path) -> None:
+        """Read a nominal from a file, also once more."""
+        self._chosen, self._wanted = path, None
+        self._read(path)
+
+    def set_watched(self, watched: bool) -> None:
+        """Read the nominal of a project only when somebody looks at the plan."""
+        self._is_watched = watched
+        self._follow()
+
+    @Slot()
+    def _follow_project(self) -> None:
+        self._chosen = None
+        self._follow()
+
+    @Slot()
+    def _follow(self) -> None:
+        path = self._chosen or nominal_of(self._session)
+        if path is not None and self._is_watched:
+            self._read(path)
+
+    def _read(self, path: Path) -> None:
         rig = self._session.rig
-        if rig is None or self._wanted == (path, rig):
-            return
-        self._wanted = (path, rig)
-        self._runner.run(f"Reading {path.name}", lambda job: prepare(path, unit, rig, job), self._show, quiet=True)
+        if rig is not None and self._wanted != (path, rig):
+            self._wanted = (path, rig)
+            self._runner.run(f"Reading {path.name}", lambda job: prepare(path, rig, job), self._show, quiet=True)
 
     @Slot(object)
     def _show(self, prepared: PreparedPart) -> None:
         self.prepared = prepared
         self.changed.emit()
-
-    @Slot()
-    def _follow_project(self) -> None:
-        path = nominal_of(self._session)
-        if path is not None:
-            self.choose(path)
-
-    @Slot()
-    def _follow_rig(self) -> None:
-        if self.prepared is not None:
-            self.choose(self.prepared.path)
-        else:
-            self._follow_project()
 
 
 def nominal_of(session: Session) -> Path | None:
@@ -94,7 +101,7 @@ def nominal_of(session: Session) -> Path | None:
     return sample if sample.is_file() else None
 
 
-def prepare(path: Path, unit: LengthUnit, rig: RigDescription, job: Job) -> PreparedPart:
+def prepare(path: Path, rig: RigDescription, job: Job) -> PreparedPart:
     """Read and sample a nominal; runs on a job's thread."""
     from measureapp.pipeline.plan_coverage import SAMPLES, place_on_table
     from measureapp.planning.collision.build import PartSolid
@@ -103,7 +110,7 @@ def prepare(path: Path, unit: LengthUnit, rig: RigDescription, job: Job) -> Prep
     from measureapp.project.geometry.files import read_mesh
 
     job.report(0, 3, path.name)
-    mesh = place_on_table(read_mesh(path, unit=unit))
+    mesh = place_on_table(read_mesh(path))
     job.report(1, 3, path.name)
     scene = PartScene.of(mesh, rig)
     samples = sample_surface(scene, SAMPLES)

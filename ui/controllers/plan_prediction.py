@@ -55,6 +55,7 @@ class PlanPrediction(QObject):
         self._plan: ScanPlan | None = None
         self._job: Job | None = None
         self._known = Known()
+        self._is_watched = False
         self._arm: tuple[RigDescription, ArmModel | None] | None = None
         self._timer = QTimer(self)
         self._timer.setSingleShot(True)
@@ -92,7 +93,14 @@ class PlanPrediction(QObject):
             self.now = None
             self.changed.emit()
             return
-        self._timer.start()
+        if self._is_watched:
+            self._timer.start()
+
+    def set_watched(self, watched: bool) -> None:
+        """Check only while somebody looks at the plan; what was left out is made up for."""
+        self._is_watched = watched
+        if watched and self._plan is not None and not self.is_current:
+            self._timer.start()
 
     def stop(self) -> None:
         """Check nothing any more; the window is being closed."""

@@ -55,6 +55,11 @@ class PlanningController(QObject):
         """Whether the session scans with this plan."""
         return self.plan is not None and self._session.plan == self.plan
 
+    def set_watched(self, watched: bool) -> None:
+        """Check and predict only while the plan is shown."""
+        self.part.set_watched(watched)
+        self.prediction.set_watched(watched)
+
     @Slot()
     def undo(self) -> None:
         """Undo the last step."""

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QItemSelectionModel, QSignalBlocker, Signal
+from PySide6.QtCore import QItemSelection, QItemSelectionModel, QItemSelectionRange, QModelIndex, QSignalBlocker, Signal
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTreeView
 
 from ui.look.look import Look
 from ui.widgets.data_table import ROW_HEIGHT
 from ui.widgets.data_tree import INDENT, RowDelegate
-from ui.widgets.plan_tree_model import NAME, Aims, PlanTreeModel, RowState
+from ui.widgets.plan_tree_model import NAME, TOP, Aims, PlanTreeModel, RowState
 
 if TYPE_CHECKING:
     from measureapp.data.plan import ScanPlan, Viewpoint
@@ -70,9 +70,7 @@ class PlanTree(QTreeView):
 
     def names(self) -> tuple[str, ...]:
         """Return the names of the selected rows, from top to bottom."""
-        chosen = self.selectionModel().selectedRows()
-        order = sorted(chosen, key=lambda index: (index.row(), -1) if not index.parent().isValid() else (index.parent().row(), index.row()))
-        return tuple(self.rows.name_at(index) for index in order)
+        return tuple(self.rows.name_at(index) for index in sorted(self.selectionModel().selectedRows(), key=_order))
 
     def viewpoints(self) -> tuple[Viewpoint, ...]:
         """Return the selected viewpoints; of a group its first."""
@@ -90,10 +88,8 @@ class PlanTree(QTreeView):
         """Select the rows with these names; others are deselected."""
         selection = self.selectionModel()
         with QSignalBlocker(selection):
-            selection.clear()
-            for index in (self.rows.find(name) for name in names):
-                if index.isValid():
-                    selection.select(index, QItemSelectionModel.SelectionFlag.Select | QItemSelectionModel.SelectionFlag.Rows)
+            found = [index for name in names if (index := self.rows.find(name)).isValid()]
+            selection.select(_ranges(found, self.rows.columnCount() - 1), QItemSelectionModel.SelectionFlag.ClearAndSelect)
             last = next((index for name in reversed(names) if (index := self.rows.find(name)).isValid()), None)
             if last is not None:
                 selection.setCurrentIndex(last, QItemSelectionModel.SelectionFlag.NoUpdate)
@@ -106,3 +102,22 @@ class PlanTree(QTreeView):
     def _opened(self) -> set[str]:
         top = (self.rows.index(row, 0) for row in range(self.rows.rowCount()))
         return {self.rows.name_at(index) for index in top if self.rows.group_at(index) is not None and self.isExpanded(index)}
+
+
+def _order(index: QModelIndex) -> tuple[int, int]:
+    """Return the place of a row from top to bottom."""
+    above = index.internalId()
+    return (index.row(), -1) if above == TOP else (int(above), index.row())
+
+
+def _ranges(rows: Sequence[QModelIndex], last_column: int) -> QItemSelection:
+    """Return rows as a selection; rows below each other as one range, for Qt is slow with many ranges."""
+    selection = QItemSelection()
+    order = sorted(rows, key=lambda index: (index.internalId(), index.row()))
+    start = 0
+    for place, index in enumerate(order):
+        following = order[place + 1] if place + 1 < len(order) else None
+        if following is None or following.internalId() != index.internalId() or following.row() != index.row() + 1:
+            selection.append(QItemSelectionRange(order[start], index.siblingAtColumn(last_column)))
+            start = place + 1
+    return selection

@@ -20,6 +20,8 @@ HEADERS = ("Viewpoint", "From", "Elevation", "Guide", "Table", "Exposures")
 NAME, AZIMUTH, ELEVATION, GUIDE, TABLE, EXPOSURES = range(6)
 EDITABLE = (NAME, GUIDE, TABLE)
 TOP = 0xFFFFFFFF  # internal id of rows without a parent; of a group's viewpoints it is the group's row
+SHOWN = Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsSelectable
+CHANGED = SHOWN | Qt.ItemFlag.ItemIsEditable
 Aims = Callable[["Viewpoint"], tuple[float, float]]  # azimuth and elevation, in degrees
 
 
@@ -43,20 +45,19 @@ class PlanTreeModel(QAbstractItemModel):
         super().__init__(parent)
         self._plan: ScanPlan | None = None
         self._made: dict[int, tuple[Viewpoint, ...]] = {}  # the viewpoints of groups, by number
+        self._places: dict[str, tuple[int, int]] = {}  # row and group's row of every name, made when it is first asked for
         self._states: Mapping[str, RowState] = {}
         self._aims: Aims | None = None
 
     def set_plan(self, plan: ScanPlan | None, aims: Aims | None) -> None:
         """Show a plan; ``aims`` returns from where a viewpoint looks."""
         self.beginResetModel()
-        self._plan, self._aims, self._made = plan, aims, {}
+        self._plan, self._aims, self._made, self._places = plan, aims, {}, {}
         self.endResetModel()
 
     def set_states(self, states: Mapping[str, RowState]) -> None:
-        """Show which viewpoints can be scanned; others are not checked yet."""
+        """Set which viewpoints can be scanned; others are not checked yet. The tree paints them again."""
         self._states = states
-        if self.rowCount():
-            self.dataChanged.emit(self.index(0, NAME), self.index(self.rowCount() - 1, NAME), [SIGN_ROLE, Qt.ItemDataRole.ToolTipRole])
 
     # names and rows
 
@@ -86,19 +87,19 @@ class PlanTreeModel(QAbstractItemModel):
 
     def find(self, name: str) -> QModelIndex:
         """Return the row with this name; an invalid index if there is none."""
-        if self._plan is None:
+        if not self._places and self._plan is not None:
+            self._places = self._all_places(self._plan)
+        if name not in self._places:
             return QModelIndex()
-        for row, viewpoint in enumerate(self._plan.viewpoints):
-            if viewpoint.id == name:
-                return self.index(row, 0)
-        for number, group in enumerate(self._plan.groups):
-            row = self._singles + number
-            if group.id == name:
-                return self.index(row, 0)
-            for place, viewpoint in enumerate(self._of_group(row) if name.startswith(group.id) else ()):
-                if viewpoint.id == name:
-                    return self.index(place, 0, self.index(row, 0))
-        return QModelIndex()
+        return self.createIndex(self._places[name][0], 0, self._places[name][1])
+
+    def _all_places(self, plan: ScanPlan) -> dict[str, tuple[int, int]]:
+        places = {}
+        for number, group in enumerate(plan.groups):
+            above = self._singles + number
+            places |= {viewpoint.id: (row, above) for row, viewpoint in enumerate(self._of_group(above))}
+            places[group.id] = (above, TOP)
+        return places | {viewpoint.id: (row, TOP) for row, viewpoint in enumerate(plan.viewpoints)}
 
     def _of_group(self, row: int) -> tuple[Viewpoint, ...]:
         assert self._plan is not None
@@ -145,12 +146,12 @@ class PlanTreeModel(QAbstractItemModel):
 
     def flags(self, index: Index) -> Qt.ItemFlag:
         """Return what can be done with a cell."""
-        flags = Qt.ItemFlag.ItemIsEnabled | Qt.ItemFlag.ItemIsSelectable
+        column = index.column()
+        if column not in EDITABLE:
+            return SHOWN
         named = index.internalId() == TOP
-        is_group = self.group_at(index) is not None
-        if (index.column() == NAME and named) or (index.column() in (GUIDE, TABLE) and not is_group):
-            flags |= Qt.ItemFlag.ItemIsEditable
-        return flags
+        is_group = named and index.row() >= self._singles
+        return CHANGED if (named if column == NAME else not is_group) else SHOWN
 
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         """Return what a cell shows."""

@@ -33,6 +33,7 @@ def register(group: typer.Typer) -> None:
     ) -> None:
         """Print the viewpoints of a plan, and draw them with the rig and the part."""
         from measureapp.pipeline.plan_check import PlanChecker
+        from measureapp.planning.collision.build import PartSolid
         from measureapp.project.geometry.robot_file import arm_of
         from measureapp.project.plan_file import read_plan
         from measureapp.project.rig_file import read_rig
@@ -42,7 +43,8 @@ def register(group: typer.Typer) -> None:
         part = None if nominal is None else read_part(nominal, unit)
         rows = [_row(scan_plan, viewpoint, description) for viewpoint in scan_plan]
         if out is not None:
-            found = PlanChecker(description, arm_of(description)).check(scan_plan)
+            solid = None if part is None else PartSolid.of_points(part.vertices_mm)
+            found = PlanChecker(description, arm_of(description), solid).check(scan_plan)
             write_plan_picture(out, scan_plan, description, part, frozenset(problem.viewpoint_id for problem in found.problems))
         groups = [{"name": group.id, "poses": len(group.poses), "table_deg": group.table_deg} for group in scan_plan.groups]
         document = {"name": scan_plan.name, "viewpoints": rows, "groups": groups, "files": {} if out is None else {"picture": out}}

@@ -26,7 +26,7 @@ from measureapp.planning.coverage.extent import extent_on_table
 from measureapp.planning.coverage.head import heads_at
 from measureapp.planning.coverage.visibility import seen_by
 from measureapp.planning.generate import images_time_s
-from measureapp.planning.next_views import Gain, Holes, between_angles, choose_by_gain, free_id
+from measureapp.planning.next_views import Gain, Holes, between_angles, choose_by_gain, free_id, numbered_id
 from measureapp.planning.travel import AxisSpeeds, travel_times_s
 from measureapp.progress import NoProgress, PartOf, Progress
 
@@ -73,13 +73,15 @@ class _Candidates:
     viewpoints: tuple[Viewpoint, ...]
     kinds: tuple[Kind, ...]
     chance: FloatArray  # (C, N)
-    overlap: FloatArray  # (C,)
+    seen_mm2: FloatArray  # (C,), area that it sees
+    overlap: FloatArray  # (C,), share of it that is measured already
 
     def __add__(self, other: _Candidates) -> _Candidates:
         return _Candidates(
             self.viewpoints + other.viewpoints,
             self.kinds + other.kinds,
             np.vstack([self.chance, other.chance]),
+            np.concatenate([self.seen_mm2, other.seen_mm2]),
             np.concatenate([self.overlap, other.overlap]),
         )
 
@@ -123,7 +125,7 @@ def propose(
     chosen: tuple[Gain, ...] = ()
     for number in range(CHECK_ROUNDS):
         progress.report(0.8 + 0.2 * number / CHECK_ROUNDS, 1, "choosing")
-        holes = Holes(areas, missing, candidates.chance, overlap, seconds)
+        holes = Holes(areas, missing, candidates.chance, candidates.seen_mm2, overlap, seconds)
         chosen = choose_by_gain(holes, settings.most, least_mm2, settings.overlap)
         blocked = [one.candidate for one in chosen if problem_at(candidates.viewpoints[one.candidate])]
         if not blocked:
@@ -162,7 +164,7 @@ def _viewpoints(
     common = seen[:, len(missing) :] @ (weights / max(float(coverage.samples.areas_mm2[known].sum()), 1e-300))
     new = seen[:, : len(missing)] @ coverage.samples.areas_mm2[missing]
     kinds = tuple[Kind, ...]("viewpoint" for _ in viewpoints)
-    return _Candidates(viewpoints, kinds, chance, common / np.maximum(common + new, 1e-300))
+    return _Candidates(viewpoints, kinds, chance, common + new, common / np.maximum(common + new, 1e-300))
 
 
 def _chances(coverage: MeasuredCoverage, explained: Explained, cell: ScanCell, viewpoints: tuple[Viewpoint, ...]) -> FloatArray:
@@ -178,6 +180,7 @@ def _exposures(coverage: MeasuredCoverage, explained: Explained, plan: ScanPlan)
     """Return the views of the scan with longer and shorter exposures, for what they lost for lack or excess of light."""
     viewpoints: list[Viewpoint] = []
     chances: list[FloatArray] = []
+    numbers: list[int] = []
     for number, viewpoint in enumerate(coverage.viewpoints):
         own = plan.exposures_of(viewpoint)
         longer = tuple(dict.fromkeys(min(factor * own[0], LONGEST_US) for factor in (LONGER, LONGER // 2)))
@@ -187,9 +190,11 @@ def _exposures(coverage: MeasuredCoverage, explained: Explained, plan: ScanPlan)
                 changed = {"id": f"{viewpoint.id[:90]}-{name}", "exposures_us": bracket}
                 viewpoints.append(viewpoint.model_copy(update=changed))
                 chances.append(BY_EXPOSURE * lost)
+                numbers.append(number)
     chance = np.array(chances).reshape(len(viewpoints), len(coverage.samples))
     kinds = tuple[Kind, ...]("exposure" for _ in viewpoints)
-    return _Candidates(tuple(viewpoints), kinds, chance, np.ones(len(viewpoints)))
+    seen_mm2 = coverage.visible[numbers] @ coverage.samples.areas_mm2
+    return _Candidates(tuple(viewpoints), kinds, chance, seen_mm2, np.ones(len(viewpoints)))
 
 
 def _seconds(viewpoints: tuple[Viewpoint, ...], plan: ScanPlan) -> FloatArray:
@@ -214,9 +219,9 @@ def _as_proposals(
 ) -> tuple[Proposal, ...]:
     taken = {viewpoint.id for viewpoint in plan}
     found = []
-    for number, one in enumerate(chosen, start=1):
+    for one in chosen:
         viewpoint, kind = candidates.viewpoints[one.candidate], candidates.kinds[one.candidate]
-        name = free_id(f"next{number:02d}" if kind == "viewpoint" else viewpoint.id, taken)
+        name = numbered_id("next", taken) if kind == "viewpoint" else free_id(viewpoint.id, taken)
         taken.add(name)
         moves = travel_times_s((viewpoint, *plan), cell.rig, cell.arm, AxisSpeeds())[1:, 0]
         seconds = _images_s(viewpoint, plan) + float(moves.min())

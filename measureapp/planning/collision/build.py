@@ -35,6 +35,7 @@ class PartSolid:
     name: str
     solid: Solid
     radius_mm: float  # about the table's axis
+    may_overhang: bool = False
 
     @classmethod
     def of_points(cls, points_mm: FloatArray, name: str = "part", margin_mm: float = PART_MARGIN_MM) -> PartSolid:
@@ -49,7 +50,7 @@ class PartSolid:
     @classmethod
     def board_on_stand(cls) -> PartSolid:
         """Return an upright cylinder around a calibration board on its stand, as `calibration_views` has it."""
-        return cls("board", cylinder((0.0, 0.0, 0.0), BOARD_RADIUS_MM, BOARD_HEIGHT_MM, PART_MARGIN_MM), BOARD_RADIUS_MM)
+        return cls("board", cylinder((0.0, 0.0, 0.0), BOARD_RADIUS_MM, BOARD_HEIGHT_MM, PART_MARGIN_MM), BOARD_RADIUS_MM, may_overhang=True)
 
 
 def check_part_fits(part: PartSolid, rig: RigDescription) -> None:
@@ -61,7 +62,7 @@ def check_part_fits(part: PartSolid, rig: RigDescription) -> None:
         With both diameters.
     """
     largest_mm = rig.table.diameter_mm if rig.cell.largest_part_mm is None else rig.cell.largest_part_mm
-    if 2.0 * part.radius_mm > largest_mm + 1e-6:
+    if not part.may_overhang and 2.0 * part.radius_mm > largest_mm + 1e-6:
         raise PlanError(
             f"The part is too large for {rig.name}: turning with the table it needs {2.0 * part.radius_mm:.0f} mm, "
             f"and parts may have up to {largest_mm:.0f} mm.",

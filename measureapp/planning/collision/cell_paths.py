@@ -15,6 +15,7 @@ from measureapp.planning.collision.cell import REST_RAD, Cell
 from measureapp.planning.collision.motion import Placement
 from measureapp.planning.collision.routes import find_route
 
+MODEL_HINT = "Name the model of this arm in the rig description (model_file), and check tool0 in the controller; nothing was moved."
 MODEL_MM = 1.0  # largest difference of a pose read back and that of the joints
 
 
@@ -49,12 +50,17 @@ def placement_of(cell: Cell, here: AxisReadback, joints_rad: FloatArray | None, 
     if cell.arm is None:
         return Placement(pose.matrix, None, here.guide_mm, here.table_rad)
     if joints_rad is None:
-        joints_rad = by_preference(cell.arm, pose, before_rad)[0].joints_rad
+        try:
+            joints_rad = by_preference(cell.arm, pose, before_rad)[0].joints_rad
+        except LimitError as error:
+            raise LimitError(
+                f"The kinematic model does not have the pose read back, so collisions cannot be checked. {error.message}", MODEL_HINT
+            ) from error
     off_mm = float(np.linalg.norm(cell.arm.forward(joints_rad).translation_mm - pose.translation_mm))
     if not off_mm <= MODEL_MM:
         raise LimitError(
             f"The pose read back is {off_mm:.1f} mm off the one of {cell.arm.name} for the same joints: collisions cannot be checked.",
-            "Name the model of this arm in the rig description (model_file), and check tool0 in the controller; nothing was moved.",
+            MODEL_HINT,
         )
     return Placement(pose.matrix, joints_rad, here.guide_mm, here.table_rad)
 

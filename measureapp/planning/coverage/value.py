@@ -17,9 +17,9 @@ COVER_SHARE = 0.85  # of the value of a sample that one sufficient view of it ha
 class Problem:
     """V candidates, N samples, and how much is required.
 
-    A sample counts as covered when its information ``Σ 1/σ²`` reaches the required one, ``1/σ_required²``; without a requirement, when it is
-    seen at all. Its value is ``0.85 · covered + 0.15 · min(1, information / wanted)`` with a requirement replaced by the continuous
-    ``min(1, information / required)`` alone, so that further views pay until it is reached.
+    Without a required standard deviation, a sample is covered when it is seen; its value is 0.85 for that and up to 0.15 for its information
+    ``Σ 1/σ²``, relative to that of the median view. With a requirement, coverage and value are both ``min(1, Σ 1/σ² · σ_required²)``, so
+    that further views pay until it is reached.
     """
 
     weights: FloatArray  # (V, N) float32, 1/σ² relative to the wanted information; 0: not seen

@@ -16,7 +16,7 @@ from measureapp.data.rig import KeepOutBox, MotionRules, ParkPose, RigDescriptio
 from measureapp.errors import InputError, PlanError
 from measureapp.geometry.kinematics.arm import LinkBody
 from measureapp.planning.calibration_views import calibration_viewpoints
-from measureapp.planning.collision.bodies import Body
+from measureapp.planning.collision.bodies import Body, Pair
 from measureapp.planning.collision.build import PartSolid
 from measureapp.planning.collision.cell import Cell
 from measureapp.planning.collision.check import NO_ARM, NO_PART, NO_SHAPE, check_collisions
@@ -60,7 +60,7 @@ def test_the_calibration_is_free_of_collisions_and_was_not_by_reach_alone() -> N
     cell = Cell.of(RIG, ARM, PartSolid.board_on_stand())
     by_reach = [viewpoint for viewpoint in calibration_viewpoints(RIG, motions=("robot",)) if cell.problem_at(viewpoint)]
     assert {viewpoint.id for viewpoint in by_reach} >= {"pose02", "pose08", "pose12"}
-    views = calibration_viewpoints(RIG, motions=("robot", "table"), arm=ARM)
+    views = calibration_viewpoints(RIG, motions=("robot",), arm=ARM)
     report = check_collisions(views, RIG, ARM, PartSolid.board_on_stand())
     assert report.problems == ()
     assert len(report.moves) == len(views)
@@ -106,6 +106,8 @@ def test_a_keep_out_box_must_not_be_entered_but_needs_no_further_clearance() -> 
 def test_a_part_that_is_larger_than_the_table_is_refused_with_both_diameters() -> None:
     with pytest.raises(PlanError, match=r"needs 900 mm, and parts may have up to 500 mm"):
         check_collisions(PLAN, RIG, ARM, PartSolid.enclosing(450.0, 100.0))
+    small = rig_with(table=RIG.table.model_copy(update={"diameter_mm": 200.0}))
+    assert Cell.of(small, ARM, PartSolid.board_on_stand()).problem_at(PLAN[20]) == ""  # a board may overhang
     wide = rig_with(cell=CellDescription(largest_part_mm=1000.0))
     assert check_collisions([PLAN[0]], wide, ARM, PartSolid.enclosing(450.0, 100.0)) is not None
 
@@ -195,17 +197,22 @@ class Surface:
         self.scene.add_triangles(np.asarray(mesh.vertices, np.float32), np.asarray(mesh.faces, np.uint32))
 
     def distance_mm(self, frame: np.ndarray, other: Surface) -> float:
-        """Distance of another body's samples from this solid; for far ones that of the spheres around both."""
+        """Distance of another body's samples from this solid, less the margins of both."""
         import open3d as o3d
 
         first_from_second = np.linalg.inv(frame[self.body.carrier]) @ frame[other.body.carrier]
-        margin_mm = self.body.solid.margin_mm + other.body.solid.margin_mm
-        middle = first_from_second[:3, :3] @ other.middle + first_from_second[:3, 3]
-        spheres_mm = float(np.linalg.norm(middle - self.middle)) - self.radius_mm - other.radius_mm - margin_mm
-        if spheres_mm > 40.0:
-            return spheres_mm
         seen = other.points @ first_from_second[:3, :3].T + first_from_second[:3, 3]
-        return float(self.scene.compute_signed_distance(o3d.core.Tensor(seen.astype(np.float32))).numpy().min()) - margin_mm
+        apart_mm = float(self.scene.compute_signed_distance(o3d.core.Tensor(seen.astype(np.float32))).numpy().min())
+        return apart_mm - self.body.solid.margin_mm - other.body.solid.margin_mm
+
+
+def near_pairs(cell: Cell, surfaces: list[Surface], frame: np.ndarray) -> list[Pair]:
+    """Pairs whose enclosing spheres are within 60 mm."""
+    middles = np.array([frame[one.body.carrier][:3, :3] @ one.middle + frame[one.body.carrier][:3, 3] for one in surfaces])
+    radii_mm = np.array([one.radius_mm for one in surfaces])
+    pairs = np.array([(pair.first, pair.second) for pair in cell.scene.pairs])
+    apart_mm = np.linalg.norm(middles[pairs[:, 0]] - middles[pairs[:, 1]], axis=1) - radii_mm[pairs].sum(axis=1)
+    return [cell.scene.pairs[number] for number in np.flatnonzero(apart_mm < 60.0)]
 
 
 def as_mesh(body: Body) -> trimesh.Trimesh:
@@ -238,7 +245,7 @@ def test_every_5_mm_of_every_planned_move_keeps_its_clearance_by_another_library
             shares = np.linspace(0.0, 1.0, int(np.ceil(travel_mm / STEP_MM)) + 1)
             for frame in cell.scene.mechanism.frames(start, leg.goal, shares):
                 checked += 1
-                for pair in cell.scene.pairs:
+                for pair in near_pairs(cell, surfaces, frame):
                     apart_mm = surfaces[pair.first].distance_mm(frame, surfaces[pair.second])
                     assert apart_mm > pair.apart_mm - 2.0 - 0.1, (move.end_id, pair)
                     least_mm = min(least_mm, apart_mm)

@@ -117,7 +117,7 @@ spots = st.tuples(*[st.floats(-400, 400)] * 3).map(np.array)
 turns = st.tuples(*[st.floats(-3, 3)] * 3).map(lambda vector: Rotation.from_rotvec(vector).as_matrix())
 
 
-@settings(deadline=None, max_examples=60)
+@settings(deadline=None, max_examples=30)
 @given(boxes, boxes, spots, spots, turns, turns)
 def test_no_sample_of_a_free_move_of_random_boxes_is_closer_than_allowed(half, other, start, end, first, last) -> None:
     """Compared with the separating axes of two boxes, which python-fcl has no part in."""

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 from PySide6.QtCore import Qt, Slot
-from PySide6.QtGui import QKeySequence, QResizeEvent, QShortcut
+from PySide6.QtGui import QHideEvent, QKeySequence, QResizeEvent, QShortcut, QShowEvent
 from PySide6.QtWidgets import QFileDialog, QSplitter, QWidget
 
 from ui.controllers.controllers import Controllers
@@ -137,7 +137,6 @@ class PlanPage(ViewportPage):
         self.form.show_plan(plan)
         if plan is not None and not self.tree.names():
             self.tree.select((next(iter(plan)).id,))
-        self._show_selection()
         self._show_prediction()
         self._show_actions()
 
@@ -227,6 +226,16 @@ class PlanPage(ViewportPage):
             row_number = -1 if viewpoint is None else found.row(viewpoint.id)
             share = 0.0 if row_number < 0 else found.coverage.share(found.coverage.seen[row_number])
             self.legend.show_swatches(((preview.OFTEN, f"Measured {percent(share)}"), (None, f"Not measured {percent(1 - share)}")), "")
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Check the plan from now on."""
+        super().showEvent(event)
+        self.planning.set_watched(True)
+
+    def hideEvent(self, event: QHideEvent) -> None:
+        """Check nothing that nobody sees."""
+        super().hideEvent(event)
+        self.planning.set_watched(False)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Reduce the tools beside the colours to icons earlier than other pages do."""
