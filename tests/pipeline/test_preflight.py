@@ -14,7 +14,7 @@ from measureapp.devices.connect import connect_rig
 from measureapp.devices.link_budget import LinkCamera
 from measureapp.devices.rig import Rig
 from measureapp.devices.status import DeviceStatus
-from measureapp.errors import DecodeError, DeviceError, LimitError, PlanError
+from measureapp.errors import DecodeError, DeviceError, InputError, LimitError, PlanError
 from measureapp.pipeline.preflight import Preflight, check_connected, check_plan, preflight_lines
 from measureapp.planning.viewpoints import plan_around_part
 from measureapp.project.folder import ProjectFolder, ProjectSettings
@@ -67,11 +67,18 @@ def test_several_problems_are_told_in_one_error(rig: Rig, plan: ScanPlan, projec
 
 
 def test_a_keep_out_box_is_checked_without_a_connection(rig: Rig, plan: ScanPlan, project: ProjectFolder) -> None:
+    first = plan[0].flange.transform().translation_mm
+    crane = KeepOutBox(name="crane", low_mm=tuple(first - 50.0), high_mm=tuple(first + 50.0))
+    boxed = rig.description.model_copy(update={"motion": MotionRules(keep_out=(crane,))})
+    with pytest.raises(PlanError, match="crane"):
+        check_plan(plan, boxed, project).refuse()
+
+
+def test_a_keep_out_box_that_no_pose_avoids_is_a_mistake_of_the_rig_description(rig: Rig, plan: ScanPlan, project: ProjectFolder) -> None:
     everywhere = KeepOutBox(name="crane", low_mm=(-9e3, -9e3, -9e3), high_mm=(9e3, 9e3, 9e3))
     boxed = rig.description.model_copy(update={"motion": MotionRules(keep_out=(everywhere,))})
-    found = check_plan(plan, boxed, project)
-    with pytest.raises(PlanError, match="crane"):
-        found.refuse()
+    with pytest.raises(InputError, match=r"crane and .* touch whatever the joint angles"):
+        check_plan(plan, boxed, project).refuse()
 
 
 def test_cameras_that_overload_their_link_are_a_problem_and_slow_ones_a_warning(rig: Rig, plan: ScanPlan, project: ProjectFolder) -> None:

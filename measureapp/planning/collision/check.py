@@ -77,7 +77,7 @@ def check_in(cell: Cell, viewpoints: Sequence[Viewpoint], start: Placement | Non
     if at and (names := cell.always_touching()):
         raise InputError(
             f"The bodies {names} touch whatever the joint angles: the model of the cell is wrong.",
-            "Correct these bodies in the robot's file or in [cell] of the rig description.",
+            "Correct them: links in the robot's file, other bodies in [cell], keep-out boxes in [motion] of the rig description.",
         )
     free = [viewpoint for viewpoint in viewpoints if viewpoint.id not in at]
     here = start if start is not None else start_of(cell, free)
