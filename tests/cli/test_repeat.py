@@ -13,6 +13,7 @@ from measureapp.cli import main
 from measureapp.project.folder import ProjectFolder, ProjectSettings
 from measureapp.project.results import DOCUMENT
 from measureapp.project.rig_file import read_rig
+from measureapp.project.upkeep import accept_changes
 from measureapp.resources import resource
 from tests.cli.refusal import refused
 
@@ -86,8 +87,10 @@ def test_projects_of_different_parts_are_refused_unless_they_are_stated_to_be_on
 def test_projects_with_different_programs_or_nominals_are_refused(three, tmp_path, capsys) -> None:
     program = Path(three[1]) / "inspection" / "program.toml"
     program.write_text(program.read_text(encoding="utf-8").replace("nominal = 180", "nominal = 181"), encoding="utf-8")
+    accept_changes(Path(three[1]), ["inspection/program.toml"])
     assert "different inspection programs (dimension 'a')" in refused(capsys, ["repeat", *three])
     (Path(three[1]) / "inspection" / "nominal.stl").write_bytes(b"solid other")
+    accept_changes(Path(three[1]), ["inspection/nominal.stl"])
     assert "different nominals" in refused(capsys, ["repeat", *three])
 
 

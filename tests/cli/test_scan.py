@@ -93,7 +93,7 @@ def refused(capsys: pytest.CaptureFixture[str], message: str, hint: str, *argume
 def test_a_plan_outside_the_limits_is_refused_before_anything_is_connected(
     rig: Path, demo_plan: ScanPlan, tmp_path: Path, capsys, monkeypatch
 ) -> None:
-    monkeypatch.setattr("measureapp.pipeline.run.connect_rig", lambda _: pytest.fail("the rig was connected"))
+    monkeypatch.setattr("measureapp.pipeline.connecting.connect_rig", lambda _: pytest.fail("the rig was connected"))
     far = demo_plan.viewpoints[1].model_copy(update={"guide_mm": 700.0})
     path = tmp_path / "far.json"
     path.write_text(demo_plan.model_copy(update={"viewpoints": (demo_plan.viewpoints[0], far)}).model_dump_json())

@@ -20,6 +20,7 @@ from measureapp.pipeline.recording.store import import_recording
 from measureapp.progress import NoProgress
 from measureapp.project.folder import ProjectFolder
 from measureapp.project.geometry.files import read_point_cloud
+from measureapp.project.upkeep import verify
 from measureapp.simulate.truth import Truth
 
 STATION = tuple(f"station01-{number}" for number in range(1, 6))  # the table turns before stationary cameras
@@ -56,8 +57,8 @@ def test_what_is_stored_is_what_the_rig_stored(demo: Demo, tmp_path: Path) -> No
     assert plan is not None and [viewpoint.id for viewpoint in plan] == ["view01", "view05"]
     assert project.rig().cameras == original.rig().cameras
     assert project.program is not None and project.nominal is not None
-    checked, damaged = project.verify()
-    assert len(checked) == 4 and not damaged
+    found = verify(project.path)
+    assert len(found.viewpoints) == 4 and found.whole
 
 
 def test_a_table_alone_is_calibrated_before_known_stationary_cameras(demo: Demo, truth: Truth, tmp_path: Path) -> None:

@@ -291,7 +291,7 @@ def test_stored_images_of_every_camera_are_read_from_the_project(tmp_path, monke
 
     images = {name: np.full((2, 3, 4, 5), level, np.uint8) for name, level in (("right", 9), ("left", 7))}
     stack = SimpleNamespace(exposures_us=(80_000, 20_000), images=images)
-    project = SimpleNamespace(stored_viewpoints=lambda: ("view-01",), frames=SimpleNamespace(load=lambda _id: stack))
+    project = SimpleNamespace(stored_viewpoints=lambda: ("view-01",), frames=SimpleNamespace(load=lambda _id, checked: stack))
     monkeypatch.setattr(ProjectFolder, "open", lambda _path: project)
     found = first_images(tmp_path, "view-01", None)
     assert [(event.camera, event.exposure_us, int(event.pixels[0, 0])) for event in found] == [("left", 80_000, 7), ("right", 80_000, 9)]

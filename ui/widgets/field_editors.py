@@ -14,10 +14,9 @@ from typing import Any
 import tomli_w
 from pydantic import BaseModel, SecretStr
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QWheelEvent
-from PySide6.QtWidgets import QCheckBox, QComboBox, QLineEdit, QPlainTextEdit, QWidget
+from PySide6.QtWidgets import QCheckBox, QLineEdit, QPlainTextEdit, QWidget
 
-from ui.widgets.basic import column, label, row
+from ui.widgets.basic import CalmComboBox, column, label, row
 
 NUMBER_WIDTH, TUPLE_WIDTH, TEXT_HEIGHT, LINE_HEIGHT, FRAME = 144, 88, 200, 20, 20
 PARAGRAPH = "\u2029"
@@ -154,21 +153,6 @@ class CheckEditor(FieldEditor):
     def set_raw(self, value: Any) -> None:
         """Show yes or no."""
         self.box.setChecked(bool(value))
-
-
-class CalmComboBox(QComboBox):
-    """A combo box that leaves the mouse wheel to the page unless it has the focus."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-
-    def wheelEvent(self, event: QWheelEvent) -> None:
-        """Choose with the wheel only after a click."""
-        if self.hasFocus():
-            super().wheelEvent(event)
-        else:
-            event.ignore()
 
 
 class ChoiceEditor(FieldEditor):

@@ -11,8 +11,7 @@ from PySide6.QtWidgets import QLineEdit, QWidget
 from measureapp.errors import MeasureError
 from ui.look.wording import several
 from ui.pages.plan.plan_aims import PlanAims
-from ui.widgets.basic import Form, column, label, row
-from ui.widgets.field_editors import CalmComboBox
+from ui.widgets.basic import CalmComboBox, Form, column, label, row
 from ui.widgets.number_fields import NumberFields
 from ui.widgets.number_list import NumberList
 from ui.widgets.segments import Segments

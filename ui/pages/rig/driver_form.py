@@ -11,8 +11,8 @@ from PySide6.QtGui import QStandardItem, QStandardItemModel
 from measureapp.data.rig import RECORDED
 from measureapp.devices.plugin_loader import PluginKind, PluginOffer
 from ui.pages.rig.rig_draft import loaded
-from ui.widgets.basic import Form, clear, column, label
-from ui.widgets.field_editors import CalmComboBox, FieldEditor, TableEditor
+from ui.widgets.basic import CalmComboBox, Form, clear, column, label
+from ui.widgets.field_editors import FieldEditor, TableEditor
 from ui.widgets.model_form import FieldRows
 
 RECORDING = "Recording: there are no devices"
