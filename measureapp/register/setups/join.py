@@ -20,7 +20,7 @@ from measureapp.register.settings import StitchSettings
 from measureapp.register.setups.coarse import all_starts, contradicted, starts_near, starts_turned
 from measureapp.register.setups.errors import join_errors
 from measureapp.register.setups.joint import Joint, JointEdge, edge_by_spheres, edge_by_surface, shift_origin, solve_joint
-from measureapp.register.setups.position import HINT_WITHIN_DEG, MOST_CONTRADICTED, Position, check, find_position
+from measureapp.register.setups.position import HINT_WITHIN_DEG, MOST_CONTRADICTED, Position, check, find_position, weakest_information
 from measureapp.register.setups.setup_cloud import PreparedSetUp, SetUpCloud, prepare_setups
 from measureapp.register.setups.spheres import Sphere, SphereMatch, as_transform, find_spheres, match_spheres
 
@@ -113,8 +113,9 @@ def _fit(nominal: NominalFit, setup: PreparedSetUp) -> RigidTransform:
 
 
 def _place(setups: Sequence[PreparedSetUp], poses: Sequence[RigidTransform], number: int, request: JoinRequest) -> RigidTransform:
-    """Find a set-up relative to any of the earlier ones; raises the reason for the first if it fits none."""
+    """Find a set-up relative to the earlier one that determines it best; raises the reason for the first if it fits none."""
     source, reasons = setups[number], []
+    found: list[tuple[float, RigidTransform]] = []
     for earlier, pose in enumerate(poses):
         target = setups[earlier]
         rough = _rough_rotation(request, source.name, pose)
@@ -126,10 +127,14 @@ def _place(setups: Sequence[PreparedSetUp], poses: Sequence[RigidTransform], num
         else:
             starts = all_starts(target, source)
         try:
-            return pose @ find_position(target, source, starts, rough).pair.target_from_source
+            pair = find_position(target, source, starts, rough).pair
         except RegistrationError as error:
             reasons.append(error)
-    raise reasons[0]
+            continue
+        found.append((weakest_information(pair, source.prepared.radius_mm), pose @ pair.target_from_source))
+    if not found:
+        raise reasons[0]
+    return max(found, key=lambda one: one[0])[1]
 
 
 def _rough_rotation(request: JoinRequest, source: str, part_from_target: RigidTransform) -> FloatArray | None:

@@ -22,7 +22,7 @@ NEAR_MM, GOOD_MM = 3.0, 0.15  # surfaces of one part at the same place differ by
 SIDEWAYS = 1.2  # in voxels
 LEAST_OVERLAP = 0.03  # of the smaller set-up
 LEAST_AGREEMENT = 0.75  # least share of the common surface that fits
-MOST_CONTRADICTED = 0.02  # greatest share of points in space that the other set-up saw as empty
+MOST_CONTRADICTED = 0.04  # greatest share of points in space that the other set-up saw as empty; borders and thin walls give up to 0.025
 EQUAL_OVERLAP, EQUAL_RESIDUAL = 0.9, 1.3  # positions within these are not distinguishable
 HINT_WITHIN_DEG, HINT_APART_DEG = 30.0, 5.0  # a rough rotation is at most this wrong; the second position is further away than the first
 
@@ -89,6 +89,12 @@ def check(target: PreparedSetUp, source: PreparedSetUp, pair: PairMeasurement) -
         shares.append(float(fits.mean()))
         agreements.append(float(fits.sum() / max(near.sum(), 1)))
     return Position(pair, max(shares), min(agreements), contradicted(target, source, matrix))
+
+
+def weakest_information(pair: PairMeasurement, radius_mm: float) -> float:
+    """Return the information of a pair (1/mm²) about the motion that it determines worst, rotations at ``radius_mm``."""
+    length = np.array([1.0, 1.0, 1.0, 1 / radius_mm, 1 / radius_mm, 1 / radius_mm])
+    return float(np.linalg.eigvalsh(pair.information * np.outer(length, length))[0])
 
 
 def _promising(candidates: list[CoarseCandidate]) -> list[CoarseCandidate]:
