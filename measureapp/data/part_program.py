@@ -8,6 +8,7 @@ from typing import Literal
 
 from pydantic import Field
 
+from measureapp.data.identification import Identification
 from measureapp.data.model import Model
 from measureapp.data.plan import ScanPlan
 
@@ -18,7 +19,9 @@ class PartProgramFacts(Model):
     schema_version: Literal[1] = 1
     name: str = Field(min_length=1, max_length=200)
     part_number: str = Field(default="", max_length=200)
+    version: str = Field(default="", max_length=200, description="printed in reports, and kept with every result")
     remarks: str = Field(default="", max_length=4000)
+    identification: Identification = Field(default=Identification(), description="what is the same for every part: drawing, customer, …")
     sha256: Mapping[str, str] = Field(default={}, description="of each file by its name")
 
 
