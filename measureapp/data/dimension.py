@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 
@@ -18,6 +18,14 @@ class Verdict(StrEnum):
     FAIL = "fail"
     NOT_PROVEN = "not proven"
     NOT_MEASURED = "not measured"
+
+
+SEVERITY = (Verdict.FAIL, Verdict.NOT_PROVEN, Verdict.NOT_MEASURED, Verdict.PASS)  # the worst first
+
+
+def worst_verdict(verdicts: Iterable[Verdict]) -> Verdict | None:
+    """Return the most severe verdict; None where there is none."""
+    return min(verdicts, key=SEVERITY.index, default=None)
 
 
 @dataclass(frozen=True, slots=True)

@@ -44,8 +44,6 @@ class PartProgramFacts(Model):
         if strangers or (pattern and not groups):
             raise ValueError(f"name the groups of {pattern!r} {', '.join(CODE_GROUPS)}" + (f", not {strangers[0]}" if strangers else ""))
         return pattern
-    identification: Identification = Field(default=Identification(), description="what is the same for every part: drawing, customer, …")
-    sha256: Mapping[str, str] = Field(default={}, description="of each file by its name")
 
 
 @dataclass(frozen=True, slots=True, eq=False)
