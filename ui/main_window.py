@@ -19,6 +19,7 @@ from ui.pages.calibration import CalibrationPage
 from ui.pages.calibration_chip import calibration_state
 from ui.pages.clouds.clouds import CloudsPage
 from ui.pages.inspection.inspection import InspectionPage
+from ui.pages.operator.shell import Shell
 from ui.pages.page import Page
 from ui.pages.plan.page import PlanPage
 from ui.pages.report import ReportPage
@@ -104,7 +105,7 @@ class MainWindow(QMainWindow):
         """Ask once before a running job is stopped; wait until its thread has ended."""
         running = self.controllers.jobs.queue.running
         if running is not None and not running.quiet and not self._may_stop:
-            self.closing.ask(running.title)
+            (self.shell.operator if self.shell.is_operators else self.closing).ask(running.title)
             event.ignore()
             return
         self._disk_timer.stop()
@@ -112,6 +113,7 @@ class MainWindow(QMainWindow):
         self.controllers.end(CLOSING_WAIT_MS)
         for page in self.pages.values():
             page.close_page()
+        self.shell.close_views()
         event.accept()
 
     def _stop_and_close(self) -> None:
@@ -125,7 +127,8 @@ class MainWindow(QMainWindow):
         whole.setStretch(2, 1)
         centre = QWidget()
         centre.setLayout(whole)
-        self.setCentralWidget(centre)
+        self.shell = Shell(self, centre, self.look, self.session, self.controllers)
+        self.setCentralWidget(self.shell)
         centre.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
         centre.setFocus()
 
@@ -159,7 +162,7 @@ class MainWindow(QMainWindow):
         inspection = self.pages["inspection"]
         assert isinstance(inspection, InspectionPage)
         inspection.see_report.clicked.connect(lambda: self.show_page("report"))
-        session.reportChanged.connect(self._follow_operator)
+        session.appearanceChanged.connect(self._show_role)
         inspection.measure_file.clicked.connect(self._choose_files)
         QShortcut(QKeySequence.StandardKey.HelpContents, self, self._show_help)
         QShortcut(QKeySequence.StandardKey.Open, self, self._choose_project)
@@ -167,7 +170,7 @@ class MainWindow(QMainWindow):
         self._escape.setEnabled(False)
 
     def _go_on(self) -> None:
-        self.show_page("inspection" if self.session.role == "operator" else "clouds")
+        self.show_page("clouds")
 
     def _show_properties(self) -> None:
         self.properties.show_properties(self.page.properties)
@@ -185,19 +188,9 @@ class MainWindow(QMainWindow):
         self.strip.show_job(self.session.busy_with)
         if not self.session.busy_with:
             self.closing.hide()
-        if self.session.busy_with and self.session.role == "operator" and self.page is self.pages["rig"]:
-            self.show_page("scan")
 
     def _show_progress(self, share: float, note: str) -> None:
         self.strip.show_progress(share, note, with_time=self.controllers.scanning.left() is None)
-
-    def _follow_operator(self) -> None:
-        """Show the operator the verdict after a scan."""
-        inspection = self.pages["inspection"]
-        assert isinstance(inspection, InspectionPage)
-        if self.session.role == "operator" and self.session.inspection is not None and self.page is self.pages["scan"]:
-            self.show_page("inspection")
-            inspection.show_failing()
 
     def _show_message(self, message: Message) -> None:
         self.strip.show_message(message.text, message.hint, message.level)
@@ -250,12 +243,13 @@ class MainWindow(QMainWindow):
         self.header.disk.show_state(f"{storage(free)} free", "verdict_fail" if free < DISK_LOW_BYTES else "soft", f"Free space at {folder}")
 
     def _change_role(self, role: str) -> None:
-        self.session.set_role("operator" if role == "operator" else "engineer")
-        self.properties.setVisible(role == "engineer")
-        for name, page in self.pages.items():
-            self.rail.buttons[name].setVisible(role == "engineer" or page.for_operator)
-        if role == "operator" and not self.page.for_operator:
-            self.show_page("scan")
+        roles = self.controllers.roles
+        if role == self.session.role:
+            return
+        (roles.become_operator if role == "operator" else roles.ask_engineer)()
+
+    def _show_role(self) -> None:
+        self.header.role.setValue(self.session.role)
 
     def _choose_files(self) -> None:
         cloud, _ = QFileDialog.getOpenFileName(self, "Choose the cloud or mesh to inspect", str(Path.home()), CLOUDS)

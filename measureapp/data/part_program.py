@@ -13,7 +13,6 @@ from measureapp.data.identification import Identification
 from measureapp.data.model import Model
 from measureapp.data.plan import ScanPlan
 
-
 CODE_GROUPS = ("part", "serial", "order")
 AskedField = Literal["serial", "order", "remarks"]
 

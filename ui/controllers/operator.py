@@ -14,7 +14,8 @@ from measureapp.errors import MeasureError
 from ui.controllers import operator_work as work
 from ui.controllers.jobs import JobRunner
 from ui.controllers.operator_codes import CodeFields, check_code, find_program
-from ui.controllers.operator_nouns import Entered, Fault, Filed, ProgramCard, ShiftCount, Step, counted_run, count_shift
+from ui.controllers.operator_nouns import Entered, Fault, Filed, ProgramCard, ShiftCount, Step, count_shift, counted_run
+from ui.controllers.rig_connection import VIRTUAL
 from ui.controllers.rig_control import BY_BUTTON, RigControl
 from ui.controllers.scanning import ScanController
 from ui.session import Message, Session
@@ -45,7 +46,13 @@ class OperatorController(QObject):
     said = Signal(str, str)  # words, level
 
     def __init__(
-        self, session: Session, reading: JobRunner, jobs: JobRunner, scanning: ScanController, rig: RigControl, parent: QObject | None = None
+        self,
+        session: Session,
+        reading: JobRunner,
+        jobs: JobRunner,
+        scanning: ScanController,
+        rig: RigControl,
+        parent: QObject | None = None,
     ) -> None:
         super().__init__(parent)
         self._session, self._reading, self._jobs = session, reading, jobs
@@ -62,6 +69,7 @@ class OperatorController(QObject):
         self._began_s = 0.0
         self._waits = False  # for the end of a run
         self._told: list[Message] = []  # warnings and errors since the run began
+        self._offered: Path | None = None  # project with the calibration that the engineer left open
         session.reportChanged.connect(self._take_result)
         session.runChanged.connect(self._follow_run)
         session.messageAdded.connect(self._keep_message)
@@ -77,7 +85,9 @@ class OperatorController(QObject):
         from measureapp.project.operator_settings import operator_file
 
         file = operator_file()
-        self._reading.run("Reading the part programs", lambda job: work.read_shelf(job, file), self._show_shelf, on_failed=self._fail, quiet=True)
+        self._reading.run(
+            "Reading the part programs", lambda job: work.read_shelf(job, file), self._show_shelf, on_failed=self._fail, quiet=True
+        )
 
     @Slot(object)
     def _show_shelf(self, shelf: work.Shelf) -> None:
@@ -85,6 +95,9 @@ class OperatorController(QObject):
         if self.chosen is not None:
             path = self.chosen.path
             self.chosen = next((card for card in shelf.cards if card.path == path), self.chosen)
+        if self._offered is not None and str(self._offered) != shelf.settings.calibrated:
+            self.store_settings(shelf.settings.model_copy(update={"calibrated": str(self._offered)}))
+        self._offered = None
         self.shelfChanged.emit()
         for problem in shelf.problems:
             self.said.emit(problem, "error")
@@ -117,6 +130,11 @@ class OperatorController(QObject):
         if self.shelf is None:
             return ShiftCount()
         return count_shift(self.shelf.runs, self.shelf.settings.shift_start(datetime.now().astimezone()))
+
+    @Slot()
+    def take_calibration(self) -> None:
+        """Let the calibration of the project that is open now be the one in use from here on, if it has one."""
+        self._offered = self._session.folder if self._session.calibration is not None else None
 
     # from step to step
 
@@ -166,9 +184,13 @@ class OperatorController(QObject):
             self.choose(self.shelf.cards[meaning.program])
             self._take_fields(meaning.fields)
         elif meaning.kind == "ambiguous":
-            self.said.emit(f"The code {shown(text)} fits several part programs: {', '.join(meaning.names)}. Choose one by its card.", "error")
+            self.said.emit(
+                f"The code {shown(text)} fits several part programs: {', '.join(meaning.names)}. Choose one by its card.", "error"
+            )
         else:
-            self.said.emit(f"The code {shown(text)} belongs to no part program. Choose the part by its card, or call the engineer.", "error")
+            self.said.emit(
+                f"The code {shown(text)} belongs to no part program. Choose the part by its card, or call the engineer.", "error"
+            )
 
     def _identify_by(self, text: str, facts: Sequence[PartProgramFacts | None]) -> None:
         mine = self.facts
@@ -262,7 +284,7 @@ class OperatorController(QObject):
         if card is None or card.program is None or shelf is None or rig is None or folder is None:
             return
         program, entered, settings = card.program, self.entered, shelf.settings
-        self._release_other_rig(rig)
+        self._release_virtual_rig(rig)
         if session.cell.stopped == BY_BUTTON:
             self._rig.reset()
         self.fault, self.filed, self._told = None, None, []
@@ -276,12 +298,10 @@ class OperatorController(QObject):
         self._scanning.run(TITLE, request, "measurement")
         self._go("run")
 
-    def _release_other_rig(self, rig: RigDescription) -> None:
-        """Release a virtual rig that is connected with another part on its table."""
-        card, shelf, held = self.chosen, self.shelf, self._session.connection
-        if held is not None and card is not None and card.program is not None and shelf is not None:
-            if held.description != work.rig_of(rig, card.program, shelf.settings):
-                self._rig.disconnect_rig()
+    def _release_virtual_rig(self, rig: RigDescription) -> None:
+        """Release a connected virtual rig, which has another part on its table."""
+        if self._session.connection is not None and rig.driver == VIRTUAL:
+            self._rig.disconnect_rig()
 
     @property
     def elapsed_s(self) -> float:
@@ -355,7 +375,7 @@ class OperatorController(QObject):
         if shelf is None or rig is None or card is None:
             return
         settings = shelf.settings.with_duration(card.name, seconds).model_copy(update={"operator": self.entered.operator})
-        self.store_settings(settings, folder if rig.driver == "virtual_rig" else None)
+        self.store_settings(settings, folder if rig.driver == VIRTUAL else None)
 
     def store_settings(self, settings: OperatorSettings, calibrated: Path | None = None) -> None:
         """Store settings; ``calibrated``: a project whose calibration is used unless the present one fits the rig."""

@@ -50,7 +50,8 @@ def read_shelf(job: Job, file: Path) -> Shelf:
         paths = sorted(path for path in folder.iterdir() if path.suffix.lower() == ".mpart")
     except OSError as error:
         raise InputError(f"The part programs in {folder} cannot be read: {error.strerror or error}.", CALL) from error
-    return Shelf(settings, tuple(_card(path, settings, runs) for path in paths), runs, problems)
+    cards = [_card(path, settings, runs) for path in paths]
+    return Shelf(settings, tuple(sorted(cards, key=lambda card: (bool(card.problem), card.name.casefold()))), runs, problems)
 
 
 def _card(path: Path, settings: OperatorSettings, runs: tuple[SeriesRun, ...]) -> ProgramCard:

@@ -13,9 +13,10 @@ from ui.controllers.operator_nouns import ProgramCard, verdict_of
 from ui.look.look import Look
 from ui.look.wording import rough_duration
 from ui.pages.operator.big import BigButton, big_label
+from ui.pages.operator.style import CARD_PX
 from ui.widgets.basic import clear, row, scrolled
 
-CARD_PX, PICTURE_PX, GAP_PX = (336, 384), (300, 168), 16
+PICTURE_PX, GAP_PX = (300, 168), 16
 SIGN_PX = 24
 
 

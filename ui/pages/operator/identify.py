@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtCore import Signal
 from PySide6.QtGui import QShowEvent
-from PySide6.QtWidgets import QFormLayout, QLabel, QLineEdit, QWidget
+from PySide6.QtWidgets import QGridLayout, QLabel, QLineEdit, QWidget
 
 from ui.controllers.operator import OperatorController
 from ui.controllers.operator_nouns import Entered, counted_run, verdict_of
@@ -16,6 +16,8 @@ from ui.widgets.basic import column, row
 
 NAMES = {"serial": "Serial number", "order": "Order", "remarks": "Remarks", "operator": "Your name"}
 LONGEST = 200
+AGAIN = "Measured {when}: {verdict}. Measure it again as run {number}? All runs are kept; without a reason the first one counts."
+AGAIN_COUNTED = "Measured {when}: {verdict}; an earlier run counts: {counted}. Measure it again as run {number}? All runs are kept."
 
 
 class IdentifyScreen(QWidget):
@@ -23,31 +25,36 @@ class IdentifyScreen(QWidget):
 
     backClicked = Signal()
     resultAsked = Signal(object)  # SeriesRun
+    edited = Signal()
 
     def __init__(self, look: Look, controller: OperatorController) -> None:
         super().__init__()
         self._controller = controller
         self.fields = {name: QLineEdit() for name in NAMES}
         self._names = {name: QLabel() for name in NAMES}
-        form = QFormLayout()
+        form = QGridLayout()
         form.setHorizontalSpacing(24)
-        form.setVerticalSpacing(12)
-        for name, field in self.fields.items():
+        form.setVerticalSpacing(4)
+        for place, (name, field) in enumerate(self.fields.items()):
             field.setMaxLength(LONGEST)
             field.setAccessibleName(NAMES[name])
             field.textChanged.connect(self._show)
+            field.textEdited.connect(self.edited)
             field.returnPressed.connect(self._enter)
-            form.addRow(self._names[name], field)
+            form.addWidget(self._names[name], 3 * (place // 2), place % 2)
+            form.addWidget(field, 3 * (place // 2) + 1, place % 2)
+        form.setRowMinimumHeight(2, 8)
         self.before = big_label("", "strong", wrap=True)
         self.result = BigButton("Show the result", look, "inspection")
         self.reasons = ReasonChoice(look)
-        self.known = big_card(self.before, self.reasons, row(self.result, 0))
+        known = row(self.before, self.result, spacing=16)
+        known.setStretch(0, 1)
+        self.known = big_card(known, self.reasons, margin=16, spacing=12)
         self.missing = big_label("", "error", wrap=True)
         self.back = BigButton("Back", look, "unfold")
         self.next = BigButton("Next", look, "", "primary")
         self.next.setMinimumWidth(240)
-        self.title = big_label("", "title")
-        layout = column(self.title, form, self.known, 0, row(self.back, 0, self.missing, self.next, spacing=16), spacing=16)
+        layout = column(form, self.known, 0, row(self.back, 0, self.missing, self.next, spacing=16), spacing=16)
         layout.setContentsMargins(24, 24, 24, 16)
         self.setLayout(layout)
         self.back.pressedOnce.connect(self.backClicked)
@@ -83,7 +90,6 @@ class IdentifyScreen(QWidget):
         facts = self._controller.facts
         if facts is None:
             return
-        self.title.setText(facts.name)
         for name, words in NAMES.items():
             self._names[name].setText(f"{words} *" if name in facts.required else words)
         missing = self._missing()
@@ -91,17 +97,18 @@ class IdentifyScreen(QWidget):
         self.known.setVisible(bool(runs))
         if runs:
             last, counted = runs[-1], counted_run(runs)
-            again = {"when": when_words(last.measured_at), "verdict": verdict_of(last).upper(), "number": len(runs) + 1}
-            words = "Measured {when}: {verdict}. Measure it again as run {number}? All runs are kept.".format(**again)
-            if counted is not last:
-                words += " The first run counts: {verdict}.".format(verdict=verdict_of(counted).upper())
+            again = {
+                "when": when_words(last.measured_at),
+                "verdict": verdict_of(last).upper(),
+                "number": len(runs) + 1,
+                "counted": verdict_of(counted).upper(),
+            }
+            words = AGAIN.format(**again) if counted is last else AGAIN_COUNTED.format(**again)
             self.before.setText(words)
         self.next.setText("Measure again" if runs else "Next")
         unreasoned = bool(runs) and not self.reasons.value()
         self.next.setEnabled(not missing and not unreasoned)
-        self.missing.setText(
-            "Fill in the fields marked *." if missing else "State why this part is measured again." if unreasoned else ""
-        )
+        self.missing.setText("Fill in the fields marked *." if missing else "State why this part is measured again." if unreasoned else "")
 
     def _enter(self) -> None:
         """Go to the next empty field that is required, else on."""

@@ -7,8 +7,8 @@ from PySide6.QtWidgets import QButtonGroup, QWidget
 
 from ui.controllers.operator_nouns import UNREASONED
 from ui.look.look import Look
-from ui.pages.operator.big import BigButton, big_label
-from ui.widgets.basic import column, row
+from ui.pages.operator.big import BigButton
+from ui.widgets.basic import row
 
 REASONS = {
     "cleaned": "The part was cleaned",
@@ -16,7 +16,6 @@ REASONS = {
     "reworked": "It was reworked",
     UNREASONED: "No reason",
 }
-COUNTS = "With a reason the new run counts; without one the first run counts. All runs are kept."
 
 
 class ReasonChoice(QWidget):
@@ -33,7 +32,7 @@ class ReasonChoice(QWidget):
             button.setCheckable(True)
             self._group.addButton(button)
             button.clicked.connect(self.changed)
-        self.setLayout(column(row(*self.buttons.values(), 0), big_label(COUNTS, "soft", wrap=True)))
+        self.setLayout(row(*self.buttons.values(), 0, spacing=12))
 
     def value(self) -> str:
         """Return the chosen reason; empty while none is chosen."""

@@ -20,7 +20,7 @@ from ui.widgets.basic import column, row
 from ui.workers.job import Job
 
 TICK_MS = 500
-SIDE_WIDTH = 440
+SIDE_WIDTH, FAULT_WIDTH = 400, 640
 STEPS = {  # status of the present viewpoint
     "moving": "The rig moves",
     "settling": "The rig settles",
@@ -72,7 +72,9 @@ class RunScreen(QWidget):
         self.stop = BigButton("Stop", look, "stop", "stop")
         self.paused = big_label("", "strong", wrap=True)
         panel = QWidget()
-        panel.setLayout(column(self.paused, 0, self.pause, self.go_on, 8, self.stop, big_label(NOT_EMERGENCY, "soft", wrap=True), spacing=16))
+        panel.setLayout(
+            column(self.paused, 0, self.pause, self.go_on, 8, self.stop, big_label(NOT_EMERGENCY, "soft", wrap=True), spacing=16)
+        )
         return panel
 
     def _stopped(self, look: Look) -> QWidget:
@@ -83,7 +85,17 @@ class RunScreen(QWidget):
         self.home = BigButton("Part programs", look, "home")
         panel = QWidget()
         panel.setLayout(
-            column(self.cause, self.remedy, self.kept, self.press, 0, self.resume, self.again, self.call, self.home, spacing=12)
+            column(
+                self.cause,
+                self.remedy,
+                self.kept,
+                self.press,
+                0,
+                self.resume,
+                row(self.again, self.home, spacing=12),
+                self.call,
+                spacing=12,
+            )
         )
         return panel
 
@@ -132,6 +144,9 @@ class RunScreen(QWidget):
     def _show_state(self) -> None:
         fault, run = self._controllers.operator.fault, self._session.run
         self._panels.setCurrentIndex(0 if fault is None else 1)
+        self._panels.setFixedWidth(SIDE_WIDTH if fault is None else FAULT_WIDTH)
+        for shown in (self.bar, self.time):
+            shown.setVisible(fault is None)
         paused = run.state == "paused"
         self.pause.setVisible(not paused)
         self.pause.setEnabled(run.state == "running")

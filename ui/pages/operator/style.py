@@ -6,6 +6,7 @@ from string import Template
 
 from ui.look.theme import Theme
 
+CARD_PX = (336, 384)
 DARK_LETTERS = "#182126"
 SHEET = Template("""
 #operator, #operator QScrollArea, #operator QWidget#clear { background: $window; border: none; }
@@ -15,7 +16,7 @@ SHEET = Template("""
 #operator QLabel[op="heading"] { font-size: 24px; font-weight: 600; }
 #operator QLabel[op="title"] { font-size: 32px; font-weight: 600; }
 #operator QLabel[op="step"] { font-size: 40px; font-weight: 600; }
-#operator QLabel[op="value"] { font-size: 40px; font-weight: 600; }
+#operator QLabel[op="value"] { font-size: 36px; font-weight: 600; }
 #operator QLabel[op="error"] { color: $error; font-size: 20px; font-weight: 600; }
 #operator QLabel[op="count"] { font-size: 20px; font-weight: 600; }
 
@@ -27,7 +28,9 @@ SHEET = Template("""
 #operator QFrame#operator-call { background: $amber; border: none; }
 #operator QFrame#operator-call QLabel { color: $dark_letters; font-size: 20px; font-weight: 600; }
 
-#operator QPushButton[op] { background: $surface; color: $text; border: 2px solid $line; border-radius: 8px; font-size: 20px; padding: 0 24px; min-height: 56px; }
+#operator QPushButton[op] { background: $surface; color: $text; border: 2px solid $line; border-radius: 8px; font-size: 20px; }
+#operator QPushButton[op="normal"], #operator QPushButton[op="primary"] { padding: 0 24px; min-height: 56px; }
+#operator QPushButton[tall="true"] { min-height: 80px; }
 #operator QPushButton[op]:focus { border-color: $accent; }
 #operator QPushButton[op]:pressed { background: $accent_soft; border-color: $accent; }
 #operator QPushButton[op]:checked { background: $accent_soft; border-color: $accent; }
@@ -41,8 +44,9 @@ SHEET = Template("""
 #operator QPushButton[op="stop"]:pressed { background: $fail_pressed; }
 #operator QPushButton[op="quiet"] { border-color: transparent; background: transparent; padding: 0 16px; min-height: 48px; font-size: 18px; }
 #operator QPushButton[op="quiet"]:focus { border-color: $accent; }
-#operator QPushButton[op="key"] { font-size: 28px; min-width: 72px; min-height: 68px; padding: 0; }
-#operator QPushButton[op="card"] { text-align: left; padding: 0; }
+#operator QPushButton[op="quiet"]:disabled { background: transparent; }
+#operator QPushButton[op="key"] { font-size: 28px; padding: 0; min-height: 72px; }
+#operator QPushButton[op="card"] { text-align: left; padding: 0; min-height: ${card}px; }
 
 #operator QLineEdit { background: $surface; color: $text; border: 2px solid $line; border-radius: 8px; font-size: 24px; padding: 0 16px; min-height: 56px; }
 #operator QLineEdit:focus { border-color: $accent; }
@@ -59,7 +63,13 @@ def operator_sheet(theme: Theme) -> str:
     fail = theme.colours["verdict_fail"]
     error = "#B3263A" if theme.shade == "light" else "#FF8A98"  # red letters with enough contrast on each background
     return SHEET.substitute(
-        theme.colours, fail=fail, fail_pressed="#A93547", error=error, amber=theme.colours["verdict_not_proven"], dark_letters=DARK_LETTERS
+        theme.colours,
+        card=str(CARD_PX[1] - 4),
+        fail=fail,
+        fail_pressed="#A93547",
+        error=error,
+        amber=theme.colours["verdict_not_proven"],
+        dark_letters=DARK_LETTERS,
     )
 
 
