@@ -146,6 +146,7 @@ class MainWindow(QMainWindow):
         self.header.helpClicked.connect(self._show_help)
         self.header.stopClicked.connect(controllers.rig.stop)
         self.header.role.valueChanged.connect(self._change_role)
+        self.header.operatorSetupClicked.connect(self.shell.set_up)
         self.strip.cancelClicked.connect(controllers.jobs.cancel)
         self.strip.messagesClicked.connect(self._show_messages)
         controllers.jobs.progressed.connect(self._show_progress)

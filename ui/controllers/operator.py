@@ -295,8 +295,9 @@ class OperatorController(QObject):
             job.check()
             return work.scan_request(rig, program, entered, settings, folder)
 
-        self._scanning.run(TITLE, request, "measurement")
         self._go("run")
+        self._scanning.run(TITLE, request, "measurement")
+        self._follow_run()  # it may have been refused at once
 
     def _release_virtual_rig(self, rig: RigDescription) -> None:
         """Release a connected virtual rig, which has another part on its table."""

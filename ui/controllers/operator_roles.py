@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import time
+from contextlib import suppress
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QTimer, Signal, Slot
 
-from measureapp.errors import MeasureError
+from measureapp.errors import MeasureError, StorageError
 from ui.controllers.jobs import JobRunner
 from ui.session import Session
 
@@ -16,7 +17,7 @@ if TYPE_CHECKING:
 
 OPEN = (
     "No PIN is set: anyone can leave operator mode.",
-    "Set a PIN under Operator mode… in the menu of the role.",
+    "Set one by the button beside the role.",
 )
 MINUTE_MS = 60_000
 
@@ -49,6 +50,10 @@ class RoleController(QObject):
     @Slot()
     def begin(self) -> None:
         """Begin in operator mode where a PIN is set, so that a restart opens nothing."""
+        from measureapp.project.operator_settings import operator_file, read_operator_settings
+
+        with suppress(StorageError):  # damaged settings are told where operator mode reads them
+            self.set_idle_minutes(read_operator_settings(operator_file()).idle_minutes)
         if self.has_pin:
             self._session.set_role("operator")
 

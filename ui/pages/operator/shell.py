@@ -10,6 +10,7 @@ from ui.controllers.controllers import Controllers
 from ui.controllers.operator_roles import RoleController
 from ui.look.look import Look
 from ui.pages.operator.locking import EngineerLock
+from ui.pages.operator.setup_dialog import OperatorSetupDialog
 from ui.pages.operator.workspace import OperatorWorkspace
 from ui.session import Session
 
@@ -71,6 +72,12 @@ class Shell(QStackedWidget):
     def is_operators(self) -> bool:
         """Whether operator mode is shown."""
         return self.currentWidget() is not self._centre
+
+    def set_up(self) -> None:
+        """Show the set-up of operator mode to the engineer."""
+        self._setup = OperatorSetupDialog(self._look, self._controllers.operator, self._controllers.roles, self._window)
+        self._setup.finished.connect(self._setup.deleteLater)
+        self._setup.open()
 
     def close_views(self) -> None:
         """Release the graphics memory."""
