@@ -11,7 +11,8 @@ from measureapp.project.operator_settings import KEPT_TIMES, OperatorSettings, r
 
 
 @pytest.mark.parametrize(
-    ("now", "start"), [((6, 0), (24, 6)), ((13, 59), (24, 6)), ((14, 0), (24, 14)), ((23, 0), (24, 22)), ((3, 0), (23, 22)), ((0, 0), (23, 22))]
+    ("now", "start"),
+    [((6, 0), (24, 6)), ((13, 59), (24, 6)), ((14, 0), (24, 14)), ((23, 0), (24, 22)), ((3, 0), (23, 22)), ((0, 0), (23, 22))],
 )
 def test_a_shift_begins_at_the_last_of_its_times_also_after_midnight(now, start):
     found = OperatorSettings().shift_start(datetime(2026, 11, 24, *now, tzinfo=UTC))

@@ -89,7 +89,19 @@ class HeaderBar(QFrame):
         self._help.clicked.connect(self.helpClicked)
         names = column(0, self.project, self.part, 0, spacing=0)
         layout = row(
-            names, 16, self.stop, self.devices, self.calibration, self.disk, 8, self.open, self.file, self.role, self.operator_setup, self._shade, self._help
+            names,
+            16,
+            self.stop,
+            self.devices,
+            self.calibration,
+            self.disk,
+            8,
+            self.open,
+            self.file,
+            self.role,
+            self.operator_setup,
+            self._shade,
+            self._help,
         )
         layout.setContentsMargins(24, 0, 16, 0)
         layout.setStretch(0, 1)

@@ -70,7 +70,8 @@ class Workshop:
     def measured(self, request: Any) -> Any:
         """Store the project of a scan with these verdicts, and return its measurement."""
         dimensions = tuple(
-            replace(one, verdict=Verdict(verdict)) for one, verdict in zip(self.measurement.inspection.dimensions, self.verdicts, strict=False)
+            replace(one, verdict=Verdict(verdict))
+            for one, verdict in zip(self.measurement.inspection.dimensions, self.verdicts, strict=False)
         )
         moment = (datetime.now(UTC) - timedelta(seconds=10 - len(self.requests))).isoformat()
         inspection = replace(self.measurement.inspection, dimensions=dimensions)
