@@ -18,7 +18,6 @@ if TYPE_CHECKING:
     from measureapp.data.mesh import Mesh
     from measureapp.inspection.surface.cutting_surface import CuttingSurface
     from measureapp.inspection.surface.deviation import Deviation
-    from measureapp.inspection.surface.histogram import Histogram
     from measureapp.inspection.surface.statistics import DeviationStatistics
     from measureapp.project.geometry.files import PlainPoints
 
@@ -60,7 +59,6 @@ def register(app: typer.Typer) -> None:
     ) -> None:
         """Compare a cloud with its nominal; deviations are positive outside the material."""
         from measureapp.inspection.surface.deviation import compute_deviation
-        from measureapp.inspection.surface.histogram import bin_deviations
         from measureapp.project.geometry.files import read_cloud_or_mesh, read_mesh
         from measureapp.report.json_document import alignment_document, statistics_document
 
@@ -75,12 +73,9 @@ def register(app: typer.Typer) -> None:
         }
         lines = _summary_lines(found, figures)
         statistics = _statistics(found, surface, measured, tolerance, search)
-        document["statistics"] = statistics_document(statistics)
-        lines += _statistics_lines(statistics)
+        document["statistics"], lines = statistics_document(statistics), [*lines, *_statistics_lines(statistics)]
         if tolerance is not None:
-            bands = bin_deviations(found.distances_mm, *tolerance)
-            document["bands"] = _bands_document(bands)
-            lines.append(f"Points below the tolerance {bands.below:.2%}, within {bands.within:.2%}, above {bands.above:.2%}.")
+            document["bands"] = _bands_document(found, tolerance, lines)
         if section:
             _write_sections(found, surface, section, section_width, section_file)
             document["sections"] = str(section_file)
@@ -148,7 +143,12 @@ def _cyclic(align: str, measured: PlainPoints | Mesh, nominal: Mesh) -> Alignmen
     return cyclic_fit(MeasuredPoints.of(measured), NominalSurface(nominal), BestFit(fold=int(count)), InspectionSettings())
 
 
-def _bands_document(bands: Histogram) -> dict[str, Any]:
+def _bands_document(found: Deviation, tolerance: tuple[float, float], lines: list[str]) -> dict[str, Any]:
+    """Return the histogram over the tolerance, and add its line."""
+    from measureapp.inspection.surface.histogram import bin_deviations
+
+    bands = bin_deviations(found.distances_mm, *tolerance)
+    lines.append(f"Points below the tolerance {bands.below:.2%}, within {bands.within:.2%}, above {bands.above:.2%}.")
     shares = {"below": bands.below, "within": bands.within, "above": bands.above}
     return {**shares, "edges_mm": bands.edges_mm.tolist(), "counts": bands.counts.tolist()}
 
