@@ -26,6 +26,7 @@ from measureapp.data.calibration import RigCalibration
 from measureapp.data.measurement import Measurement
 from measureapp.data.mesh import Mesh
 from measureapp.data.plan import ScanPlan
+from measureapp.data.project_settings import DEFAULT_BOARD, ProjectSettings
 from measureapp.data.rig import RigDescription
 from measureapp.data.validity import CheckRecord
 from measureapp.data.view_choices import ViewChoices
@@ -40,7 +41,6 @@ from measureapp.project.geometry.files import write_mesh
 from measureapp.project.geometry.step_files import STEP_KINDS
 from measureapp.project.journal import database, publish, seal
 from measureapp.project.journal.state import Journal
-from measureapp.project.settings import DEFAULT_BOARD, ProjectSettings
 from measureapp.project.text_document import read_model
 from measureapp.project.upkeep import require_project
 
