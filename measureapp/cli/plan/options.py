@@ -17,7 +17,7 @@ PlanArgument = Annotated[Path, typer.Argument(help="Scan plan (TOML or JSON).")]
 RigOption = Annotated[str, typer.Option("--rig", help="Rig description: a TOML file, or a name in resources/rigs.")]
 NominalOption = Annotated[
     Path | None,
-    typer.Option(help="Nominal of the part (STL, PLY, OBJ); it stands as the plan states, else upright in the middle of the table."),
+    typer.Option(help="Nominal of the part (STL, PLY, OBJ); its pose is that of the plan, else upright in the middle of the table."),
 ]
 
 
