@@ -31,6 +31,7 @@ from measureapp.pipeline.rig_calibration import calibrate_rig, solve_calibration
 from measureapp.pipeline.scan import ScanOptions, scan
 from measureapp.pipeline.validity import check_stored_images
 from measureapp.pipeline.watch import Stopwatch
+from measureapp.pipeline.worker import Worker
 from measureapp.planning.collision.build import PartSolid
 from measureapp.progress import PartOf, Progress
 from measureapp.project.folder import DEFAULT_BOARD, ProjectFolder, ProjectSettings
@@ -110,7 +111,7 @@ def scan_into_project(
     check_plan(request.plan, request.rig, project, part).refuse()
     calibrated = _calibrated_for(request, project)
     calibration, watch = calibrated.calibration(), Stopwatch()
-    with ExitStack() as locked, watch.stage("total"), RegistrationCache() as registration_cache:
+    with ExitStack() as locked, watch.stage("total"), RegistrationCache(background=Worker("registration-cache")) as registration_cache:
         with connected(request.rig, held) as rig:
             check_connected(request.plan, rig, project, calibration, part).refuse()
             project = ProjectFolder.create(request.folder, project.settings)
