@@ -147,9 +147,9 @@ class ScanController(QObject):
         from measureapp.acquire.time_left import RunClock, planned_seconds
 
         plan = self._session.plan
-        if isinstance(event, RunStarted) and plan is not None:
+        if isinstance(event, RunStarted) and plan is not None and self._session.rig is not None:
             wanted = [viewpoint for viewpoint in plan if viewpoint.id in event.viewpoint_ids]
-            self._clock = RunClock(planned_seconds(plan, wanted)) if wanted else None  # all may be stored
+            self._clock = RunClock(planned_seconds(plan, wanted, self._session.rig)) if wanted else None  # all may be stored
         elif isinstance(event, RunEnded):
             self._clock = None
         elif self._clock is not None and isinstance(event, AcquisitionEvent):
