@@ -115,8 +115,7 @@ class CalibrationPage(Page):
 
     def open_wizard(self, name: str) -> None:
         """Open the wizard of one kind; it is made when first used."""
-        if self.session.busy_with:
-            self.session.tell(f"{self.session.busy_with} is still running.", "Wait for it, or cancel it first.", "warning")
+        if self.session.refuse_during_job():
             return
         from measureapp.calibrate.kinds.table import find_kind
         from ui.wizards.wizard import CalibrationWizard

@@ -132,7 +132,7 @@ class Form(QFormLayout):
         self.setHorizontalSpacing(16)
         self.setVerticalSpacing(8)
 
-    def add(self, name: str | QLabel, editor: QWidget) -> None:
+    def add(self, name: str | QLabel, editor: QWidget | QLayout) -> None:
         """Add an editor; a label as its name can be changed later."""
         named = QLabel(name) if isinstance(name, str) else name
         named.setProperty("role", "field")
