@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QWidget
 from ui.actions.search import score
 
 EVERYWHERE = ""
+UNUSABLE = 1.0  # points less for what cannot be used at the moment
 
 
 def always() -> str:
@@ -76,10 +77,10 @@ class Actions(QObject):
         return self._actions.get(id_)
 
     def find(self, typed: str) -> tuple[Action, ...]:
-        """Return the actions that fit what was typed, the best first; those that can be used come before those that cannot."""
+        """Return the actions that fit what was typed, the best first; of equals those that can be used."""
         scored = [(score(typed, action.text, action.keywords), place, action) for place, action in enumerate(self._actions.values())]
-        found = [(bool(action.why_not()), -points, place, action) for points, place, action in scored if points is not None]
-        return tuple(action for *_, action in sorted(found, key=lambda entry: entry[:3]))
+        found = [(UNUSABLE * bool(action.why_not()) - points, place, action) for points, place, action in scored if points is not None]
+        return tuple(action for *_, action in sorted(found, key=lambda entry: entry[:2]))
 
     def trigger(self, id_: str) -> bool:
         """Run an action, or say why it cannot be used; return whether it ran."""

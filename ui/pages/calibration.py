@@ -33,7 +33,7 @@ EMPTY_TEXT = (
     "Fix the calibration board on the table, then calibrate the whole rig in one automatic run. "
     "The cameras alone can be calibrated from recorded images too."
 )
-ADDED_WORDS = "Added at most to a length between two views (k = 2)"
+ADDED_WORDS = "added at most to a length (k = 2)"
 CAMERAS_ONLY = "The cameras are calibrated; hand–eye, linear guide and table axis are not. Calibrate the whole rig next."
 SHARES_TEXT = "Root sum of squares, as for independent solutions. They are solved together, so a part of it cancels."
 
@@ -62,7 +62,11 @@ class CalibrationPage(Page):
         self.action_row.addWidget(self.calibrate)
         self.chart = BarChart(look)
         self.shares = card(
-            label("Contribution to the kinematic position of a point (1 σ)", "heading"), label(SHARES_TEXT, "soft"), 8, self.chart, 0
+            label("Contribution to the kinematic position of a point (1 σ)", "heading"),
+            label(SHARES_TEXT, "soft", wrap=True),
+            8,
+            self.chart,
+            0,
         )
         self.shares.layout().setStretch(self.shares.layout().count() - 2, 1000)  # the chart before the empty end
         layout = column(self.table, self.shares, 0, spacing=16)

@@ -49,7 +49,7 @@ def calibration_state(
     good = added <= ADDED_LIMIT_MM
     tip = ADDED_TIP if drift is None else "\n".join(line for line in (ADDED_TIP, drift.sentence, drift.undetectable) if line)
     return ChipState(
-        f"Calibrated {age} · adds {millimetres(added)} {'✓' if good else '✗'}", "verdict_pass" if good else "verdict_fail", tip
+        f"Calibrated {age} · adds {millimetres(added)} (k = 2) {'✓' if good else '✗'}", "verdict_pass" if good else "verdict_fail", tip
     )
 
 

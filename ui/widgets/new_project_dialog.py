@@ -56,7 +56,7 @@ class NewProjectDialog(QDialog):
         if not self._rig:
             return "A project belongs to a rig. Choose one on the page Rig first."
         if wrong or name.endswith("."):
-            return f"A name cannot contain {' '.join(wrong)}" if wrong else "A name cannot end with a dot."
+            return f"A name cannot contain {' '.join(wrong)}." if wrong else "A name cannot end with a dot."
         if (
             place is not None
             and name
