@@ -127,11 +127,7 @@ class ScanController(QObject):
 
     def _refuse_second(self) -> bool:
         """Say so where something else is running."""
-        running = self._runner.queue.running
-        if running is None or running.quiet:
-            return False
-        self._session.tell(f"{self._session.busy_with} is still running.", "Wait until it has finished, or cancel it.", "warning")
-        return True
+        return self._session.refuse_during_job()
 
     @Slot(object)
     def _apply(self, event: Event | ScanPrepared) -> None:
