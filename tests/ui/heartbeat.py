@@ -12,11 +12,13 @@ A stall counts by *own* time. Times are divided by a factor for slow machines: t
 
 from __future__ import annotations
 
+import faulthandler
+import linecache
 import os
-import sys
+import re
+import tempfile
 import threading
 import time
-import traceback
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -30,6 +32,7 @@ LIMIT_MS, BEAT_MS = 100.0, 20
 FIRST_LOOK_MS, LOOKS = 70.0, 6  # silence until the first stack is taken; further ones after twice the time each
 LOOP_MS = 17.0  # CPU time of `_loop` on an idle core of the machine with 2 cores and software OpenGL on which the limit was set
 ROOT = str(Path(__file__).resolve().parents[2]) + os.sep
+FRAME = re.compile(r'  File "(.+)", line (\d+) in (.+)')
 
 
 @dataclass(frozen=True)
@@ -69,7 +72,7 @@ class Heartbeat(QObject):
         self._timer.setTimerType(Qt.TimerType.PreciseTimer)
         self._timer.setInterval(BEAT_MS)
         self._timer.timeout.connect(self._beat)
-        self._main, self._queue = threading.get_ident(), _queue_file()
+        self._main, self._queue = threading.main_thread().ident or 0, _queue_file()
         self._end, self._paused = threading.Event(), False
         self._stacks: list[str] = []
         self._last = self._now()
@@ -151,8 +154,7 @@ class Heartbeat(QObject):
             silent_ms = (time.perf_counter() - self._last.wall_s) * 1000
             taken = len(self._stacks)
             if taken < LOOKS and silent_ms > FIRST_LOOK_MS * 2**taken and not self._paused:
-                frame = sys._current_frames().get(self._main)
-                self._stacks.append(_stack_words(traceback.extract_stack(frame)) if frame is not None else "")
+                self._stacks.append(_stack_of(self._main))
 
 
 def slowness() -> float:
@@ -178,10 +180,21 @@ def _queue_file() -> int | None:
         return None
 
 
-def _stack_words(stack: traceback.StackSummary) -> str:
-    """Return the part of a stack that lies below the test, without the folder of the checkout."""
+def _stack_of(thread: int) -> str:
+    """Return the part of a thread's stack that lies below the test, without the folder of the checkout.
+
+    `sys._current_frames` makes frame objects of a thread that goes on, which ends the process now and then; faulthandler only reads.
+    """
+    with tempfile.TemporaryFile("w+") as file:
+        faulthandler.dump_traceback(file, all_threads=True)
+        file.seek(0)
+        blocks = file.read().split("\n\n")
+    block = next((block for block in blocks if f"0x{thread:016x}" in block), "")
+    stack = [(name, int(line), function) for name, line, function in FRAME.findall(block)][::-1]
     library = os.sep + "site-packages" + os.sep
-    own = [frame for frame in stack if library not in frame.filename or frame is stack[-1]]
-    inside = [place for place, frame in enumerate(own) if frame.filename.startswith(ROOT)]
+    own = [frame for frame in stack if library not in frame[0] or frame is stack[-1]]
+    inside = [place for place, frame in enumerate(own) if frame[0].startswith(ROOT)]
     kept = own[inside[0] :] if inside else own[-3:]
-    return "\n".join(f"    {frame.filename.removeprefix(ROOT)}:{frame.lineno} in {frame.name}: {frame.line}" for frame in kept)
+    return "\n".join(
+        f"    {name.removeprefix(ROOT)}:{line} in {function}: {linecache.getline(name, line).strip()}" for name, line, function in kept
+    )

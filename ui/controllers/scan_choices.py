@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 Exposures = Literal["plan", "once", "each"]
 MakeRequest = Callable[["Job"], "ScanRequest"]
 MOST_FOLDERS = 1000
+PROGRAM = "program.toml"
 NO_PLAN = InputError("There is no scan plan.", "Make one on the page Plan, or choose a plan file.")
 
 
@@ -66,19 +67,25 @@ class CheckedScan:
         return () if self.found is None else self.found.problems
 
 
-def suggested_choices(session: Session) -> ScanChoices:
-    """Return the open project if nothing was scanned into it, else a new folder with its part and calibration."""
+def suggested_choices(session: Session, planned: Path | None = None) -> ScanChoices:
+    """Return the open project if nothing was scanned into it, else a new folder with its part and calibration.
+
+    ``planned`` is the nominal for which the plan was made; an inspection program beside it belongs to it.
+    """
+    program = None if planned is None else planned.parent / PROGRAM
+    planned_for = (planned, program if program is not None and program.is_file() else None)
     folder = project_on_disk(session)
     if folder is not None and not session.views and not any((folder / "stacks").glob("*")):
-        return ScanChoices(folder)
+        chosen = ScanChoices(folder)
+        return chosen if chosen.has_documents else ScanChoices(folder, "", *planned_for)
     numbers = range(1, MOST_FOLDERS)
     home = Path.home() / "MeasureApp"
     new = next((home / f"scan-{number}" for number in numbers if not (home / f"scan-{number}").exists()), None)
     if folder is None:
-        return ScanChoices(new)
+        return ScanChoices(new, session.part, *planned_for)
     inspection = folder / "inspection"
     nominal = next(iter(sorted(inspection.glob("nominal.*"))), None)
-    program = inspection / "program.toml"
+    program = inspection / PROGRAM
     calibrated = folder if session.calibration is not None else None
     return ScanChoices(new, session.part, nominal, program if program.is_file() else None, calibrated)
 

@@ -125,7 +125,7 @@ class ScanPage(ViewportPage):
         """Show what a scan needs."""
         self._wants_setup = True
         if self.setup.value() == ScanChoices():
-            self.setup.setValue(suggested_choices(self.session))
+            self.setup.setValue(suggested_choices(self.session, self.controllers.planning.part.path))
         self.setup.refresh()
         self._show()
 
