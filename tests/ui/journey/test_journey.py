@@ -136,6 +136,6 @@ def test_from_the_rig_to_the_report_by_clicks(application, window, heartbeat, qt
     journey.plan()
     journey.scan()
     journey.results(tmp_path)
-    print(f"{user.clicks} clicks\n" + "\n".join(user.steps), heartbeat.report(20), sep="\n\n")
+    user.tell(heartbeat.report(20, limit_ms=50.0))
     assert user.clicks <= MOST_CLICKS
     heartbeat.check()

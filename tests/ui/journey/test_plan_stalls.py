@@ -78,6 +78,6 @@ def test_ten_thousand_viewpoints_are_edited(application, filled, heartbeat, qtbo
     with heartbeat.at("undo"):
         planning.undo()
         qtbot.wait(400)
-    application.controllers.predicting.queue.cancel_all()
+    planning.prediction.stop()
     qtbot.waitUntil(lambda: _idle(application), timeout=PATIENCE_MS)
     heartbeat.check()

@@ -67,6 +67,12 @@ class User:
                 folder.mkdir(parents=True, exist_ok=True)
                 assert widget.grab().save(str(folder / f"{len(list(folder.iterdir())):02d}-{name}.png"))
 
+    def tell(self, words: str) -> None:
+        """Keep what was clicked, and these words, beside the pictures."""
+        if FOLDER:
+            steps = "\n".join((f"{self.clicks} clicks", *self.steps, "", words))
+            (Path(FOLDER) / f"journey-{self._name}" / "steps.txt").write_text(steps, encoding="utf-8")
+
 
 @contextmanager
 def answering(path: Path) -> Iterator[None]:
