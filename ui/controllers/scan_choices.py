@@ -84,11 +84,18 @@ def suggested_choices(session: Session, planned: Path | None = None) -> ScanChoi
     if folder is None:
         return ScanChoices(new, session.part or _part_name(planned), planned, _program_beside(planned))
     calibrated = folder if session.calibration is not None else None
-    nominal = next(iter(sorted((folder / "inspection").glob("nominal.*"))), None)
-    if nominal is None:
+    nominal, program = documents_of(folder)
+    if nominal is None and program is None:
         part = _part_name(planned) if _is_calibration_alone(session) else session.part
         return ScanChoices(new, part, planned, _program_beside(planned), calibrated)
-    return ScanChoices(new, session.part, nominal, _program_beside(nominal), calibrated)
+    return ScanChoices(new, session.part, nominal, program, calibrated)
+
+
+def documents_of(project: Path) -> tuple[Path | None, Path | None]:
+    """Return nominal and inspection program of a project; None for what it does not have."""
+    nominal = next(iter(sorted((project / "inspection").glob("nominal.*"))), None)
+    program = project / "inspection" / PROGRAM
+    return nominal, program if program.is_file() else None
 
 
 def _is_calibration_alone(session: Session) -> bool:
