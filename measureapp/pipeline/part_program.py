@@ -7,10 +7,12 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+from measureapp.data.identification import Identification
 from measureapp.data.mesh import Mesh
 from measureapp.data.part_program import PartProgram
 from measureapp.project.folder import ProjectFolder
 from measureapp.project.geometry.files import read_mesh
+from measureapp.project.identification_file import read_identification, save_identification
 from measureapp.project.program_file import parse_program
 
 
@@ -29,7 +31,7 @@ def nominal_of(program: PartProgram) -> Iterator[tuple[Path, Mesh] | None]:
 
 
 def store_part_program(project: ProjectFolder, program: PartProgram) -> None:
-    """Store inspection program, nominal and report template of a part program in a project; its plan is stored by the scan.
+    """Store inspection program, nominal, report template and identification of a part program in a project; the scan stores its plan.
 
     Raises
     ------
@@ -45,3 +47,6 @@ def store_part_program(project: ProjectFolder, program: PartProgram) -> None:
         project.save_program(program.inspection.decode())
     if program.report_template is not None:
         project.save_report_template(program.report_template)
+    defaults = program.facts.identification.with_defaults(Identification(part_number=program.facts.part_number))
+    if defaults != Identification():
+        save_identification(project.path, read_identification(project.path).with_defaults(defaults))

@@ -10,6 +10,8 @@ inspection/         program.toml and its nominal, in mm; former/: replaced nomin
 view_choices.json   views accepted or refused by hand
 results/            clouds, stitched cloud, mesh, measurement.json: recomputed by `process`; filters.npz, filtered_cloud.ply
 report/             reports
+identification.json part, serial number, order, operator, climate
+series/             runs that were filed in a series of parts
 """
 
 from __future__ import annotations
