@@ -8,12 +8,13 @@ from measureapp.data.dimension import SEVERITY, Dimension, Verdict, worst_verdic
 
 
 def part_verdict(verdicts: Iterable[Verdict | str]) -> Verdict:
-    """Return the most severe verdict; without any, the part is not measured.
+    """Return the most severe verdict; without any, the part is not measured, and without a tolerance nothing is proven.
 
-    >>> part_verdict(["pass", "not measured", "not proven"]).value, part_verdict([]).value
-    ('not proven', 'not measured')
+    >>> part_verdict(["pass", "not measured", "not proven"]).value, part_verdict([]).value, part_verdict(["no tolerance"]).value
+    ('not proven', 'not measured', 'not proven')
     """
-    return worst_verdict(Verdict(one) for one in verdicts) or Verdict.NOT_MEASURED
+    worst = worst_verdict(Verdict(one) for one in verdicts) or Verdict.NOT_MEASURED
+    return Verdict.NOT_PROVEN if worst is Verdict.NO_TOLERANCE else worst
 
 
 def worst_first(dimensions: Sequence[Dimension]) -> tuple[Dimension, ...]:
@@ -22,10 +23,9 @@ def worst_first(dimensions: Sequence[Dimension]) -> tuple[Dimension, ...]:
 
 
 def used_tolerance(dimension: Dimension) -> float:
-    """Return how far a value is from the middle of its tolerance, in halves of the tolerance: above 1 it is outside."""
-    deviation = dimension.deviation
-    if deviation is None:
+    """Return how far a value is from the middle of its tolerance, in halves of the tolerance: above 1 it is outside; 0 without limits."""
+    deviation, lower, upper = dimension.deviation, dimension.lower_tolerance, dimension.upper_tolerance
+    if deviation is None or lower is None or upper is None:
         return 0.0
-    middle = (dimension.lower_tolerance + dimension.upper_tolerance) / 2
-    half = (dimension.upper_tolerance - dimension.lower_tolerance) / 2
+    middle, half = (lower + upper) / 2, (upper - lower) / 2
     return abs(deviation - middle) / max(half, 1e-9)
