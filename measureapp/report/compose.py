@@ -105,6 +105,10 @@ def summarise_verdicts(dimensions: tuple[Dimension, ...]) -> tuple[Verdict | Non
     counts = Counter(dimension.verdict for dimension in dimensions)
     verdict = worst_verdict(counts)
     total = len(dimensions)
+    if counts[Verdict.NO_TOLERANCE] == total:
+        return None, "No dimension has a tolerance: no verdict."
+    if verdict is Verdict.PASS and counts[Verdict.NO_TOLERANCE]:
+        return verdict, f"All {counts[Verdict.PASS]} dimensions with a tolerance pass; {counts[Verdict.NO_TOLERANCE]} without tolerance."
     if verdict is Verdict.PASS:
         return verdict, "The dimension passes." if total == 1 else f"All {total} dimensions pass."
     words = [f"{counts[kind]} {kind.value}" for kind in SEVERITY if counts[kind]]

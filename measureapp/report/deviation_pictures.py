@@ -118,8 +118,7 @@ def _deviation_at(tree: cKDTree, deviation: Deviation, points_mm: FloatArray, no
 def _hatching(seen: Seen) -> FloatArray:
     rows, columns = np.nonzero(seen.hit)
     stripe: BoolArray = (rows + columns) % HATCH_PX < HATCH_PX // 2
-    return np.where(stripe[:, None], NOT_MEASURED = np.array([0.62, 0.64, 0.67])  # of vertices, where there can be no hatching
-HATCH_DARK, HATCH_LIGHT)
+    return np.where(stripe[:, None], HATCH_DARK, HATCH_LIGHT)
 
 
 def _extreme_flag(name: str, deviation: Deviation, index: int, seen: Seen, *, hidden: bool) -> Flag:

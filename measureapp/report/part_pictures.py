@@ -56,7 +56,8 @@ def render_failing(measurement: Measurement, scene: SurfaceScene | None) -> tupl
         return ()
     features = {feature.name: feature for feature in measurement.inspection.features}
     failing = sorted(
-        (one for one in measurement.inspection.dimensions if one.verdict is not Verdict.PASS), key=lambda one: SEVERITY.index(one.verdict)
+        (one for one in measurement.inspection.dimensions if one.verdict not in (Verdict.PASS, Verdict.NO_TOLERANCE)),
+        key=lambda one: SEVERITY.index(one.verdict),
     )
     made: list[DimensionPicture] = []
     for dimension in failing:

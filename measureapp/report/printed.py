@@ -107,10 +107,10 @@ def position_in_tolerance(dimension: Dimension) -> float | None:
     >>> position_in_tolerance(Dimension("a", 10, 10.1, 0.05, 0.0, 0.2, Verdict.PASS))
     0.0
     """
-    half = (dimension.upper_tolerance - dimension.lower_tolerance) / 2
-    if dimension.deviation is None or half <= 0:
+    lower, upper = dimension.lower_tolerance, dimension.upper_tolerance
+    if dimension.deviation is None or lower is None or upper is None or upper <= lower:
         return None
-    return round((dimension.deviation - (dimension.upper_tolerance + dimension.lower_tolerance) / 2) / half, 9)
+    return round((2 * dimension.deviation - upper - lower) / (upper - lower), 9)
 
 
 def _template_words(model: ReportModel) -> str:
@@ -153,7 +153,8 @@ def _groups(dimensions: Sequence[Dimension], rows: Sequence[dict[str, Any]]) -> 
 
 def _dimension(row: int, dimension: Dimension) -> dict[str, Any]:
     unit = "" if dimension.unit == "mm" else "°" if dimension.unit == "°" else f" {dimension.unit}"
-    half = (dimension.upper_tolerance - dimension.lower_tolerance) / 2
+    lower, upper = dimension.lower_tolerance, dimension.upper_tolerance
+    half = 0.0 if lower is None or upper is None else (upper - lower) / 2
     place = position_in_tolerance(dimension)
     return {
         "number": str(row),
@@ -161,8 +162,8 @@ def _dimension(row: int, dimension: Dimension) -> dict[str, Any]:
         "name": format_name(dimension.name),
         "about": _about(dimension),
         "nominal": number(dimension.nominal) + unit,
-        "upper": number(dimension.upper_tolerance, signed=True),
-        "lower": number(dimension.lower_tolerance, signed=True),
+        "upper": number(upper, signed=True),
+        "lower": number(lower, signed=True),
         "measured": number(dimension.measured) + (unit if dimension.measured is not None else ""),
         "error": number(dimension.deviation, signed=True),
         "relative": percent(dimension.relative_deviation, 3, signed=True),
