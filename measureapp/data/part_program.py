@@ -10,6 +10,7 @@ from pydantic import Field
 
 from measureapp.data.model import Model
 from measureapp.data.plan import ScanPlan
+from measureapp.data.raw_policy import RawPolicy
 
 
 class PartProgramFacts(Model):
@@ -19,6 +20,7 @@ class PartProgramFacts(Model):
     name: str = Field(min_length=1, max_length=200)
     part_number: str = Field(default="", max_length=200)
     remarks: str = Field(default="", max_length=4000)
+    raw: RawPolicy | None = Field(default=None, description="what becomes of raw images after a scan; none: as the project states")
     sha256: Mapping[str, str] = Field(default={}, description="of each file by its name")
 
 

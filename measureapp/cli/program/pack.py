@@ -9,6 +9,7 @@ import typer
 
 from measureapp.cli.program.show import facts_document, facts_lines
 from measureapp.cli.reply import JsonOption, reply
+from measureapp.data.raw_policy import RawPolicy
 
 
 def register(group: typer.Typer) -> None:
@@ -26,6 +27,9 @@ def register(group: typer.Typer) -> None:
         name: Annotated[str, typer.Option("--name", help="Name of the part; by default that of the plan.")] = "",
         part_number: Annotated[str, typer.Option("--part-number", help="Number of the part, as on its label or drawing.")] = "",
         remarks: Annotated[str, typer.Option("--remarks", help="How to mount the part, or what else an operator should know.")] = "",
+        raw: Annotated[
+            RawPolicy | None, typer.Option("--raw", help="What becomes of raw images after a scan; default: as the project states.")
+        ] = None,
         as_json: JsonOption = False,
     ) -> None:
         """Pack scan plan, inspection program, nominal and report template of a part into one file."""
@@ -33,7 +37,7 @@ def register(group: typer.Typer) -> None:
         from measureapp.project.part_program_file import pack_part_program, write_part_program
         from measureapp.project.plan_file import read_plan
 
-        facts = PartProgramFacts(name=name or read_plan(plan).name, part_number=part_number, remarks=remarks)
+        facts = PartProgramFacts(name=name or read_plan(plan).name, part_number=part_number, remarks=remarks, raw=raw)
         program = pack_part_program(facts, plan, inspection, report_template, picture)
         path = write_part_program(program, out)
         reply(

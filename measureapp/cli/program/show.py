@@ -36,6 +36,7 @@ def facts_document(program: PartProgram) -> dict[str, Any]:
         "nominal": None if program.nominal is None else f"nominal{program.nominal[0]}",
         "report_template": program.report_template is not None,
         "picture": program.picture is not None,
+        "raw": program.facts.raw,
     }
 
 
