@@ -9,6 +9,7 @@ from pathlib import Path
 
 from measureapp.data.mesh import Mesh
 from measureapp.data.part_program import PartProgram
+from measureapp.data.raw_policy import StorageRules
 from measureapp.project.folder import ProjectFolder
 from measureapp.project.geometry.files import read_mesh
 from measureapp.project.program_file import parse_program
@@ -45,3 +46,5 @@ def store_part_program(project: ProjectFolder, program: PartProgram) -> None:
         project.save_program(program.inspection.decode())
     if program.report_template is not None:
         project.save_report_template(program.report_template)
+    if program.facts.raw is not None and program.facts.raw != project.storage_rules().raw:
+        project.save_storage_rules(StorageRules(raw=program.facts.raw))

@@ -139,9 +139,8 @@ def _fill(project: ProjectFolder, request: ScanRequest, calibrated: ProjectFolde
         project.save_inspection(request.created.program, request.created.nominal)
     if request.part_program is not None:
         store_part_program(project, request.part_program)
-    raw = request.raw or (None if request.part_program is None else request.part_program.facts.raw)
-    if raw is not None and raw != project.storage_rules().raw:
-        project.save_storage_rules(StorageRules(raw=raw))
+    if request.raw is not None and request.raw != project.storage_rules().raw:
+        project.save_storage_rules(StorageRules(raw=request.raw))
 
 
 def rehearse(request: ScanRequest, held: Rig | None = None) -> Preflight:
