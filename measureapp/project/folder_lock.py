@@ -51,6 +51,21 @@ def lock_folder(folder: Path) -> Iterator[None]:
         lock.release()
 
 
+def holder_of(folder: Path) -> str | None:
+    """Return in words who has locked a folder; None where nobody has, or where that cannot be found out."""
+    if not (folder / LOCK).exists():
+        return None
+    lock = FileLock(folder / LOCK, timeout=0)
+    try:
+        lock.acquire()
+    except Timeout:
+        return _holder(folder)
+    except OSError:
+        return None
+    lock.release()
+    return None
+
+
 def _name_holder(folder: Path) -> None:
     """Write who holds the lock beside it; for information only, the lock itself is the system's."""
     holder = {
