@@ -193,7 +193,7 @@ class PlanningController(QObject):
             self._session.tell(*NO_RIG, "warning")
             return
         asked = Wanted(self.plan, viewpoints, coverage)
-        self._runner.run("Generating a plan", lambda job: generate(asked, rig, self.prediction.arm_model, part, job), self._show_generated)
+        self._runner.run("Generating a plan", lambda job: generate(asked, rig, part, job), self._show_generated)
 
     @Slot(object)
     def _show_generated(self, made: GeneratedPlan) -> None:

@@ -137,11 +137,7 @@ class ScanController(QObject):
 
     def _refuse_second(self) -> bool:
         """Say so where something else is running."""
-        running = self._runner.queue.running
-        if running is None or running.quiet:
-            return False
-        self._session.tell(f"{self._session.busy_with} is still running.", "Wait until it has finished, or cancel it.", "warning")
-        return True
+        return self._session.refuse_during_job()
 
     @Slot(object)
     def _apply(self, event: Event | ScanPrepared) -> None:
@@ -160,9 +156,9 @@ class ScanController(QObject):
         if isinstance(event, RunStarted) and self._pauses_first:
             self._pauses_first = False
             self.pause()
-        if isinstance(event, RunStarted) and plan is not None:
+        if isinstance(event, RunStarted) and plan is not None and self._session.rig is not None:
             wanted = [viewpoint for viewpoint in plan if viewpoint.id in event.viewpoint_ids]
-            self._clock = RunClock(planned_seconds(plan, wanted)) if wanted else None  # all may be stored
+            self._clock = RunClock(planned_seconds(plan, wanted, self._session.rig)) if wanted else None  # all may be stored
         elif isinstance(event, RunEnded):
             self._clock = None
         elif self._clock is not None and isinstance(event, AcquisitionEvent):
