@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from measureapp.cli.main import OUT_OF_TOLERANCE
-from measureapp.cli.outcome import alignment_lines, dimension_line
+from measureapp.cli.outcome import ACCEPTED, alignment_lines, dimension_line
 from measureapp.cli.reply import JsonOption, TerminalProgress, UnitOption, reply
 from measureapp.data.length_unit import LengthUnit
 
@@ -41,7 +41,6 @@ def register(app: typer.Typer) -> None:
         as_json: JsonOption = False,
     ) -> None:
         """Measure the dimensions of an inspection program; exit code 1 unless all pass."""
-        from measureapp.data.dimension import Verdict
         from measureapp.inspection.dimensions import inspect
         from measureapp.inspection.settings import InspectionSettings, UncertaintySettings
         from measureapp.inspection.verdict import RULES
@@ -59,11 +58,13 @@ def register(app: typer.Typer) -> None:
         document = {
             "program": inspection.program,
             "alignment": alignment_document(inspection.alignment),
+            "alignments": {name: alignment_document(further) for name, further in inspection.further.items()},
             "features": [feature_document(feature) for feature in inspection.features],
             "dimensions": [dimension_document(dimension) for dimension in inspection.dimensions],
             "verdict_rule": rule,
         }
         lines = [f"{inspection.program}. {alignment_lines(inspection.alignment)}"]
+        lines += [f"{name}: {alignment_lines(further)}" for name, further in inspection.further.items()]
         reply(document, "\n".join([*lines, *map(dimension_line, inspection.dimensions), rule]), as_json)
-        if any(dimension.verdict is not Verdict.PASS for dimension in inspection.dimensions):
+        if any(dimension.verdict not in ACCEPTED for dimension in inspection.dimensions):
             raise typer.Exit(OUT_OF_TOLERANCE)

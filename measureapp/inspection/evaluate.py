@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
@@ -64,6 +64,26 @@ def evaluate_pattern_mean(
     return Value(*propagate(mean, [one for found in sets for one in found]))
 
 
+def evaluate_nominal(described: DimensionProgram, nominals: Mapping[str, Feature], settings: InspectionSettings) -> float:
+    """Return the value of a size on the nominal features, the mean over the copies of a pattern.
+
+    Raises
+    ------
+    InspectionError
+        The kind is not a function of nominal features, one of them has no nominal position, or the value does not exist.
+    """
+    if described.kind not in {*SIZES, *PAIRS}:
+        raise InspectionError(f"the nominal of a {described.kind.replace('_', ' ')} does not follow from features")
+    values = []
+    for names in described.feature_sets:
+        for name in names:
+            if name not in nominals:
+                raise InspectionError(f"{name} has no nominal position")
+        found = [FoundFeature(name, nominals[name]) for name in names]
+        values.append(_measure(described.kind, found, settings)([nominals[name] for name in names]))
+    return float(np.mean(values))
+
+
 def _measure(kind: str, found: Sequence[FoundFeature], settings: InspectionSettings) -> Measure:
     """Return the function from features to the value. Raises InspectionError if it is undefined for these features."""
     if kind in SIZES:
@@ -83,7 +103,7 @@ def _diameter(feature: Feature) -> Measure:
 
 
 def _radius(feature: Feature) -> Measure:
-    if feature.radius_mm is None:
+    if feature.radius_mm is None or feature.shape == "slot":
         raise InspectionError(f"{feature.name} is a {feature.shape} and has no radius")
     return lambda features: features[0].radius_mm or 0.0
 
@@ -93,6 +113,17 @@ def _cone_angle(feature: Feature) -> Measure:
     if feature.half_angle_rad is None:
         raise InspectionError(f"{feature.name} is a {feature.shape} and has no cone angle")
     return lambda features: float(np.degrees(2 * (features[0].half_angle_rad or 0.0)))
+
+
+def _slot_size(name: str) -> Callable[[Feature], Measure]:
+    def measure(feature: Feature) -> Measure:
+        if feature.shape != "slot":
+            raise InspectionError(f"{feature.name} is a {feature.shape} and has no slot {name}")
+        if name == "width":
+            return lambda features: 2 * (features[0].radius_mm or 0.0)
+        return lambda features: features[0].length_mm or 0.0
+
+    return measure
 
 
 def _distance(first: Feature, second: Feature, settings: InspectionSettings) -> Measure:
@@ -176,7 +207,13 @@ def _off_axis(point_mm: FloatArray, axis: Feature) -> float:
     return float(np.linalg.norm(np.cross(point_mm - axis.point_mm, require_direction(axis))))
 
 
-SIZES: dict[str, Callable[[Feature], Measure]] = {"diameter": _diameter, "radius": _radius, "cone_angle": _cone_angle}
+SIZES: dict[str, Callable[[Feature], Measure]] = {
+    "diameter": _diameter,
+    "radius": _radius,
+    "cone_angle": _cone_angle,
+    "slot_width": _slot_size("width"),
+    "slot_length": _slot_size("length"),
+}
 PAIRS: dict[str, Callable[[Feature, Feature, InspectionSettings], Measure]] = {
     "distance": _distance,
     "thickness": _thickness,

@@ -65,7 +65,9 @@ def write_part_program(program: PartProgram, path: Path) -> Path:
     """Write a part program, whole or not at all, and return its path, whose ending is `.mpart`. Raises StorageError."""
     path = path if is_part_program(path) else path.with_name(path.name + PART_PROGRAM)
     files = _files(program)
-    facts = program.facts.model_copy(update={"sha256": {name: hashlib.sha256(data).hexdigest() for name, data in files.items()}})
+    facts = program.facts.model_copy(
+        update={"schema_version": 2, "sha256": {name: hashlib.sha256(data).hexdigest() for name, data in files.items()}}
+    )
     with replacing(path) as temporary, zipfile.ZipFile(temporary, "w", zipfile.ZIP_DEFLATED) as archive:
         archive.writestr(FACTS, facts.model_dump_json(indent=2))
         for name, data in files.items():

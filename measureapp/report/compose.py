@@ -9,7 +9,7 @@ from typing import Any
 
 from measureapp import __version__
 from measureapp.data.calibration import CameraCalibration, RigCalibration
-from measureapp.data.dimension import Dimension, Verdict
+from measureapp.data.dimension import SEVERITY, Dimension, Verdict, worst_verdict
 from measureapp.data.measurement import Alignment, Measurement
 from measureapp.data.mesh import Mesh
 from measureapp.data.setups import JoinedSetUp
@@ -24,8 +24,6 @@ from measureapp.progress import NoProgress, Progress
 from measureapp.report.model import Fact, ReportModel, Section, ViewLine
 from measureapp.report.part_pictures import render_part, summarise_deviation
 from measureapp.report.words import format_key, format_setting, format_time, number, percent
-
-SEVERITY = (Verdict.FAIL, Verdict.NOT_PROVEN, Verdict.NOT_MEASURED)
 
 
 def compose(
@@ -84,11 +82,15 @@ def summarise_verdicts(dimensions: tuple[Dimension, ...]) -> tuple[Verdict | Non
     if not dimensions:
         return None, "No inspection program: no dimensions evaluated."
     counts = Counter(dimension.verdict for dimension in dimensions)
-    verdict = next((grave for grave in SEVERITY if counts[grave]), Verdict.PASS)
+    verdict = worst_verdict(counts)
     total = len(dimensions)
+    if counts[Verdict.NO_TOLERANCE] == total:
+        return None, "No dimension has a tolerance: no verdict."
+    if verdict is Verdict.PASS and counts[Verdict.NO_TOLERANCE]:
+        return verdict, f"All {counts[Verdict.PASS]} dimensions with a tolerance pass; {counts[Verdict.NO_TOLERANCE]} without tolerance."
     if verdict is Verdict.PASS:
         return verdict, "The dimension passes." if total == 1 else f"All {total} dimensions pass."
-    words = [f"{counts[kind]} {kind.value}" for kind in (*SEVERITY, Verdict.PASS) if counts[kind]]
+    words = [f"{counts[kind]} {kind.value}" for kind in SEVERITY if counts[kind]]
     return verdict, f"Of {total} dimension{'s' if total > 1 else ''}: " + ", ".join(words) + "."
 
 

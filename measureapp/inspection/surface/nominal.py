@@ -17,6 +17,7 @@ from measureapp.inspection.surface.slivers import split_slivers
 SHARP_DEG = 25.0
 ON_EDGE = 1e-4
 WELD_MM = 1e-4
+EDGE_SPACING_MM = 0.5  # of the points along sharp edges
 
 
 @dataclass(frozen=True, slots=True)
@@ -118,18 +119,35 @@ class NominalSurface:
         """Return the sum (T, 3, 3) of the normals of both triangles at the edge opposite each corner."""
         return _edge_normal_sums(self.triangles, self.normals)
 
-    def sharp_edges(self, spacing_mm: float = 0.5) -> cKDTree | None:
-        """Return a search tree of points along the edges with a dihedral angle above SHARP_DEG; None without such edges."""
+    @cached_property
+    def face_neighbours(self) -> tuple[IntArray, FloatArray]:
+        """Pairs (E, 2) of triangles with a common edge, and the cosine (E,) of the angle between their normals."""
+        pairs = _adjacent_triangles(self.triangles)
+        return pairs, np.einsum("nd,nd->n", self.normals[pairs[:, 0]], self.normals[pairs[:, 1]])
+
+    @cached_property
+    def sharp_edges(self) -> cKDTree | None:
+        """Search tree of points along the edges with a dihedral angle above `SHARP_DEG`; None without such edges."""
         pairs, normal_pairs = _inner_edges(self.triangles, self.normals)
         sharp = np.einsum("nd,nd->n", normal_pairs[:, 0], normal_pairs[:, 1]) < np.cos(np.radians(SHARP_DEG))
         if not sharp.any():
             return None
         start, end = self.vertices_mm[pairs[sharp, 0]], self.vertices_mm[pairs[sharp, 1]]
-        counts = np.maximum(2, np.ceil(np.linalg.norm(end - start, axis=1) / spacing_mm).astype(int) + 1)
+        counts = np.maximum(2, np.ceil(np.linalg.norm(end - start, axis=1) / EDGE_SPACING_MM).astype(int) + 1)
         which = np.repeat(np.arange(len(counts)), counts)
         step = np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)
         share = (step / (counts[which] - 1))[:, None]
         return cKDTree(start[which] + share * (end[which] - start[which]))
+
+
+def _adjacent_triangles(triangles: IntArray) -> IntArray:
+    """Return the pairs (E, 2) of triangles that share an edge with no third one."""
+    _, number = _sorted_edges(triangles)
+    order = np.argsort(number, kind="stable")
+    counts = np.bincount(number)
+    first = np.cumsum(counts) - counts
+    first = first[counts == 2]
+    return np.stack([order[first] // 3, order[first + 1] // 3], axis=1)
 
 
 def _weld(mesh: Mesh) -> tuple[FloatArray, IntArray]:
