@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from datetime import date
 
 from PySide6.QtCore import Qt, Slot
 from PySide6.QtGui import QKeySequence, QResizeEvent, QShortcut, QShowEvent
@@ -58,6 +59,8 @@ class ViewportPage(Page):
     def __init__(self, look: Look, session: Session, controllers: Controllers, empty: EmptyState) -> None:
         super().__init__(look, session, controllers, empty)
         self.view = CloudView(look)
+        self.view.corner = self._corner
+        self.view.pictureFailed.connect(self._say_picture_failed)
         self.clip_bar = ClipBar(look, self.view, self)
         self.is_composing = False
         self._stale = True
@@ -92,6 +95,15 @@ class ViewportPage(Page):
 
     def end_clicking(self) -> None:
         """End a special use of clicks; they select points again."""
+
+    def _corner(self) -> tuple[str, ...]:
+        """Return what is printed in the corner of pictures: part and date."""
+        measured = self.session.measurement
+        return (*((measured.part,) if measured is not None and measured.part else ()), date.today().isoformat())
+
+    @Slot(str)
+    def _say_picture_failed(self, file: str) -> None:
+        self.session.tell(f"{file} cannot be written.", "Check the path, the free space and the permissions.", "error")
 
     def _cancel(self) -> None:
         """End a gesture of the mouse; without one, a special use of clicks."""

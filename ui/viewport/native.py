@@ -160,6 +160,11 @@ class NativeView(QWidget):
         stage.paintWanted.connect(self.refresh)
         stage.places_hidden = self._hidden
 
+    @property
+    def render_window(self) -> RenderWindow:
+        """The window that draws the scene."""
+        return self._window
+
     def refresh(self) -> None:
         """Schedule a redraw."""
         self._stale = True
