@@ -10,7 +10,7 @@ from PySide6.QtGui import QImage, QPainter
 
 from ui.viewport.overlay.style import OverlayStyle
 from ui.viewport.render_window import RenderWindow
-from ui.viewport.stage import Stage
+from ui.viewport.stage import Stage, free_fractions
 
 MM_PER_INCH, POINTS_PER_INCH = 25.4, 72.0
 LETTERS_PT, LETTERS_PX = 8.0, 12.0  # size on paper of letters that have 12 px in the window
@@ -44,6 +44,7 @@ def print_picture(stage: Stage, window: RenderWindow, size: PrintSize, style: Ov
     width = size.width_px
     height = round(width * stage.height / stage.width)
     renderer, scene = stage.scene.renderer, stage.scene
+    large = replace(style, scale=size.scale)
     former = stage.width, stage.height, tuple(window.vtk.GetSize()), window.vtk.GetUseOffScreenBuffers(), scene.camera.free
     colours = renderer.GetBackground(), renderer.GetBackground2(), renderer.GetBackgroundAlpha()
     renderer.SetBackground(1.0, 1.0, 1.0)
@@ -51,6 +52,7 @@ def print_picture(stage: Stage, window: RenderWindow, size: PrintSize, style: Ov
     renderer.SetGradientBackground(size.background == "white")
     renderer.SetBackgroundAlpha(1.0 if size.background == "white" else 0.0)
     window.vtk.SetUseOffScreenBuffers(True)
+    scene.camera.free = free_fractions(stage.furniture, width, height, large)
     try:
         drawn = _draw(stage, window, (width, height), size.background == "transparent")
     finally:
@@ -61,7 +63,7 @@ def print_picture(stage: Stage, window: RenderWindow, size: PrintSize, style: Ov
         window.vtk.SetUseOffScreenBuffers(former[3])
         window.vtk.SetSize(*former[2])
         scene.camera.free = former[4]
-    _paint(drawn, stage, replace(style, scale=size.scale), tuple(corner))
+    _paint(drawn, stage, large, tuple(corner))
     drawn.setDotsPerMeterX(round(size.dpi / MM_PER_INCH * 1000.0))
     drawn.setDotsPerMeterY(round(size.dpi / MM_PER_INCH * 1000.0))
     stage.refreshWanted.emit()
