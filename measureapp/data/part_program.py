@@ -55,3 +55,4 @@ class PartProgram:
     nominal: tuple[str, bytes] | None = None  # ending such as ".stl", and the file
     report_template: bytes | None = None  # Typst
     picture: bytes | None = None  # PNG
+    template_folder: bytes | None = None  # ZIP of a template folder of reports

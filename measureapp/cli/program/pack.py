@@ -25,12 +25,14 @@ def register(group: typer.Typer) -> None:
         inspection: Annotated[
             Path | None, typer.Option("--inspection", help="Inspection program (TOML); the nominal that it names is packed with it.")
         ] = None,
-        report_template: Annotated[Path | None, typer.Option("--report-template", help="Template of the report (Typst).")] = None,
+        report_template: Annotated[
+            Path | None, typer.Option("--report-template", help="Template of the report: a folder with a template.toml, or a Typst file.")
+        ] = None,
         picture: Annotated[Path | None, typer.Option("--picture", help="Picture of the part (PNG).")] = None,
         name: Annotated[str, typer.Option("--name", help="Name of the part; by default that of the plan.")] = "",
         part_number: Annotated[str, typer.Option("--part-number", help="Number of the part, as on its label or drawing.")] = "",
-        drawing: Annotated[str, typer.Option("--drawing", help="Number of the drawing.")] = "",
-        revision: Annotated[str, typer.Option("--revision", help="Revision of the drawing.")] = "",
+        drawing: Annotated[str, typer.Option("--drawing", help="Drawing number.")] = "",
+        revision: Annotated[str, typer.Option("--revision", help="Drawing revision.")] = "",
         remarks: Annotated[str, typer.Option("--remarks", help="How to clamp the part, or what else an operator should know.")] = "",
         code_pattern: Annotated[
             str,

@@ -38,7 +38,7 @@ def facts_document(program: PartProgram) -> dict[str, Any]:
         "viewpoints": len(program.plan),
         "inspection": program.inspection is not None,
         "nominal": None if program.nominal is None else f"nominal{program.nominal[0]}",
-        "report_template": program.report_template is not None,
+        "report_template": (program.report_template or program.template_folder) is not None,
         "picture": program.picture is not None,
     }
 
@@ -49,7 +49,7 @@ def facts_lines(program: PartProgram) -> list[str]:
     parts = {
         "inspection program": program.inspection,
         "nominal": program.nominal,
-        "report template": program.report_template,
+        "report template": program.report_template or program.template_folder,
         "picture": program.picture,
     }
     there = ", ".join(name for name, part in parts.items() if part is not None)
