@@ -10,6 +10,8 @@ inspection/         program.toml and its nominal, in mm; former/: replaced nomin
 view_choices.json   views accepted or refused by hand
 results/            clouds, stitched cloud, mesh, measurement.json: recomputed by `process`; filters.npz, filtered_cloud.ply
 report/             reports
+identification.json part, serial number, order, operator, climate
+series/             runs that were filed in a series of parts
 """
 
 from __future__ import annotations
@@ -19,20 +21,20 @@ import shutil
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any
 
-from measureapp.data.board import AnyBoard, BoardView, CheckerboardDescription
+from measureapp.data.board import BoardView
 from measureapp.data.calibration import RigCalibration
 from measureapp.data.measurement import Measurement
 from measureapp.data.mesh import Mesh
-from measureapp.data.model import Model
 from measureapp.data.plan import ScanPlan
+from measureapp.data.project_settings import DEFAULT_BOARD, ProjectSettings
 from measureapp.data.rig import RigDescription
 from measureapp.data.validity import CheckRecord
 from measureapp.data.view_choices import ViewChoices
 from measureapp.errors import CalibrationError, Damaged, InputError, StorageError
 from measureapp.progress import NoProgress
-from measureapp.project import filter_file, inputs, results, takeover
+from measureapp.project import filter_file, inputs, results, takeover, template_folder
 from measureapp.project.atomic import remove, replacing, write_text
 from measureapp.project.calibration import board_views, store
 from measureapp.project.folder_lock import lock_folder
@@ -52,19 +54,9 @@ if TYPE_CHECKING:
     from measureapp.progress import Progress
     from measureapp.register.clouds.filter_chain import FilterChain
 
-DEFAULT_BOARD = CheckerboardDescription(columns=14, rows=11, square_mm=15.0)
+__all__ = ["DEFAULT_BOARD", "ProjectFolder", "ProjectSettings"]
 PROGRAM, NOMINAL, FORMER, REPORT_TEMPLATE = "program.toml", "nominal", "former", "report.typ"
 VIEW_CHOICES = "view_choices.json"
-
-
-class ProjectSettings(Model):
-    """Settings of a project, fixed when it is created."""
-
-    schema_version: Literal[1] = 1
-    name: str
-    part: str
-    rig: RigDescription
-    board: AnyBoard = DEFAULT_BOARD
 
 
 class ProjectFolder:
@@ -90,7 +82,7 @@ class ProjectFolder:
         path = Path(path)
         if (path / "project.json").exists():
             found = cls.open(path)
-            if found.settings != settings:
+            if not found.settings.same_job(settings):
                 raise InputError(f"{path} contains another project ({found.name}).", "Choose another folder, or delete that one first.")
             return found
         if path.exists() and (not path.is_dir() or any(path.iterdir())):
@@ -288,10 +280,12 @@ class ProjectFolder:
 
     @property
     def report_template(self) -> Path | None:
-        """File of the report's template, if the project has its own. Raises Damaged."""
+        """Folder or file of the report's template, if the project has its own. Raises Damaged."""
         path = self.path / "inspection" / REPORT_TEMPLATE
-        self.journal.check_once(path)
-        return path if path.exists() else None
+        folder = path.with_name(template_folder.FOLDER)
+        for file in (path, *sorted(folder.glob("*"))):
+            self.journal.check_once(file)
+        return folder if (folder / template_folder.FILE).exists() else path if path.exists() else None
 
     def former_nominals(self) -> tuple[Path, ...]:
         """Return the archived nominals, oldest first."""

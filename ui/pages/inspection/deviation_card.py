@@ -37,7 +37,6 @@ class DeviationCard(QFrame):
         self.tolerance.setSingleStep(0.01)
         self.tolerance.setSuffix(" mm")
         self.tolerance.setValue(USUAL_TOLERANCE_MM)
-        self.tolerance.lineEdit().setTextMargins(6, 0, 0, 0)
         self.tolerance.setFixedWidth(112)
         self.tolerance.setAccessibleName(TOLERANCE)
         self.tolerance.setToolTip(TOLERANCE)
