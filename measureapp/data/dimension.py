@@ -25,8 +25,8 @@ SEVERITY = (Verdict.FAIL, Verdict.NOT_PROVEN, Verdict.NOT_MEASURED, Verdict.PASS
 
 
 def worst_verdict(verdicts: Iterable[Verdict]) -> Verdict | None:
-    """Return the most severe verdict; None where there is none."""
-    return min(verdicts, key=SEVERITY.index, default=None)
+    """Return the most severe verdict; None where no dimension has a tolerance."""
+    return min((one for one in verdicts if one is not Verdict.NO_TOLERANCE), key=SEVERITY.index, default=None)
 
 
 @dataclass(frozen=True, slots=True)

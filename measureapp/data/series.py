@@ -18,8 +18,8 @@ class SeriesValue(Model):
 
     name: str
     nominal: float
-    lower_tolerance: float  # deviation from nominal
-    upper_tolerance: float
+    lower_tolerance: float | None  # deviation from nominal; None: no tolerance
+    upper_tolerance: float | None
     measured: float | None  # None: not measured
     uncertainty: float | None  # expanded, k = 2
     verdict: Verdict

@@ -9,6 +9,7 @@ import typer
 
 from measureapp.cli.program.show import facts_document, facts_lines
 from measureapp.cli.reply import JsonOption, reply
+from measureapp.data.raw_policy import RawPolicy
 from measureapp.errors import InputError
 
 if TYPE_CHECKING:
@@ -25,7 +26,9 @@ def register(group: typer.Typer) -> None:
         inspection: Annotated[
             Path | None, typer.Option("--inspection", help="Inspection program (TOML); the nominal that it names is packed with it.")
         ] = None,
-        report_template: Annotated[Path | None, typer.Option("--report-template", help="Template of the report (Typst).")] = None,
+        report_template: Annotated[
+            Path | None, typer.Option("--report-template", help="Template of the report: a folder with a template.toml, or a Typst file.")
+        ] = None,
         picture: Annotated[Path | None, typer.Option("--picture", help="Picture of the part (PNG).")] = None,
         name: Annotated[str, typer.Option("--name", help="Name of the part; by default that of the plan.")] = "",
         part_number: Annotated[str, typer.Option("--part-number", help="Number of the part, as on its label or drawing.")] = "",
@@ -39,6 +42,9 @@ def register(group: typer.Typer) -> None:
         required: Annotated[
             list[str] | None, typer.Option("--required", help="What an operator must state: serial, order, remarks. Default: serial.")
         ] = None,
+        raw: Annotated[
+            RawPolicy | None, typer.Option("--raw", help="What becomes of raw images after a scan; default: as the project states.")
+        ] = None,
         as_json: JsonOption = False,
     ) -> None:
         """Pack scan plan, inspection program, nominal and report template of a part into one file."""
@@ -51,6 +57,7 @@ def register(group: typer.Typer) -> None:
             identification={"drawing": drawing, "revision": revision},
             remarks=remarks,
             code_pattern=code_pattern,
+            raw=raw,
             required=tuple(required) if required else ("serial",),
         )
         program = pack_part_program(facts, plan, inspection, report_template, picture)
