@@ -181,7 +181,7 @@ class MainWindow(QMainWindow):
         header.operatorSetupClicked.connect(self.shell.set_up)
         self.strip.cancelClicked.connect(controllers.jobs.cancel)
         self.strip.messagesClicked.connect(self.messages.begin)
-        self.messages.remedyAsked.connect(self.actions_.trigger)
+        self.messages.remedyAsked.connect(self.actions_.perform)
         self.messages.logAsked.connect(self.save_log)
         self.actions_.refused.connect(lambda words, reason: session.tell(f"{words}: {reason}", "", "info", cause=MOMENT))
         controllers.jobs.progressed.connect(self._show_progress)

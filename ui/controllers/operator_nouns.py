@@ -43,6 +43,16 @@ class Entered:
     operator: str = ""
 
 
+@dataclass(frozen=True, eq=False)
+class ToMeasure:
+    """A part that is to be measured."""
+
+    card: ProgramCard
+    program: PartProgram
+    entered: Entered
+    reason: str = ""  # why it is measured again
+
+
 @dataclass(frozen=True)
 class Fault:
     """Why a measurement ended early: what is kept, and what to press."""

@@ -9,6 +9,7 @@ import typer
 
 from measureapp.cli.program.show import facts_document, facts_lines
 from measureapp.cli.reply import JsonOption, reply
+from measureapp.data.raw_policy import RawPolicy
 from measureapp.errors import InputError
 
 if TYPE_CHECKING:
@@ -31,8 +32,8 @@ def register(group: typer.Typer) -> None:
         picture: Annotated[Path | None, typer.Option("--picture", help="Picture of the part (PNG).")] = None,
         name: Annotated[str, typer.Option("--name", help="Name of the part; by default that of the plan.")] = "",
         part_number: Annotated[str, typer.Option("--part-number", help="Number of the part, as on its label or drawing.")] = "",
-        drawing: Annotated[str, typer.Option("--drawing", help="Number of the drawing.")] = "",
-        revision: Annotated[str, typer.Option("--revision", help="Revision of the drawing.")] = "",
+        drawing: Annotated[str, typer.Option("--drawing", help="Drawing number.")] = "",
+        revision: Annotated[str, typer.Option("--revision", help="Drawing revision.")] = "",
         remarks: Annotated[str, typer.Option("--remarks", help="How to clamp the part, or what else an operator should know.")] = "",
         code_pattern: Annotated[
             str,
@@ -40,6 +41,9 @@ def register(group: typer.Typer) -> None:
         ] = "",
         required: Annotated[
             list[str] | None, typer.Option("--required", help="What an operator must state: serial, order, remarks. Default: serial.")
+        ] = None,
+        raw: Annotated[
+            RawPolicy | None, typer.Option("--raw", help="What becomes of raw images after a scan; default: as the project states.")
         ] = None,
         as_json: JsonOption = False,
     ) -> None:
@@ -53,6 +57,7 @@ def register(group: typer.Typer) -> None:
             identification={"drawing": drawing, "revision": revision},
             remarks=remarks,
             code_pattern=code_pattern,
+            raw=raw,
             required=tuple(required) if required else ("serial",),
         )
         program = pack_part_program(facts, plan, inspection, report_template, picture)

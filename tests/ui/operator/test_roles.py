@@ -93,17 +93,13 @@ def test_without_input_the_role_ends_but_not_while_a_job_runs(application, windo
     assert not roles._idle.isActive()
 
 
-def test_input_keeps_the_role(application, window, qtbot):
-    set_pin(pin_file(), "2468")
-    roles = application.controllers.roles
-    roles.set_idle_minutes(10)
-    assert window.windowHandle() is not None
-    window.shell._watch._watch(window.windowHandle())
-    roles._idle.start(600_000)
-    qtbot.wait(30)
-    before = roles._idle.remainingTime()
+def test_input_into_the_window_is_noted(application, window, monkeypatch):
+    noted = []
+    monkeypatch.setattr(application.controllers.roles, "note_input", lambda: noted.append(True))
+    window.shell._watch.watch(window.windowHandle())
     QTest.keyClick(window.windowHandle(), "a")
-    assert roles._idle.remainingTime() > before
+    QTest.mouseClick(window.windowHandle(), Qt.MouseButton.LeftButton)
+    assert len(noted) >= 2
 
 
 def test_the_engineer_sets_folders_shifts_and_pin(application, window, qtbot, tmp_path):

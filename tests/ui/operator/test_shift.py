@@ -174,7 +174,7 @@ def test_the_calibration_of_one_run_of_the_virtual_rig_serves_the_next_ones(work
 
 def test_a_damaged_program_file_is_a_card_that_says_so(workshop, tmp_path):
     (tmp_path / "MeasureApp" / "programs" / "bracket.mpart").write_bytes(b"PK nothing")
-    workshop.operator.reload()
+    workshop.operator.stock.reload()
     workshop.wait(lambda: len(workshop.operator.shelf.cards) == 3)
     last = workshop.operator.shelf.cards[-1]
     assert last.name == "bracket.mpart" and "cannot be read as a part program" in last.problem

@@ -55,7 +55,7 @@ class CardButton(BigButton):
             picture.setPixmap(look.icon("file", "faint").pixmap(QSize(96, 96)))
         else:
             picture.setPixmap(_fitted(card.program.picture, self.devicePixelRatioF()))
-        words = [picture, big_label(facts.name, "heading")]
+        words: list[QWidget] = [picture, big_label(facts.name, "heading")]
         drawing = facts.identification.drawing
         numbers = " · ".join(filter(None, (facts.part_number, drawing and _drawing(drawing, facts.identification.revision))))
         words.append(big_label(numbers, "soft"))

@@ -38,7 +38,7 @@ class HomeScreen(QWidget):
         self.search.textChanged.connect(self._show)
         self.search.returnPressed.connect(self._take_only)
         self.grid.chosen.connect(self.chosen)
-        controller.shelfChanged.connect(self._show)
+        controller.stock.changed.connect(self._show)
 
     def showEvent(self, event: QShowEvent) -> None:
         """Give the search field the focus, so that a person can type at once."""

@@ -62,7 +62,7 @@ class IdentifyScreen(QWidget):
         self.result.pressedOnce.connect(self._ask_result)
         self.reasons.changed.connect(self._show)
         controller.enteredChanged.connect(self._take)
-        controller.shelfChanged.connect(self._show)
+        controller.stock.changed.connect(self._show)
 
     def showEvent(self, event: QShowEvent) -> None:
         """Offer the last values, but never the last serial number."""

@@ -101,14 +101,14 @@ class RunScreen(QWidget):
 
     def _connect(self) -> None:
         operator, session = self._controllers.operator, self._session
-        self.pause.pressedOnce.connect(operator.pause)
-        self.go_on.pressedOnce.connect(operator.go_on)
-        self.stop.pressedOnce.connect(operator.stop)
-        self.resume.held.connect(operator.resume)
-        self.again.pressedOnce.connect(operator.start_again)
+        self.pause.pressedOnce.connect(operator.run.pause)
+        self.go_on.pressedOnce.connect(operator.run.go_on)
+        self.stop.pressedOnce.connect(operator.run.stop)
+        self.resume.held.connect(operator.run.resume)
+        self.again.pressedOnce.connect(operator.start)
         self.home.pressedOnce.connect(operator.go_home)
         self.call.pressedOnce.connect(self.callClicked)
-        operator.faultChanged.connect(self._show_state)
+        operator.run.faultChanged.connect(self._show_state)
         operator.stepChanged.connect(self._begin)
         self._controllers.jobs.progressed.connect(self._take_progress)
         session.runChanged.connect(self._show_state)
@@ -168,7 +168,7 @@ class RunScreen(QWidget):
         if not self.isVisible():
             return
         fault, run = self._controllers.operator.fault, self._session.run
-        elapsed = self._controllers.operator.elapsed_s
+        elapsed = self._controllers.operator.run.elapsed_s
         if fault is not None:
             self.words.setText("The measurement has ended early")
             self.time.setText("")

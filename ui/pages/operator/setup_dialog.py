@@ -97,7 +97,7 @@ class OperatorSetupDialog(QDialog):
         if pin != self.again.text():
             self.problem.setText("The two PINs differ.")
             return
-        self._operator.store_settings(settings)
+        self._operator.stock.store_settings(settings)
         self._roles.set_idle_minutes(settings.idle_minutes)
         if pin:
             self._roles.set_pin(pin)

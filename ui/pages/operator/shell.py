@@ -32,9 +32,10 @@ class InputWatch(QObject):
         self._roles = roles
         application = QGuiApplication.instance()
         assert isinstance(application, QGuiApplication)
-        application.focusWindowChanged.connect(self._watch)
+        application.focusWindowChanged.connect(self.watch)
 
-    def _watch(self, window: QWindow | None) -> None:
+    def watch(self, window: QWindow | None) -> None:
+        """Watch a window that has got the focus."""
         if window is not None:
             window.removeEventFilter(self)
             window.installEventFilter(self)
@@ -91,7 +92,7 @@ class Shell(QStackedWidget):
         workspace = self.operator
         assert self._lock is not None
         if operators:
-            self._controllers.operator.take_calibration()
+            self._controllers.operator.stock.take_calibration()
             self._lock.lock()
         else:
             self._lock.unlock()

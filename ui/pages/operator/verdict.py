@@ -108,8 +108,8 @@ class VerdictScreen(QWidget):
         whole = column(self.band, middle, self._buttons(look), spacing=12)
         whole.setStretch(1, 1)
         self.setLayout(whole)
-        self._operator.filedChanged.connect(self._show_filed)
-        self._operator.shelfChanged.connect(self._show_filed)
+        self._operator.run.filedChanged.connect(self._show_filed)
+        self._operator.stock.changed.connect(self._show_filed)
         look.changed.connect(self._show)
 
     def _buttons(self, look: Look) -> QWidget:

@@ -88,7 +88,7 @@ class OperatorWorkspace(QWidget):
         operator, roles = self._controllers.operator, self._controllers.roles
         operator.stepChanged.connect(self._show_step)
         operator.said.connect(self.say)
-        operator.shelfChanged.connect(self._show_shift)
+        operator.stock.changed.connect(self._show_shift)
         self.home.chosen.connect(operator.choose)
         self.identify.backClicked.connect(operator.go_back)
         self.identify.edited.connect(lambda: self.say(""))
@@ -122,7 +122,7 @@ class OperatorWorkspace(QWidget):
             self.scanner.watch(handle)
         operator = self._controllers.operator
         self._show_step(operator.step)
-        operator.reload()
+        operator.stock.reload()
 
     def close_views(self) -> None:
         """Release the graphics memory."""
@@ -165,7 +165,7 @@ class OperatorWorkspace(QWidget):
     def _escape(self) -> None:
         """Esc stops what moves; else it leaves what is only read."""
         if self._controllers.operator.step == "run" and self._session.run.state != "idle":
-            self._controllers.operator.stop()
+            self._controllers.operator.run.stop()
         elif self.screens.currentWidget() in (self.repeat, self.details, self.report, self.pin):
             self._return()
 
@@ -193,4 +193,4 @@ class OperatorWorkspace(QWidget):
         shelf = self._controllers.operator.shelf
         if shelf is not None:
             since = shelf.settings.shift_start(datetime.now().astimezone())
-            self.strip.show_shift(self._controllers.operator.shift(), since)
+            self.strip.show_shift(self._controllers.operator.stock.shift(), since)

@@ -281,7 +281,7 @@ class ScanPage(ViewportPage):
             for index, view in enumerate(views):
                 job.check()
                 placement = placements.get(view.viewpoint_id)
-                layers.append(view_layer(theme, placed_clouds.get(view, placement, fine=True), index, "grey", 1.0))
+                layers.append(view_layer(theme, placed_clouds.get(view, placement, fine=True), index, "grey", None))
             return Picture(tuple(layers))
 
         return compose
