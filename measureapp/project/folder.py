@@ -11,6 +11,8 @@ view_choices.json   views accepted or refused by hand
 storage.json        what becomes of raw images: kept, compressed or dropped
 results/            clouds, stitched cloud, mesh, measurement.json: recomputed by `process`; filters.npz, filtered_cloud.ply
 report/             reports
+identification.json part, serial number, order, operator, climate
+series/             runs that were filed in a series of parts
 """
 
 from __future__ import annotations
@@ -34,7 +36,7 @@ from measureapp.data.validity import CheckRecord
 from measureapp.data.view_choices import ViewChoices
 from measureapp.errors import CalibrationError, Damaged, InputError, StorageError
 from measureapp.progress import NoProgress
-from measureapp.project import filter_file, inputs, results, takeover
+from measureapp.project import filter_file, inputs, results, takeover, template_folder
 from measureapp.project.atomic import remove, replacing, write_text
 from measureapp.project.calibration import board_views, store
 from measureapp.project.folder_lock import lock_folder
@@ -280,10 +282,12 @@ class ProjectFolder:
 
     @property
     def report_template(self) -> Path | None:
-        """File of the report's template, if the project has its own. Raises Damaged."""
+        """Folder or file of the report's template, if the project has its own. Raises Damaged."""
         path = self.path / "inspection" / REPORT_TEMPLATE
-        self.journal.check_once(path)
-        return path if path.exists() else None
+        folder = path.with_name(template_folder.FOLDER)
+        for file in (path, *sorted(folder.glob("*"))):
+            self.journal.check_once(file)
+        return folder if (folder / template_folder.FILE).exists() else path if path.exists() else None
 
     def former_nominals(self) -> tuple[Path, ...]:
         """Return the archived nominals, oldest first."""

@@ -57,6 +57,21 @@ def lock_folder(folder: Path, *, yields: bool = False) -> Iterator[None]:
         lock.release()
 
 
+def holder_of(folder: Path) -> str | None:
+    """Return in words who has locked a folder; None where nobody has, or where that cannot be found out."""
+    if not (folder / LOCK).exists():
+        return None
+    lock = FileLock(folder / LOCK, timeout=0)
+    try:
+        lock.acquire()
+    except Timeout:
+        return None if _holder_yields(folder) else _holder(folder)
+    except OSError:
+        return None
+    lock.release()
+    return None
+
+
 def _acquire(lock: FileLock, folder: Path) -> None:
     """Take the lock at once, or as soon as a job in the background gives it back. Raises Timeout."""
     try:
