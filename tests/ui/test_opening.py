@@ -63,17 +63,11 @@ def test_a_project_whose_images_are_gone_cannot_be_computed_again_and_says_why(p
         process_project(project, lambda _event: None, NoProgress())
 
 
-def test_an_operator_goes_on_to_the_dimensions_and_an_engineer_to_the_clouds(application, window, measurement):
+def test_after_a_scan_the_next_step_are_the_clouds(application, window, measurement):
     application.session.set_measurement(measurement, {})
-    scan = window.pages["scan"]
     window.show_page("scan")
-    scan.next_step.click()
+    window.pages["scan"].next_step.click()
     assert window.page is window.pages["clouds"]
-    window.header.role.setValue("operator")
-    window.show_page("scan")
-    assert scan.next_step.text().strip() == "See the dimensions"
-    scan.next_step.click()
-    assert window.page is window.pages["inspection"]
 
 
 def measured(project, measurement):
