@@ -9,9 +9,20 @@ from typing import Literal
 
 from pydantic import Field, field_validator
 
+from measureapp.data.board import AnyBoard
 from measureapp.data.identification import Identification
 from measureapp.data.model import Model
 from measureapp.data.plan import ScanPlan
+from measureapp.data.raw_policy import RawPolicy
+from measureapp.data.rig import RigDescription
+
+
+class CalibrationReference(Model):
+    """Where the calibration of a template's rig is."""
+
+    folder: str  # of the project that has it
+    id: str = Field(max_length=64, description="of the calibration when the template was made")
+
 
 CODE_GROUPS = ("part", "serial", "order")
 AskedField = Literal["serial", "order", "remarks"]
@@ -30,6 +41,9 @@ class PartProgramFacts(Model):
     )
     required: tuple[AskedField, ...] = Field(default=("serial",), description="what an operator must state before the measurement")
     identification: Identification = Field(default=Identification(), description="what is the same for every part: drawing, customer, …")
+    raw: RawPolicy | None = Field(default=None, description="what becomes of raw images after a scan; none: as the project states")
+    calibration: CalibrationReference | None = Field(default=None, description="of the template's rig; none: not named")
+    board: AnyBoard | None = Field(default=None, description="that new projects are calibrated with; none: the usual one")
     sha256: Mapping[str, str] = Field(default={}, description="of each file by its name")
 
     @field_validator("code_pattern")
@@ -47,7 +61,10 @@ class PartProgramFacts(Model):
 
 @dataclass(frozen=True, slots=True, eq=False)
 class PartProgram:
-    """Scan plan, inspection program with its nominal, report template and a picture of the part; all but the plan may be missing."""
+    """Scan plan, inspection program with its nominal, report template and a picture of the part; all but the plan may be missing.
+
+    With a rig it is a template of projects: everything that a new one starts with.
+    """
 
     facts: PartProgramFacts
     plan: ScanPlan
@@ -56,3 +73,4 @@ class PartProgram:
     report_template: bytes | None = None  # Typst
     picture: bytes | None = None  # PNG
     template_folder: bytes | None = None  # ZIP of a template folder of reports
+    rig: RigDescription | None = None  # None: chosen for every scan

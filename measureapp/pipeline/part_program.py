@@ -10,6 +10,7 @@ from pathlib import Path
 from measureapp.data.identification import Identification
 from measureapp.data.mesh import Mesh
 from measureapp.data.part_program import PartProgram
+from measureapp.data.raw_policy import StorageRules
 from measureapp.project.folder import ProjectFolder
 from measureapp.project.geometry.files import read_mesh
 from measureapp.project.identification_file import read_identification, save_identification
@@ -53,3 +54,5 @@ def store_part_program(project: ProjectFolder, program: PartProgram) -> None:
     defaults = program.facts.identification.with_defaults(Identification(part_number=program.facts.part_number))
     if defaults != Identification():
         save_identification(project.path, read_identification(project.path).with_defaults(defaults))
+    if program.facts.raw is not None and program.facts.raw != project.storage_rules().raw:
+        project.save_storage_rules(StorageRules(raw=program.facts.raw))

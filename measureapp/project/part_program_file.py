@@ -12,6 +12,7 @@ from pydantic import ValidationError
 from measureapp.data.model import first_problem
 from measureapp.data.part_program import PartProgram, PartProgramFacts
 from measureapp.data.plan import ScanPlan
+from measureapp.data.rig import RigDescription
 from measureapp.errors import InputError
 from measureapp.project.atomic import replacing
 from measureapp.project.geometry.files import read_mesh
@@ -23,6 +24,7 @@ from measureapp.project.template_folder import read_folder, unzip_folder, zip_fo
 
 PART_PROGRAM = ".mpart"
 FACTS, PLAN, INSPECTION, NOMINAL, PICTURE = "part_program.json", "plan.json", "program.toml", "nominal", "picture.png"
+RIG = "rig.json"
 REPORT, TEMPLATE = "report.typ", "report.zip"  # a layout of the report alone, or a whole template folder
 LARGEST_BYTES = 1_000_000_000  # unpacked, all files together
 PNG = b"\x89PNG\r\n\x1a\n"
@@ -96,6 +98,7 @@ def read_part_program(path: Path) -> PartProgram:
     try:
         facts = PartProgramFacts.model_validate_json(files.pop(FACTS))
         plan = ScanPlan.model_validate_json(files[PLAN])
+        rig = RigDescription.model_validate_json(files[RIG]) if RIG in files else None
     except KeyError as error:
         raise InputError(f"{path} has no {error.args[0]}.", HINT) from error
     except ValidationError as error:
@@ -111,7 +114,7 @@ def read_part_program(path: Path) -> PartProgram:
     if TEMPLATE in files:
         unzip_folder(files[TEMPLATE], f"{path}: {TEMPLATE}")
     nominal = next(((PurePosixPath(name).suffix, data) for name, data in files.items() if PurePosixPath(name).stem == NOMINAL), None)
-    return PartProgram(facts, plan, files.get(INSPECTION), nominal, files.get(REPORT), files.get(PICTURE), files.get(TEMPLATE))
+    return PartProgram(facts, plan, files.get(INSPECTION), nominal, files.get(REPORT), files.get(PICTURE), files.get(TEMPLATE), rig)
 
 
 def unpack_part_program(program: PartProgram, folder: Path) -> dict[str, Path]:
@@ -162,7 +165,14 @@ def _check_inspection(path: Path, content: bytes) -> None:
 def _files(program: PartProgram) -> dict[str, bytes]:
     """Return the files of the archive, besides the facts."""
     nominal = {} if program.nominal is None else {f"{NOMINAL}{program.nominal[0]}": program.nominal[1]}
-    others = {INSPECTION: program.inspection, REPORT: program.report_template, PICTURE: program.picture, TEMPLATE: program.template_folder}
+    rig = None if program.rig is None else program.rig.model_dump_json(indent=2).encode()
+    others = {
+        RIG: rig,
+        INSPECTION: program.inspection,
+        REPORT: program.report_template,
+        PICTURE: program.picture,
+        TEMPLATE: program.template_folder,
+    }
     return {PLAN: program.plan.model_dump_json(indent=2).encode(), **nominal} | {
         name: data for name, data in others.items() if data is not None
     }
@@ -185,7 +195,7 @@ def _unpack(path: Path) -> dict[str, bytes]:
 
 
 def _is_known(name: str) -> bool:
-    return name in (FACTS, PLAN, INSPECTION, REPORT, TEMPLATE, PICTURE) or (PurePosixPath(name).stem == NOMINAL and "/" not in name)
+    return name in (FACTS, PLAN, RIG, INSPECTION, REPORT, TEMPLATE, PICTURE) or (PurePosixPath(name).stem == NOMINAL and "/" not in name)
 
 
 def _content(path: Path) -> bytes:

@@ -191,3 +191,17 @@ def test_a_small_uncertainty_is_never_printed_as_none(measured) -> None:
     assert replace(first, uncertainty=0.0123).round_uncertainty() == 0.0123
     assert replace(first, uncertainty=0.0).round_uncertainty() == 0.0  # a drawing against itself
     assert replace(first, uncertainty=None).round_uncertainty() is None
+
+
+def test_dimensions_without_tolerance_are_listed_and_decide_nothing(measured) -> None:
+    first = measured().inspection.dimensions[0]
+    free = replace(first, name="free", lower_tolerance=None, upper_tolerance=None, verdict=Verdict.NO_TOLERANCE)
+    passing = replace(first, name="held", verdict=Verdict.PASS, tolerance_source="H7")
+    model = compose(measured((passing, free)), pictures=False)
+    assert model.verdict is Verdict.PASS and "1 without tolerance" in model.summary
+    assert compose(measured((free,)), pictures=False).verdict is None
+    rows = list(csv.DictReader(io.StringIO(csv_text(model))))
+    assert rows[1]["lower_tolerance"] == "" and rows[0]["tolerance_source"] == "H7"
+    assert json.loads(json.dumps(report_document(model)))["dimensions"][1]["tolerance"] == [None, None]
+    assert "no tolerance" in html_text(model)
+    assert typst_document(model)["dimensions"][1]["tolerance"] == "–"

@@ -9,6 +9,7 @@ import typer
 
 from measureapp.cli.program.show import facts_document, facts_lines
 from measureapp.cli.reply import JsonOption, reply
+from measureapp.data.raw_policy import RawPolicy
 from measureapp.errors import InputError
 
 if TYPE_CHECKING:
@@ -41,6 +42,9 @@ def register(group: typer.Typer) -> None:
         required: Annotated[
             list[str] | None, typer.Option("--required", help="What an operator must state: serial, order, remarks. Default: serial.")
         ] = None,
+        raw: Annotated[
+            RawPolicy | None, typer.Option("--raw", help="What becomes of raw images after a scan; default: as the project states.")
+        ] = None,
         as_json: JsonOption = False,
     ) -> None:
         """Pack scan plan, inspection program, nominal and report template of a part into one file."""
@@ -53,6 +57,7 @@ def register(group: typer.Typer) -> None:
             identification={"drawing": drawing, "revision": revision},
             remarks=remarks,
             code_pattern=code_pattern,
+            raw=raw,
             required=tuple(required) if required else ("serial",),
         )
         program = pack_part_program(facts, plan, inspection, report_template, picture)

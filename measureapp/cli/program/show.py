@@ -40,6 +40,9 @@ def facts_document(program: PartProgram) -> dict[str, Any]:
         "nominal": None if program.nominal is None else f"nominal{program.nominal[0]}",
         "report_template": (program.report_template or program.template_folder) is not None,
         "picture": program.picture is not None,
+        "raw": program.facts.raw,
+        "rig": None if program.rig is None else program.rig.name,
+        "calibration": None if program.facts.calibration is None else program.facts.calibration.model_dump(),
     }
 
 
@@ -55,6 +58,9 @@ def facts_lines(program: PartProgram) -> list[str]:
     there = ", ".join(name for name, part in parts.items() if part is not None)
     absent = ", ".join(name for name, part in parts.items() if part is None)
     lines = [f"{program.facts.name}{number}: {len(program.plan)} viewpoints{f', {there}' if there else ''}."]
+    if program.rig is not None:
+        named = program.facts.calibration
+        lines.append(f"Rig: {program.rig.name}{'' if named is None else f', calibrated in {named.folder}'}.")
     lines += [f"Not included: {absent}."] if absent else []
     drawing, revision = program.facts.identification.drawing, program.facts.identification.revision
     lines += [f"Drawing {drawing}, revision {revision or 'not stated'}."] if drawing else []
