@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QImage, QPixmap, QResizeEvent, QShowEvent
-from PySide6.QtWidgets import QFileDialog, QLabel, QScrollArea, QSizePolicy, QWidget
+from PySide6.QtWidgets import QLabel, QScrollArea, QSizePolicy, QWidget
 
 from ui.controllers.controllers import Controllers
 from ui.controllers.documents import FORMATS
@@ -15,6 +14,7 @@ from ui.look.look import Look
 from ui.look.wording import part_words, sentence_case, when
 from ui.pages.page import Page
 from ui.session import Session
+from ui.settings.dialogs import choose_new
 from ui.widgets.basic import Button, card, clear, column, label, row
 from ui.widgets.empty_state import EmptyState
 from ui.widgets.properties_panel import Group, Properties
@@ -157,7 +157,7 @@ class ReportPage(Page):
 
     def _export(self, kind: str) -> None:
         words, _, ending = FORMATS[kind]
-        start = str(Path.home() / f"{self.session.project_name or 'measurement'}.{ending}")
-        chosen, _ = QFileDialog.getSaveFileName(self, words, start, f"*.{ending}")
-        if chosen:
-            self.controllers.documents.export(kind, Path(chosen).with_suffix(f".{ending}"))
+        name = f"{self.session.project_name or 'measurement'}.{ending}"
+        chosen = choose_new(self, words, name, "exports", self.session.settings, f"*.{ending}")
+        if chosen is not None:
+            self.controllers.documents.export(kind, chosen.with_suffix(f".{ending}"))
