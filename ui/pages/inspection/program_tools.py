@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Slot
-from PySide6.QtWidgets import QFileDialog, QWidget
+from PySide6.QtWidgets import QWidget
 
 from measureapp.data.length_unit import LengthUnit
 from ui.controllers.programming import NominalQuestion, ProgrammingController
@@ -16,6 +15,8 @@ from ui.look.wording import sentence_case
 from ui.pages.inspection.dimension_bar import DimensionBar
 from ui.pages.inspection.program_dialog import ProgramDialog
 from ui.session import Session
+from ui.settings.dialogs import choose_file
+from ui.settings.settings import Settings
 from ui.widgets.basic import Button
 from ui.widgets.unit_dialog import UnitDialog
 
@@ -32,16 +33,16 @@ PROGRAM_TIP = "Edit the inspection program as text: alignment, features, dimensi
 class NominalButton(Button):
     """Asks for a file, and for its unit if it is doubtful."""
 
-    def __init__(self, look: Look, programming: ProgrammingController) -> None:
+    def __init__(self, look: Look, programming: ProgrammingController, settings: Settings) -> None:
         super().__init__("Nominal…", look, "open", "quiet", NOMINAL_TIP)
-        self._look, self._programming, self.dialog = look, programming, None
+        self._look, self._programming, self._settings, self.dialog = look, programming, settings, None
         self.clicked.connect(self._choose)
         programming.unitAsked.connect(self._ask)
 
     def _choose(self) -> None:
-        chosen, _ = QFileDialog.getOpenFileName(self, "Choose the nominal", str(Path.home()), NOMINAL_FILES)
-        if chosen:
-            self._programming.set_nominal(Path(chosen))
+        chosen = choose_file(self, "Choose the nominal", NOMINAL_FILES, "nominals", self._settings)
+        if chosen is not None:
+            self._programming.set_nominal(chosen)
 
     @Slot(object)
     def _ask(self, asked: NominalQuestion) -> None:
@@ -58,7 +59,11 @@ class ProgramTools(QObject):
     def __init__(self, look: Look, session: Session, programming: ProgrammingController, page: QWidget) -> None:
         super().__init__(page)
         self._session, self.programming = session, programming
-        self.bar, self.nominal, self.dialog = DimensionBar(look), NominalButton(look, programming), ProgramDialog(look, programming, page)
+        self.bar, self.nominal, self.dialog = (
+            DimensionBar(look),
+            NominalButton(look, programming, session.settings),
+            ProgramDialog(look, programming, page),
+        )
         self.text = Button("Program…", look, "report", "quiet", PROGRAM_TIP)
         self.text.clicked.connect(self.dialog.show_program)
         self.bar.asked.connect(self._add_dimension)
