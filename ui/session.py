@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from datetime import datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
@@ -274,6 +274,17 @@ class Session(QObject):
         """Set the inspection results."""
         self.inspection = inspection
         self.inspectionChanged.emit()
+
+    def replace_inspection(self, inspection: Inspection) -> None:
+        """Replace the inspection of the measurement, by another program on the same clouds."""
+        if self.measurement is not None:
+            self.measurement = replace(self.measurement, inspection=inspection)
+        self.set_inspection(inspection)
+
+    def set_files(self, files: Mapping[str, Path]) -> None:
+        """Set the files of the results, which were written anew."""
+        self.files = dict(files)
+        self.reportChanged.emit()
 
     def set_comparison(self, comparison: Comparison | None) -> None:
         """Set the deviations from the nominal."""

@@ -72,7 +72,8 @@ def opened(application, window, project, qtbot, monkeypatch):
 
 
 def settled(application, qtbot):
-    runners = (application.controllers.jobs, application.controllers.background)
+    controllers = application.controllers
+    runners = (controllers.jobs, controllers.background, controllers.inspecting)
     qtbot.waitUntil(lambda: not any(one.queue.busy for one in runners) and not application.session.busy_with, timeout=PATIENCE_MS)
     return application.session.messages[-1]
 
@@ -108,27 +109,33 @@ def test_a_grown_feature_joins_the_program_with_a_dimension_and_both_are_undone(
     added = session.inspection.dimensions[-1]
     assert (added.name, added.nominal, added.upper_tolerance, added.features) == ("distance 1", 50.0, 0.25, ("plane 1", "ball"))
     assert added.measured == pytest.approx(50.0, abs=1e-3)  # the points are exact to single precision
-    assert opened.side.table.selected() == (1, -1)
+    assert opened.side.table.current_row().name == "distance 1"
+    assert project.program_text(has_nominal=False) == PROGRAM and application.controllers.programming.is_modified
+    application.controllers.programming.save()
+    settled(application, qtbot)
+    assert not application.controllers.programming.is_modified
     assert project.program_text(has_nominal=False).startswith(PROGRAM)
     assert [one.name for one in project.measurement().inspection.dimensions] == ["size", "distance 1"]
     for left in (["size"], ["size"]):
         opened.undo.click()
         settled(application, qtbot)
         assert [one.name for one in session.inspection.dimensions] == left
-    assert project.program_text(has_nominal=False) == PROGRAM and not application.controllers.programming.can_undo
+    programming = application.controllers.programming
+    assert programming.text() == PROGRAM and not programming.can_undo and programming.is_modified  # than what is saved
 
 
 def test_a_dimension_is_removed_and_a_feature_that_it_needs_is_not(application, opened, project, qtbot):
-    opened.side.table.select(0, 0)
+    opened.side.list.setValue("features")
+    opened.side.features.select_names(["ball"])
     assert opened.properties.title == "Ball" and opened.properties.decision == REMOVE
     opened.decide()
     told = settled(application, qtbot)
     assert told.level == "error" and "'size' needs feature 'ball'" in told.text
-    assert project.program_text(has_nominal=False) == PROGRAM
+    opened.side.list.setValue("dimensions")
     opened.side.table.select(0)
     opened.decide()
     settled(application, qtbot)
-    assert application.session.inspection.dimensions == () and "# the only one" in project.program_text(has_nominal=False)
+    assert application.session.inspection.dimensions == () and "# the only one" in application.controllers.programming.text()
 
 
 def test_a_click_on_a_feature_of_the_list_chooses_it_for_the_dimension(application, opened):

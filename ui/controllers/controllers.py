@@ -45,6 +45,7 @@ class Controllers(QObject):
         self.solving = JobRunner(session, self)
         self.editing = JobRunner(session, self)
         self.predicting = JobRunner(session, self)
+        self.inspecting = JobRunner(session, self)
         self.rig = RigControl(session, self.jobs, self)
         self.rig_editing = RigEditing(session, self.editing, self.rig, self)
         self.scanning = ScanController(session, self.jobs, self.rig, self)
@@ -60,7 +61,7 @@ class Controllers(QObject):
         self.files = FilesController(session, self.jobs, self)
         self.filtering = FilteringController(session, self.jobs, self)
         self.growing = GrowingController(session, self.jobs, self)
-        self.programming = ProgrammingController(session, self.jobs, self)
+        self.programming = ProgrammingController(session, self.jobs, self.inspecting, self)
         self.planning = PlanningController(session, self.jobs, self.predicting, self)
         self._session, self._calibrating = session, dict[str, CalibratingController]()
         self.recent_calibration = RecentCalibrationController(session, self.background, self)
@@ -75,8 +76,8 @@ class Controllers(QObject):
 
     @property
     def runners(self) -> tuple[JobRunner, ...]:
-        """All queues: foreground jobs, background jobs, drawing, explanation of views, solving of calibrations, editing of rigs, plans."""
-        return self.jobs, self.background, self.drawing, self.explaining, self.solving, self.editing, self.predicting
+        """All queues: foreground jobs, background jobs, drawing, explanation of views, solving of calibrations, editing of rigs, plans, inspection."""
+        return self.jobs, self.background, self.drawing, self.explaining, self.solving, self.editing, self.predicting, self.inspecting
 
     def end(self, timeout_ms: int) -> bool:
         """Cancel all jobs and wait for their threads; return whether all have ended. The compilation of a kernel cannot be interrupted."""

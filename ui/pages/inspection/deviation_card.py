@@ -48,7 +48,6 @@ class DeviationCard(QFrame):
 
     def show_comparison(self, comparison: Comparison | None) -> None:
         """Show these deviations, or nothing."""
-        self.setVisible(comparison is not None)
         if comparison is None:
             return
         found = comparison.deviation

@@ -55,10 +55,11 @@ def feature_words(feature: Feature, role: str = "") -> str:
     """Return one line about a feature: name, shape, number of points and form deviation."""
     form = "" if is_blade(feature) else f", form {millimetres(feature.form_error_mm)}"
     found = f"{several(feature.points, 'point')}{form}" if feature.points else "constructed"
-    return f"{role}{sentence_case(feature.name)}: {_shape_words(feature)}, {found}"
+    return f"{role}{sentence_case(feature.name)}: {shape_words(feature)}, {found}"
 
 
-def _shape_words(feature: Feature) -> str:
+def shape_words(feature: Feature) -> str:
+    """Return the shape of a feature in words."""
     return "blade section" if is_blade(feature) else feature.shape
 
 
@@ -183,7 +184,7 @@ def dimension_properties(dimension: Dimension, features: Sequence[Feature], alig
 def feature_group(feature: Feature) -> Group:
     """Return the figures of a fit."""
     return Group(
-        f"{sentence_case(feature.name)} ({_shape_words(feature)})",
+        f"{sentence_case(feature.name)} ({shape_words(feature)})",
         (
             ("Points", counted(feature.points)),
             ("Rejected", counted(feature.left_out)),

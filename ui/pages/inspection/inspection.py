@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QHBoxLayout
 
 from ui.controllers.controllers import Controllers
 from ui.look.look import Look
-from ui.look.wording import millimetres, percent, sentence_case
+from ui.look.wording import millimetres, percent, sentence_case, several
 from ui.pages.clicked_distance import ClickedPoint
 from ui.pages.inspection.clicking import ClickingTools
 from ui.pages.inspection.cutting import Cutting
@@ -62,8 +62,8 @@ class InspectionPage(ViewportPage):
         self.filled = NotMeasuredLegend(look)
         self.filled.setContentsMargins(12, 4, 12, 4)
         tools = self._tools(look)
-        self.side, self.side_width = DimensionSide(look), TABLE_WIDTH
-        self.side.rowSelected.connect(self._select)
+        self.side, self.side_width = DimensionSide(look, self.controllers.programming), TABLE_WIDTH
+        self.side.selected.connect(self._select)
         self.side.closerAsked.connect(self._look_closer)
         middle = row(card(self.view, self.filled, self.cut, self.grow, self.program.bar, margin=1, spacing=4), self.side, spacing=16)
         middle.setStretch(0, 1)
@@ -98,7 +98,7 @@ class InspectionPage(ViewportPage):
         self.see_report = Button("See the report", look, "report", "primary")
         for widget in (self.hint, self.undo, self.program.text, self.program.nominal, self.see_report):
             self.action_row.addWidget(widget)
-        self.controllers.programming.changed.connect(self._show_undo)
+        self.controllers.programming.changed.connect(self._show_program)
         self.cut = SectionBar(look)
         self.cutting = Cutting(self.session, self.cut, self.controllers.drawing, self)
         self.cutting.changed.connect(self._highlight)
@@ -145,9 +145,6 @@ class InspectionPage(ViewportPage):
         alignment = inspection.alignment
         self.state.setText(f"{sentence_case(inspection.program)}. Aligned by {alignment.name}, {millimetres(alignment.rms_mm)} rms.")
         self.program.show_inspection(inspection)
-        table, new = self.side.table, self.program.newest(inspection.dimensions)
-        if new is not None or (table.selected()[0] < 0 and inspection.dimensions):
-            table.select(new or 0)
         self._select()
         if self.isVisible():
             self.controllers.comparison.compare()
@@ -160,8 +157,9 @@ class InspectionPage(ViewportPage):
         if inspection is not None and dimension is not None and not chosen.is_leaf:
             self._show_entry(dimension_properties(dimension, features, inspection.alignment, decision_rule()), dimension.name)
         elif features and chosen.is_leaf:
-            self._show_entry(Properties(sentence_case(features[0].name), (feature_group(features[0]),)), features[0].name)
-            self.program.bar.take(features[0].name)
+            title = sentence_case(features[0].name) if len(features) == 1 else several(len(features), "feature")
+            self._show_entry(Properties(title, tuple(feature_group(one) for one in features)), features[-1].name)
+            self.program.bar.take(features[-1].name)
         self._highlight()
 
     def _show_entry(self, properties: Properties, name: str) -> None:
@@ -209,6 +207,15 @@ class InspectionPage(ViewportPage):
 
     def _sections(self) -> SectionCurves | None:
         return None if self.session.comparison is None else self.session.comparison.sections
+
+    def _show_program(self) -> None:
+        """Show the rows of the edited program, and select a dimension that was added."""
+        self.side.show_rows()
+        new = self.program.newest(self.side.rows)
+        if new is not None:
+            self.side.list.setValue("dimensions")
+            self.side.table.select(new)
+        self._show_undo()
 
     def _show_undo(self) -> None:
         self.undo.setVisible(self.clicking.can_undo or self.program.programming.can_undo)

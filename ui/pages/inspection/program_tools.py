@@ -10,7 +10,8 @@ from PySide6.QtCore import QObject, Slot
 from PySide6.QtWidgets import QFileDialog, QWidget
 
 from measureapp.data.length_unit import LengthUnit
-from ui.controllers.programming import NominalQuestion, ProgrammingController
+from ui.controllers.program_jobs import NominalQuestion
+from ui.controllers.programming import ProgrammingController
 from ui.look.look import Look
 from ui.look.wording import sentence_case
 from ui.pages.inspection.dimension_bar import DimensionBar
@@ -20,9 +21,9 @@ from ui.widgets.basic import Button
 from ui.widgets.unit_dialog import UnitDialog
 
 if TYPE_CHECKING:
-    from measureapp.data.dimension import Dimension
     from measureapp.data.measurement import Inspection
     from ui.controllers.growing import GrownFeature
+    from ui.controllers.program_rows import DimensionRow
 
 NOMINAL_FILES = "Nominals (*.stl *.ply *.obj *.step *.stp)"
 NOMINAL_TIP = "Choose the nominal of the part: a mesh or a STEP file"
@@ -81,11 +82,11 @@ class ProgramTools(QObject):
         """Offer the measured features."""
         self.bar.show_features([feature.name for feature in inspection.features], [found.name for found in inspection.dimensions])
 
-    def newest(self, dimensions: Sequence[Dimension]) -> int | None:
-        """Return the row of the last added dimension, once."""
-        place = next((place for place, found in enumerate(dimensions) if found.name == self._added), None)
-        self._added = self._added if place is None else ""
-        return place
+    def newest(self, rows: Sequence[DimensionRow]) -> int | None:
+        """Return the number of the dimension that was added last, once."""
+        found = next((row.id for row in rows if row.name == self._added), None)
+        self._added = self._added if found is None else ""
+        return found
 
     def add_feature(self, grown: GrownFeature) -> None:
         """Add a grown feature to the program."""

@@ -1,0 +1,145 @@
+"""Work with inspection programs that runs on a job's thread: read, measure, save."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from measureapp.data.length_unit import LengthUnit
+from measureapp.errors import InputError, UnitQuestion
+from ui.controllers.program_rows import carry_ids
+
+if TYPE_CHECKING:
+    from measureapp.data.dimension import Dimension
+    from measureapp.data.inspection_program import InspectionProgram
+    from measureapp.data.measurement import Inspection, Measurement
+    from measureapp.pipeline import Outcome
+    from ui.workers.job import Job
+
+
+@dataclass(frozen=True, eq=False)
+class ProgramState:
+    """An inspection program: its text as it is saved, and what the text says."""
+
+    text: str
+    program: InspectionProgram
+    ids: tuple[int, ...]  # of the dimensions; they outlive renaming and moving
+
+    @classmethod
+    def of(cls, text: str, before: ProgramState | None = None) -> ProgramState:
+        """Parse a program, the edited one of ``before``. Raises InputError."""
+        from measureapp.project.program_file import parse_program
+
+        program = parse_program(text)
+        names = [one.name for one in program.dimensions]
+        former = () if before is None else tuple(one.name for one in before.program.dimensions)
+        return cls(text, program, carry_ids(former, () if before is None else before.ids, names))
+
+    def name_of(self, row_id: int) -> str:
+        """Return the name of a dimension by its number."""
+        return self.program.dimensions[self.ids.index(row_id)].name
+
+
+@dataclass(frozen=True, eq=False)
+class MeasuredProgram:
+    """A program with its results."""
+
+    state: ProgramState
+    inspection: Inspection
+
+    def results(self) -> dict[int, Dimension]:
+        """Return the results by the numbers of their dimensions."""
+        found = {one.name: one for one in self.inspection.dimensions}
+        named = zip(self.state.ids, self.state.program.dimensions, strict=True)
+        return {number: found[one.name] for number, one in named if one.name in found}
+
+
+@dataclass(frozen=True, eq=False)
+class ChangedNominal:
+    """Result with another nominal, and the former nominal."""
+
+    outcome: Outcome
+    state: ProgramState
+    path: Path
+    former: Path | None  # None: there was none, so that the change cannot be undone
+
+
+@dataclass(frozen=True, eq=False)
+class NominalQuestion:
+    """A nominal whose unit is doubtful."""
+
+    path: Path
+    question: UnitQuestion
+
+
+def read_state(folder: Path) -> ProgramState:
+    """Read the program of a project; without one, its default program. Raises InputError or StorageError."""
+    from measureapp.project.folder import ProjectFolder
+
+    project = ProjectFolder.open(folder)
+    return ProgramState.of(project.program_text(has_nominal=project.nominal is not None))
+
+
+def save_state(folder: Path, measurement: Measurement, state: ProgramState, *, is_measured: bool, job: Job) -> Outcome | None:
+    """Store a program, and its results with their report if it was measured."""
+    from measureapp.pipeline.measure_again import store_program
+    from measureapp.project.folder import ProjectFolder
+
+    project = ProjectFolder.open(folder)
+    job.report(0, 1, "Saving the program")
+    if is_measured:
+        return store_program(project, measurement, state.text)
+    with project.lock():
+        project.save_program(state.text)
+    return None
+
+
+def save_copy(path: Path, state: ProgramState) -> Path:
+    """Write a program to a file of its own."""
+    from measureapp.project.atomic import replacing
+
+    with replacing(path) as temporary:
+        temporary.write_text(state.text, encoding="utf-8")
+    return path
+
+
+def measure_with_nominal(
+    folder: Path, measurement: Measurement, state: ProgramState, path: Path, unit: LengthUnit, job: Job
+) -> ChangedNominal | NominalQuestion:
+    """Measure with another nominal and store everything, or return the question for its unit."""
+    from measureapp.pipeline.measure_again import NominalFile, measure_again
+    from measureapp.project.folder import ProjectFolder
+
+    project = ProjectFolder.open(folder)
+    had_one = project.nominal is not None
+    text = project.program_text(has_nominal=True) if not project.program else state.text
+    try:
+        outcome = measure_again(project, measurement, job, program=text, nominal_file=NominalFile(path, unit))
+    except UnitQuestion as question:
+        if question.what == "nominal" and unit is LengthUnit.MM:
+            return NominalQuestion(path, question)
+        raise InputError(question.message, "Choose the nominal of this part, or export it in millimetres.") from question
+    return ChangedNominal(outcome, ProgramState.of(text, state), path, project.former_nominals()[-1] if had_one else None)
+
+
+def keep_alignment(inspection: Inspection, former: Inspection | None) -> Inspection:
+    """Return the inspection with the former alignment, if it is the same, so that what depends on it is not computed again."""
+    if former is None or inspection.alignment.name != former.alignment.name:
+        return inspection
+    same = (inspection.alignment.nominal_from_part.matrix == former.alignment.nominal_from_part.matrix).all()
+    return replace(inspection, alignment=former.alignment) if same else inspection
+
+
+def measure_state(folder: Path, measurement: Measurement, state: ProgramState, former: MeasuredProgram | None, job: Job) -> Inspection:
+    """Evaluate a program on the clouds of a project, without storing anything."""
+    from measureapp.inspection.dimensions import inspect
+    from measureapp.pipeline.assemble import inspection_settings
+    from measureapp.pipeline.chosen_views import select_views
+    from measureapp.project.folder import ProjectFolder
+    from measureapp.project.geometry.files import read_mesh
+
+    project = ProjectFolder.open(folder)
+    settings = inspection_settings(measurement.calibration, project.rig(), select_views(measurement.views, project.view_choices()))
+    nominal = None if project.nominal is None else read_mesh(project.nominal, "nominal")
+    return inspect(measurement.stitched, state.program, nominal, settings, job)
