@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from measureapp.cli.main import OUT_OF_TOLERANCE
-from measureapp.cli.outcome import alignment_lines, dimension_line
+from measureapp.cli.outcome import ACCEPTED, alignment_lines, dimension_line
 from measureapp.cli.reply import JsonOption, TerminalProgress, UnitOption, reply
 from measureapp.data.length_unit import LengthUnit
 
@@ -41,7 +41,6 @@ def register(app: typer.Typer) -> None:
         as_json: JsonOption = False,
     ) -> None:
         """Measure the dimensions of an inspection program; exit code 1 unless all pass."""
-        from measureapp.data.dimension import Verdict
         from measureapp.inspection.dimensions import inspect
         from measureapp.inspection.settings import InspectionSettings, UncertaintySettings
         from measureapp.inspection.verdict import RULES
@@ -65,5 +64,5 @@ def register(app: typer.Typer) -> None:
         }
         lines = [f"{inspection.program}. {alignment_lines(inspection.alignment)}"]
         reply(document, "\n".join([*lines, *map(dimension_line, inspection.dimensions), rule]), as_json)
-        if any(dimension.verdict is not Verdict.PASS for dimension in inspection.dimensions):
+        if any(dimension.verdict not in ACCEPTED for dimension in inspection.dimensions):
             raise typer.Exit(OUT_OF_TOLERANCE)

@@ -12,7 +12,8 @@ if TYPE_CHECKING:
     from measureapp.data.measurement import Alignment, Measurement
     from measureapp.pipeline.events import Event, ExposuresChosen, ValidityKnown
 
-MARK = {Verdict.PASS: "✓", Verdict.FAIL: "✗", Verdict.NOT_PROVEN: "?", Verdict.NOT_MEASURED: "–"}
+MARK = {Verdict.PASS: "✓", Verdict.FAIL: "✗", Verdict.NOT_PROVEN: "?", Verdict.NOT_MEASURED: "–", Verdict.NO_TOLERANCE: "·"}
+ACCEPTED = (Verdict.PASS, Verdict.NO_TOLERANCE)
 
 
 def report_event(event: Event) -> None:
@@ -55,7 +56,7 @@ def has_passed(measurement: Measurement) -> bool:
     drift = measurement.validity.drift
     if drift is not None and drift.status == "drifted":
         return False
-    return measurement.inspection is None or all(dimension.verdict is Verdict.PASS for dimension in measurement.inspection.dimensions)
+    return measurement.inspection is None or all(dimension.verdict in ACCEPTED for dimension in measurement.inspection.dimensions)
 
 
 def measurement_lines(measurement: Measurement) -> list[str]:

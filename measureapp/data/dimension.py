@@ -18,6 +18,7 @@ class Verdict(StrEnum):
     FAIL = "fail"
     NOT_PROVEN = "not proven"
     NOT_MEASURED = "not measured"
+    NO_TOLERANCE = "no tolerance"  # nothing to decide
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,8 +29,8 @@ class Dimension:
     nominal: float
     measured: float | None  # None: not measured, `reason` says why
     uncertainty: float | None  # expanded, k = 2
-    lower_tolerance: float  # deviation from nominal, usually negative
-    upper_tolerance: float
+    lower_tolerance: float | None  # deviation from nominal, usually negative; None: no tolerance
+    upper_tolerance: float | None
     verdict: Verdict
     unit: str = "mm"
     reason: str = ""
@@ -37,6 +38,10 @@ class Dimension:
     kind: str = ""  # "distance", "flatness", …
     datums: tuple[str, ...] = ()  # A, B, C
     traceability: str = ""  # source of the value: points, filter, criterion, datums, and assumptions for its uncertainty
+    tolerance_source: str = ""  # the text its limits follow from, such as "H7"; empty: stated as numbers
+    warning: str = ""  # what limits the use of the result, in one sentence
+    alignment: str = ""  # name of its own alignment; empty: that of the program
+    group: str = ""  # heading under which tables list it
     budget: Mapping[str, float] = field(default_factory=dict)  # the `CONTRIBUTIONS` to `uncertainty`, k = 2, to be added in quadrature
 
     @property

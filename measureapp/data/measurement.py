@@ -56,6 +56,7 @@ class Inspection:
     alignment: Alignment
     features: tuple[Feature, ...]  # in the nominal's frame
     dimensions: tuple[Dimension, ...]
+    further: Mapping[str, Alignment] = field(default_factory=dict)  # alignments that single dimensions name
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 
 from measureapp.data.blade_section import BladeSection
 from measureapp.data.free_form import FreeForm
-from measureapp.data.inspection_program import ConstructedFeature, InspectionProgram, copy_names, needed_names
+from measureapp.data.inspection_program import ConstructedFeature, FeatureProgram, InspectionProgram, copy_names, needed_names
 from measureapp.inspection.blades.find_blades import find_blades
 from measureapp.inspection.features.construct import construct
 from measureapp.inspection.features.found_feature import FoundFeature, find_feature
@@ -34,23 +34,33 @@ def find_features(
     only : names of the required features (their dependencies are evaluated too); None: all
     """
     wanted = None if only is None else _with_dependencies(program, only)
-    edges = None if surface is None else surface.sharp_edges()
     found: dict[str, FoundFeature] = {}
     for number, described in enumerate(program.features):
         if wanted is not None and wanted.isdisjoint(copy_names(described.name, described.repeat)):
             continue
         progress.report(1 + number / len(program.features), 3, described.name)
-        if isinstance(described, ConstructedFeature):
-            found.update(construct(described, found))
-        elif isinstance(described, BladeSection):
-            found.update(find_blades(described, points, surface, settings))
-        elif isinstance(described, FreeForm):
-            found.update(find_free_forms(described, points, surface, edges, settings))
-        elif described.grow is not None:
-            found.update(simulate_uncertainties(grow_features(described, points, settings), settings))
-        else:
-            found.update(simulate_uncertainties(find_feature(described, points, edges, settings), settings))
+        found.update(find_entry(described, points, found, surface, settings))
     return found
+
+
+def find_entry(
+    described: FeatureProgram,
+    points: MeasuredPoints,
+    known: Mapping[str, FoundFeature],
+    surface: NominalSurface | None,
+    settings: InspectionSettings,
+) -> Mapping[str, FoundFeature]:
+    """Return the feature of one entry of the program, or its copies, by name; ``known`` has those it is constructed from."""
+    edges = None if surface is None else surface.sharp_edges
+    if isinstance(described, ConstructedFeature):
+        return construct(described, known)
+    if isinstance(described, BladeSection):
+        return find_blades(described, points, surface, settings)
+    if isinstance(described, FreeForm):
+        return find_free_forms(described, points, surface, edges, settings)
+    if described.grow is not None:
+        return simulate_uncertainties(grow_features(described, points, settings), settings)
+    return simulate_uncertainties(find_feature(described, points, edges, settings), settings)
 
 
 def _with_dependencies(program: InspectionProgram, names: Collection[str]) -> set[str]:

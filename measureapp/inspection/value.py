@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -27,6 +27,7 @@ class Value:
     value: float
     budget: Budget
     how: str = ""
+    warning: str = field(default="", kw_only=True)  # what limits the use of the value, in one sentence
     bonus: float = 0.0  # bonus tolerance; the uncertainty is then that of the value less the bonus
 
     @property

@@ -179,21 +179,27 @@ def inspection_document(inspection: Inspection) -> dict[str, Any]:
         "alignment": _plain(inspection.alignment),
         "features": [_plain(feature) for feature in inspection.features],
         "dimensions": [_plain(dimension) for dimension in inspection.dimensions],
+        "further": {name: _plain(alignment) for name, alignment in inspection.further.items()},
     }
 
 
 def inspection_from(document: Mapping[str, Any]) -> Inspection:
     """Return the inspection of a document."""
-    alignment = dict(document["alignment"])
+    return Inspection(
+        program=document["program"],
+        alignment=_alignment_from(document["alignment"]),
+        features=tuple(_feature_from(feature) for feature in document["features"]),
+        dimensions=tuple(_dimension_from(dimension) for dimension in document["dimensions"]),
+        further={name: _alignment_from(stored) for name, stored in document.get("further", {}).items()},
+    )
+
+
+def _alignment_from(document: Mapping[str, Any]) -> Alignment:
+    alignment = dict(document)
     alignment["nominal_from_part"] = transform_from(alignment["nominal_from_part"])
     alignment["undetermined"] = tuple(alignment["undetermined"])
     alignment["notes"] = tuple(alignment.get("notes", ()))
-    return Inspection(
-        program=document["program"],
-        alignment=Alignment(**alignment),
-        features=tuple(_feature_from(feature) for feature in document["features"]),
-        dimensions=tuple(_dimension_from(dimension) for dimension in document["dimensions"]),
-    )
+    return Alignment(**alignment)
 
 
 def validity_document(validity: Validity) -> dict[str, Any]:
@@ -219,7 +225,7 @@ def check_from(document: Mapping[str, Any]) -> CheckRecord:
 
 
 def _feature_from(document: Mapping[str, Any]) -> Feature:
-    names = ("point_mm", "direction", "covariance", "boundary_mm")
+    names = ("point_mm", "direction", "normal", "covariance", "boundary_mm")
     arrays = {name: np.array(document[name]) for name in names if document.get(name) is not None}
     return Feature(**{**document, **arrays})
 

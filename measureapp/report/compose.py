@@ -86,9 +86,13 @@ def summarise_verdicts(dimensions: tuple[Dimension, ...]) -> tuple[Verdict | Non
     counts = Counter(dimension.verdict for dimension in dimensions)
     verdict = next((grave for grave in SEVERITY if counts[grave]), Verdict.PASS)
     total = len(dimensions)
+    if counts[Verdict.NO_TOLERANCE] == total:
+        return None, "No dimension has a tolerance: no verdict."
+    if verdict is Verdict.PASS and counts[Verdict.NO_TOLERANCE]:
+        return verdict, f"All {counts[Verdict.PASS]} dimensions with a tolerance pass; {counts[Verdict.NO_TOLERANCE]} without tolerance."
     if verdict is Verdict.PASS:
         return verdict, "The dimension passes." if total == 1 else f"All {total} dimensions pass."
-    words = [f"{counts[kind]} {kind.value}" for kind in (*SEVERITY, Verdict.PASS) if counts[kind]]
+    words = [f"{counts[kind]} {kind.value}" for kind in (*SEVERITY, Verdict.PASS, Verdict.NO_TOLERANCE) if counts[kind]]
     return verdict, f"Of {total} dimension{'s' if total > 1 else ''}: " + ", ".join(words) + "."
 
 

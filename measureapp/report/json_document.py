@@ -27,9 +27,13 @@ def dimension_document(dimension: Dimension) -> dict[str, Any]:
         "uncertainty": dimension.uncertainty,
         "uncertainty_budget": dict(dimension.budget),
         "tolerance": [dimension.lower_tolerance, dimension.upper_tolerance],
+        "tolerance_source": dimension.tolerance_source,
         "unit": dimension.unit,
         "verdict": dimension.verdict.value,
         "reason": dimension.reason,
+        "warning": dimension.warning,
+        "alignment": dimension.alignment,
+        "group": dimension.group,
         "origin": dimension.traceability,
     }
 
@@ -43,6 +47,7 @@ def feature_document(feature: Feature) -> dict[str, Any]:
         "point_mm": feature.point_mm.tolist(),
         "direction": None if feature.direction is None else feature.direction.tolist(),
         "radius_mm": feature.radius_mm,
+        "length_mm": feature.length_mm,
         "half_angle_deg": None if angle is None else degrees(angle),
         "points": feature.points,
         "left_out": feature.left_out,

@@ -12,12 +12,19 @@ MINUS = "−"
 NONE = "–"
 TOGETHER = "\u00a0"  # a space at which no line ends
 DATUM_LETTERS = "ABC"
-SIGNS: dict[Verdict, str] = {Verdict.PASS: "✓", Verdict.FAIL: "✗", Verdict.NOT_PROVEN: "?", Verdict.NOT_MEASURED: "–"}
+SIGNS: dict[Verdict, str] = {
+    Verdict.PASS: "✓",
+    Verdict.FAIL: "✗",
+    Verdict.NOT_PROVEN: "?",
+    Verdict.NOT_MEASURED: "–",
+    Verdict.NO_TOLERANCE: "·",
+}
 COLOURS: dict[Verdict, str] = {
     Verdict.PASS: "#1B998B",
     Verdict.FAIL: "#D1495B",
     Verdict.NOT_PROVEN: "#EDAE49",
     Verdict.NOT_MEASURED: "#8A8F98",
+    Verdict.NO_TOLERANCE: "#8A8F98",
 }
 NEUTRAL = "#8A8F98"
 
@@ -45,12 +52,14 @@ def percent(value: float | None, digits: int = 1, *, signed: bool = False) -> st
     return NONE if value is None else number(100 * value, digits, signed=signed) + " %"
 
 
-def format_tolerance(lower: float, upper: float) -> str:
-    """Return a tolerance, abbreviated if it is symmetric.
+def format_tolerance(lower: float | None, upper: float | None) -> str:
+    """Return a tolerance, abbreviated if it is symmetric; a dash where there is none.
 
     >>> format_tolerance(-0.1, 0.1), format_tolerance(-0.2, 0.05), format_tolerance(0.0, 0.2)
     ('± 0.1', '−0.2 / +0.05', '0 / +0.2')
     """
+    if lower is None or upper is None:
+        return NONE
     if lower == -upper:
         return f"± {upper:g}"
     return " / ".join("0" if limit == 0 else f"{limit:+g}" for limit in (lower, upper)).replace("-", MINUS)

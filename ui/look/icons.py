@@ -49,6 +49,7 @@ NAMES = {
     "fail": "x",
     "not proven": "question",
     "not measured": "minus",
+    "no tolerance": "dot",
     "info": "info",
     "warning": "warning",
     "error": "warning-circle",

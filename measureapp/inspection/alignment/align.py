@@ -23,11 +23,16 @@ def align(
     settings: InspectionSettings,
     frame: str,
     progress: Progress = NoProgress(),  # noqa: B008 - stateless
+    first_fit: Alignment | None = None,
 ) -> Alignment:
     """Align ``points`` to the nominal by the method of ``program``.
 
     An alignment by features starts from a best fit if there is a nominal mesh, because features are searched around their nominals;
     without a mesh it starts from the part's frame.
+
+    Parameters
+    ----------
+    first_fit : best fit of all points, where it is known already
 
     Raises
     ------
@@ -47,8 +52,10 @@ def align(
             return cyclic_fit(points, surface, requested, settings, frame)
         if requested.features or requested.regions:
             return local_fit(points, program, requested, surface, settings, frame)
-        return best_fit(points, surface, settings.alignment, frame, progress)
-    start = no_alignment(frame) if surface is None else best_fit(points, surface, settings.alignment, frame, progress)
+        return first_fit or best_fit(points, surface, settings.alignment, frame, progress)
+    start = no_alignment(frame)
+    if surface is not None:
+        start = first_fit or best_fit(points, surface, settings.alignment, frame, progress)
     if isinstance(requested, ThreeTwoOne):
         return three_two_one(points, program, requested, start, surface, settings)
     if isinstance(requested, DatumAlignment):

@@ -36,7 +36,7 @@ def local_fit(
         The cloud does not match the nominal, a feature is constructed, or too few points were selected.
     """
     matrix = best_fit(points, surface, settings.alignment, frame).nominal_from_part.matrix
-    edges = surface.sharp_edges()
+    edges = surface.sharp_edges
     measured = {
         nominal.feature.name: nominal
         for one in program.features

@@ -38,7 +38,7 @@ Errors = Mapping[ErrorSource, FloatArray]  # (6 + S, M): of point (mm), directio
 
 def size_names(feature: Feature) -> tuple[str, ...]:
     """Return the names of the size parameters of a feature."""
-    return tuple(name for name in ("radius_mm", "half_angle_rad", "minor_radius_mm") if getattr(feature, name) is not None)
+    return tuple(name for name in ("radius_mm", "half_angle_rad", "minor_radius_mm", "length_mm") if getattr(feature, name) is not None)
 
 
 def estimate_view_errors(

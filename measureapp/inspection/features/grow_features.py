@@ -43,9 +43,10 @@ def _grow_copy(
 ) -> FoundFeature:
     nominal_feature = None if nominal is None else nominal.feature
     allowed = within_box(points.points_mm, described.cut, turn)
-    assert described.shape != "surface_point"  # the program refuses growing surface points
+    shape = described.shape
+    assert shape == "plane" or shape == "cylinder" or shape == "sphere" or shape == "cone"  # noqa: PLR1714 - the program refuses others
     try:
-        region = grow_region(points, allowed, described.shape, turn @ np.asarray(requested.seed_mm, float), requested)
+        region = grow_region(points, allowed, shape, turn @ np.asarray(requested.seed_mm, float), requested)
     except (InspectionError, FitError) as error:
         return FoundFeature(
             name, None, " ".join(filter(None, [f"{name}: {error.message.rstrip('.')}.", error.hint])).rstrip("."), nominal=nominal_feature

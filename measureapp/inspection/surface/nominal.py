@@ -17,6 +17,7 @@ from measureapp.inspection.surface.slivers import split_slivers
 SHARP_DEG = 25.0
 ON_EDGE = 1e-4
 WELD_MM = 1e-4
+EDGE_SPACING_MM = 0.5  # of the points along sharp edges
 
 
 @dataclass(frozen=True, slots=True)
@@ -118,14 +119,15 @@ class NominalSurface:
         """Return the sum (T, 3, 3) of the normals of both triangles at the edge opposite each corner."""
         return _edge_normal_sums(self.triangles, self.normals)
 
-    def sharp_edges(self, spacing_mm: float = 0.5) -> cKDTree | None:
-        """Return a search tree of points along the edges with a dihedral angle above SHARP_DEG; None without such edges."""
+    @cached_property
+    def sharp_edges(self) -> cKDTree | None:
+        """Search tree of points along the edges with a dihedral angle above `SHARP_DEG`; None without such edges."""
         pairs, normal_pairs = _inner_edges(self.triangles, self.normals)
         sharp = np.einsum("nd,nd->n", normal_pairs[:, 0], normal_pairs[:, 1]) < np.cos(np.radians(SHARP_DEG))
         if not sharp.any():
             return None
         start, end = self.vertices_mm[pairs[sharp, 0]], self.vertices_mm[pairs[sharp, 1]]
-        counts = np.maximum(2, np.ceil(np.linalg.norm(end - start, axis=1) / spacing_mm).astype(int) + 1)
+        counts = np.maximum(2, np.ceil(np.linalg.norm(end - start, axis=1) / EDGE_SPACING_MM).astype(int) + 1)
         which = np.repeat(np.arange(len(counts)), counts)
         step = np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)
         share = (step / (counts[which] - 1))[:, None]

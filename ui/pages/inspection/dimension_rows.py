@@ -125,8 +125,10 @@ def _letter(dimension: Dimension, name: str) -> str:
     return f"Datum {DATUM_LETTERS[dimension.datums.index(name)]}: "
 
 
-def tolerance(lower: float, upper: float, unit: str) -> str:
+def tolerance(lower: float | None, upper: float | None, unit: str) -> str:
     """Return a tolerance: ``± 0.100 mm``, both limits where they differ, ``0 / +0.200 mm`` for the width of a zone."""
+    if lower is None or upper is None:
+        return "none: no verdict"
     if -lower == upper:
         return f"±\u00a0{quantity(upper, unit)}"
     low, high = ("0" if limit == 0 else quantity(limit, "", signed=True) for limit in (lower, upper))

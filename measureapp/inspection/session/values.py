@@ -1,0 +1,196 @@
+"""Dimensions in two steps: the value with its uncertainty budget, then limits and verdict."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from measureapp.data.dimension import Dimension, Verdict
+from measureapp.data.inspection_program import ZONES, DimensionProgram
+from measureapp.errors import InspectionError
+from measureapp.inspection.evaluate import evaluate_dimension, evaluate_pattern_mean
+from measureapp.inspection.features.feature_errors import CALIBRATION, NOISE, SCALE
+from measureapp.inspection.features.found_feature import FoundFeature
+from measureapp.inspection.settings import InspectionSettings
+from measureapp.inspection.uncertainty import COVERAGE_FACTOR, assumed_calibration
+from measureapp.inspection.value import Budget, Value
+from measureapp.inspection.verdict import decide_verdict
+
+NARROW = 5  # tolerance over U below which a verdict is hardly ever possible
+MOST_LISTED = 4  # features listed individually in the traceability of a value
+
+
+@dataclass(frozen=True, slots=True)
+class Evaluated:
+    """The value of a dimension, which does not depend on its name, nominal and tolerance; or the reason why there is none."""
+
+    value: Value | None
+    reason: str = ""
+
+
+def evaluate(described: DimensionProgram, found: Mapping[str, FoundFeature], settings: InspectionSettings) -> Evaluated:
+    """Evaluate a dimension on the features found."""
+    try:
+        return Evaluated(_evaluate(described, found, settings))
+    except InspectionError as error:
+        return Evaluated(None, error.message)
+
+
+def decide(described: DimensionProgram, evaluated: Evaluated, found: Mapping[str, FoundFeature], settings: InspectionSettings) -> Dimension:
+    """Return the dimension with uncertainty, limits and verdict: all that follows from its value, nominal and tolerance."""
+    value = evaluated.value
+    if value is None:
+        return _make_dimension(described, found, None, None, Verdict.NOT_MEASURED, evaluated.reason)
+    budget, assumptions = _complete_budget(
+        value, described.unit, [found[name] for names in described.feature_sets for name in names], settings
+    )
+    uncertainty = COVERAGE_FACTOR * float(np.linalg.norm(list(budget.values())))
+    if not (np.isfinite(value.value) and np.isfinite(uncertainty)):
+        return _make_dimension(described, found, None, None, Verdict.NOT_MEASURED, "the points do not determine this value")
+    how = "; ".join(filter(None, (value.how, *assumptions)))
+    verdict = _verdict(described, value, uncertainty, settings)
+    made = _make_dimension(described, found, value.value, uncertainty, verdict, "", how, value.bonus)
+    warning = _warn_of_narrow_tolerance(described, uncertainty) or value.warning
+    return replace(made, warning=warning, budget={contribution: COVERAGE_FACTOR * sigma for contribution, sigma in budget.items()})
+
+
+def _verdict(described: DimensionProgram, value: Value, uncertainty: float, settings: InspectionSettings) -> Verdict:
+    if not described.is_toleranced:
+        return Verdict.NO_TOLERANCE
+    lower, upper = (-np.inf if described.kind in ZONES else described.lower_tolerance), described.upper_tolerance + value.bonus
+    # a zone has no lower limit
+    return decide_verdict(value.value - described.nominal, uncertainty, lower, upper, settings.verdict_rule)
+
+
+def _warn_of_narrow_tolerance(described: DimensionProgram, uncertainty: float) -> str:
+    """Return a warning where the tolerance is too narrow for the uncertainty of this measurement."""
+    lower, upper = described.limits
+    if not described.is_toleranced or upper - lower >= NARROW * uncertainty:
+        return ""
+    return (
+        f"The tolerance of {upper - lower:.3g} {described.unit} is smaller than {NARROW} U ({NARROW * uncertainty:.3g} {described.unit}): "
+        "this measurement can hardly prove it"
+    )
+
+
+def _evaluate(described: DimensionProgram, found: Mapping[str, FoundFeature], settings: InspectionSettings) -> Value:
+    """Return the value, or the mean, minimum or maximum over a pattern; noise averages out in a mean only."""
+    values = [
+        evaluate_dimension(described, tuple(found[name] for name in names), tuple(found[name] for name in datums), settings)
+        for names, datums in zip(described.feature_sets, described.datum_sets, strict=True)
+    ]
+    if len(values) == 1:
+        return values[0]
+    numbers = np.array([v.value for v in values])
+    if described.statistic == "mean":
+        together = evaluate_pattern_mean(described, [tuple(found[name] for name in names) for names in described.feature_sets], settings)
+        return together or Value(
+            float(numbers.mean()), _average_budgets([v.budget for v in values], _are_disjoint(described)), values[0].how
+        )
+    left = numbers - np.array([v.bonus for v in values])
+    return values[int(left.argmin() if described.statistic == "min" else left.argmax())]
+
+
+def _complete_budget(
+    value: Value, unit: str, found: Sequence[FoundFeature], settings: InspectionSettings
+) -> tuple[Budget, tuple[str, ...]]:
+    """Add assumed contributions to a value's uncertainty budget where the cloud has no error model; return them in words, too."""
+    budget, assumptions = dict(value.budget), []
+    chosen = settings.uncertainty
+    if any(one.view_errors is None for one in found) and chosen.placement_mm > 0:
+        assumptions.append(f"assumed: position of each view ± {chosen.placement_mm:g} mm (k = 1), as the cloud has no error model")
+    if CALIBRATION not in budget and unit == "mm" and (chosen.systematic_mm or chosen.systematic_relative):
+        budget[CALIBRATION] = assumed_calibration(value.value, chosen)
+        assumptions.append(
+            f"assumed: calibration ± {chosen.systematic_mm:g} mm and {chosen.systematic_relative * 1e6:.0f} ppm of the length (k = 1)"
+        )
+    if chosen.scale_ppm > 0 and unit == "mm":
+        budget.setdefault(SCALE, chosen.scale_ppm * 1e-6 * abs(value.value))  # without views a value scales like a length
+        assumptions.append(f"length scale ± {chosen.scale_ppm:g} ppm (k = 1), from calibration board and part temperature")
+    return budget, tuple(assumptions)
+
+
+def _average_budgets(budgets: list[Budget], apart: bool) -> Budget:
+    """Return the budget of a mean: noise of disjoint copies averages out; all other contributions are taken as fully correlated."""
+    means = {
+        contribution: float(np.mean([budget.get(contribution, 0.0) for budget in budgets]))
+        for contribution in sorted({NOISE}.union(*budgets))
+    }
+    return means | {NOISE: float(np.linalg.norm([budget.get(NOISE, 0.0) for budget in budgets])) / len(budgets)} if apart else means
+
+
+def _are_disjoint(described: DimensionProgram) -> bool:
+    """Return whether no feature or datum belongs to two copies, whose noise would be correlated."""
+    names = [name for i in range(len(described.feature_sets)) for name in {*described.feature_sets[i], *described.datum_sets[i]}]
+    return len(names) == len(set(names))
+
+
+def _make_dimension(
+    described: DimensionProgram,
+    found: Mapping[str, FoundFeature],
+    value: float | None,
+    uncertainty: float | None,
+    verdict: Verdict,
+    reason: str,
+    how: str = "",
+    bonus: float = 0.0,
+) -> Dimension:
+    lower, upper = described.limits if described.is_toleranced else (None, None)
+    features = _distinct(described.feature_sets)
+    datums = _distinct(described.datum_sets)
+    return Dimension(
+        name=described.name,
+        nominal=described.nominal,
+        measured=value,
+        uncertainty=uncertainty,
+        lower_tolerance=lower,
+        upper_tolerance=None if upper is None else upper + bonus,
+        verdict=verdict,
+        unit=described.unit,
+        reason=reason,
+        features=features,
+        kind=described.kind,
+        datums=datums,
+        tolerance_source=described.tolerance or "",
+        alignment=described.alignment or "",
+        group=described.group,
+        traceability=_describe_traceability(described, [found[name] for name in (*features, *datums)], how),
+    )
+
+
+def _distinct(sets: tuple[tuple[str, ...], ...]) -> tuple[str, ...]:
+    return tuple(dict.fromkeys(name for names in sets for name in names))
+
+
+def _describe_traceability(described: DimensionProgram, found: list[FoundFeature], how: str) -> str:
+    """Describe the source of a value: points used and rejected, filter and criterion, datums in order, copies."""
+    words = [_describe_points(found)]
+    if how:
+        words.append(how)
+    if described.datums:
+        words.append("datums " + "|".join(described.datums))
+    if described.count:
+        words.append(f"{described.statistic} of {described.count}")
+    return "; ".join(words)
+
+
+def _describe_points(found: list[FoundFeature]) -> str:
+    """Describe the points of each feature; for long patterns the total."""
+    fitted = [one for one in found if one.feature is not None and len(one.points_mm)]
+    if len(found) > MOST_LISTED:
+        left_out = sum(one.feature.left_out for one in fitted if one.feature is not None)
+        return f"{len(fitted)} features: {sum(len(one.points_mm) for one in fitted)} points, {left_out} rejected"
+    return ", ".join(_describe_feature(one) for one in found)
+
+
+def _describe_feature(found: FoundFeature) -> str:
+    if found.feature is None:
+        return f"{found.name}: not found"
+    if len(found.points_mm) == 0:
+        return f"{found.name}: constructed"
+    words = f"{found.name}: {len(found.points_mm)} points, {found.feature.left_out} rejected"
+    if found.draws:
+        words += f", small segment: Monte Carlo, {found.draws} draws"
+    return f"{words} ({found.feature.how})" if found.feature.how else words
