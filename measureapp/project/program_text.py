@@ -23,7 +23,7 @@ def format_entry(kind: str, values: Mapping[str, Value]) -> str:
     grow = { seed_mm = [1.0, 2.0, 0.5] }
     <BLANKLINE>
     """
-    return "\n".join((f"[[{kind}]]", *(f"{name} = {format_value(value)}" for name, value in values.items()), ""))
+    return "\n".join((f"[[{kind}]]", *(f"{name} = {_format_value(value)}" for name, value in values.items()), ""))
 
 
 def add_entry(text: str, lines: str) -> str:
@@ -56,12 +56,11 @@ def _names(part: str) -> list[str]:
     return [one.get("name") for one in entries]
 
 
-def format_value(value: Value) -> str:
-    """Format a value as TOML on one line."""
+def _format_value(value: Value) -> str:
     if isinstance(value, str):
         return json.dumps(value, ensure_ascii=False)
     if isinstance(value, Mapping):
-        return "{ " + ", ".join(f"{name} = {format_value(one)}" for name, one in value.items()) + " }"
+        return "{ " + ", ".join(f"{name} = {_format_value(one)}" for name, one in value.items()) + " }"
     if isinstance(value, Sequence):
-        return "[" + ", ".join(format_value(one) for one in value) + "]"
+        return "[" + ", ".join(_format_value(one) for one in value) + "]"
     return repr(float(value))

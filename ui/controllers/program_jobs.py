@@ -20,25 +20,34 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class ProgramState:
-    """An inspection program: its text as it is saved, and what the text says."""
+    """An inspection program as it is edited, and the text that the edits started from."""
 
-    text: str
     program: InspectionProgram
     ids: tuple[int, ...]  # of the dimensions; they outlive renaming and moving
+    base: str
 
     @classmethod
     def of(cls, text: str, before: ProgramState | None = None) -> ProgramState:
-        """Parse a program, the edited one of ``before``. Raises InputError."""
+        """Parse a text that replaces ``before``. Raises InputError."""
         from measureapp.project.program_file import parse_program
 
         program = parse_program(text)
-        names = [one.name for one in program.dimensions]
-        former = () if before is None else tuple(one.name for one in before.program.dimensions)
-        return cls(text, program, carry_ids(former, () if before is None else before.ids, names))
+        return cls(program, _ids_of(program, before), text)
 
-    def name_of(self, row_id: int) -> str:
-        """Return the name of a dimension by its number."""
-        return self.program.dimensions[self.ids.index(row_id)].name
+    def edited(self, program: InspectionProgram) -> ProgramState:
+        """Return the state after an edit."""
+        return ProgramState(program, _ids_of(program, self), self.base)
+
+    def text(self) -> str:
+        """Return the program as it is saved: the text with the edits, its comments kept."""
+        from measureapp.project.program_edit import rewrite_program
+
+        return rewrite_program(self.base, self.program)
+
+
+def _ids_of(program: InspectionProgram, before: ProgramState | None) -> tuple[int, ...]:
+    former = () if before is None else tuple(one.name for one in before.program.dimensions)
+    return carry_ids(former, () if before is None else before.ids, [one.name for one in program.dimensions])
 
 
 @dataclass(frozen=True, eq=False)
@@ -89,9 +98,9 @@ def save_state(folder: Path, measurement: Measurement, state: ProgramState, *, i
     project = ProjectFolder.open(folder)
     job.report(0, 1, "Saving the program")
     if is_measured:
-        return store_program(project, measurement, state.text)
+        return store_program(project, measurement, state.text())
     with project.lock():
-        project.save_program(state.text)
+        project.save_program(state.text())
     return None
 
 
@@ -100,7 +109,7 @@ def save_copy(path: Path, state: ProgramState) -> Path:
     from measureapp.project.atomic import replacing
 
     with replacing(path) as temporary:
-        temporary.write_text(state.text, encoding="utf-8")
+        temporary.write_text(state.text(), encoding="utf-8")
     return path
 
 
@@ -113,7 +122,7 @@ def measure_with_nominal(
 
     project = ProjectFolder.open(folder)
     had_one = project.nominal is not None
-    text = project.program_text(has_nominal=True) if not project.program else state.text
+    text = project.program_text(has_nominal=True) if not project.program else state.text()
     try:
         outcome = measure_again(project, measurement, job, program=text, nominal_file=NominalFile(path, unit))
     except UnitQuestion as question:
@@ -121,25 +130,3 @@ def measure_with_nominal(
             return NominalQuestion(path, question)
         raise InputError(question.message, "Choose the nominal of this part, or export it in millimetres.") from question
     return ChangedNominal(outcome, ProgramState.of(text, state), path, project.former_nominals()[-1] if had_one else None)
-
-
-def keep_alignment(inspection: Inspection, former: Inspection | None) -> Inspection:
-    """Return the inspection with the former alignment, if it is the same, so that what depends on it is not computed again."""
-    if former is None or inspection.alignment.name != former.alignment.name:
-        return inspection
-    same = (inspection.alignment.nominal_from_part.matrix == former.alignment.nominal_from_part.matrix).all()
-    return replace(inspection, alignment=former.alignment) if same else inspection
-
-
-def measure_state(folder: Path, measurement: Measurement, state: ProgramState, former: MeasuredProgram | None, job: Job) -> Inspection:
-    """Evaluate a program on the clouds of a project, without storing anything."""
-    from measureapp.inspection.dimensions import inspect
-    from measureapp.pipeline.assemble import inspection_settings
-    from measureapp.pipeline.chosen_views import select_views
-    from measureapp.project.folder import ProjectFolder
-    from measureapp.project.geometry.files import read_mesh
-
-    project = ProjectFolder.open(folder)
-    settings = inspection_settings(measurement.calibration, project.rig(), select_views(measurement.views, project.view_choices()))
-    nominal = None if project.nominal is None else read_mesh(project.nominal, "nominal")
-    return inspect(measurement.stitched, state.program, nominal, settings, job)

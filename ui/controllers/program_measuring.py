@@ -7,10 +7,12 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal, Slot
 
 from ui.controllers.jobs import JobRunner
-from ui.controllers.program_jobs import MeasuredProgram, ProgramState, keep_alignment, measure_state
+from ui.controllers.program_bench import Bench
+from ui.controllers.program_jobs import MeasuredProgram, ProgramState
 from ui.session import Session
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from pathlib import Path
 
     from measureapp.data.measurement import Measurement
@@ -30,6 +32,7 @@ class ProgramMeasuring(QObject):
         self._running: ProgramState | None = None
         self._former: MeasuredProgram | None = None
         self._job: Job | None = None
+        self._bench: Bench | None = None
 
     @property
     def is_running(self) -> bool:
@@ -45,8 +48,8 @@ class ProgramMeasuring(QObject):
             self._job.cancel()
 
     def forget(self) -> None:
-        """Stop, and drop what is measured."""
-        self._wanted = self._former = None
+        """Stop, and drop what was measured: on other clouds, or with another nominal."""
+        self._wanted = self._former = self._bench = None
         if self._job is not None:
             self._job.cancel()
 
@@ -56,16 +59,17 @@ class ProgramMeasuring(QObject):
             return
         self._running = state
         self._job = self._runner.run(
-            "Measuring again", _work(folder, measurement, state, former), self._show, on_stopped=self._stop, quiet=True
+            "Measuring again", _work(folder, measurement, state, former, self._bench), self._show, on_stopped=self._stop, quiet=True
         )
 
     @Slot(object)
-    def _show(self, found: MeasuredProgram) -> None:
-        is_latest = found.state is self._wanted
+    def _show(self, found: tuple[Bench, MeasuredProgram]) -> None:
+        bench, measured = found
+        is_latest = measured.state is self._wanted
         self._running = self._job = None
         if is_latest:
-            self._wanted = None
-            self.measured.emit(found)
+            self._wanted, self._bench = None, bench
+            self.measured.emit(measured)
         elif self._wanted is not None:
             self._start()
 
@@ -79,9 +83,11 @@ class ProgramMeasuring(QObject):
             self.stopped.emit()
 
 
-def _work(folder: Path, measurement: Measurement, state: ProgramState, former: MeasuredProgram | None):  # type: ignore[no-untyped-def]
-    def work(job: Job) -> MeasuredProgram:
-        inspection = measure_state(folder, measurement, state, former, job)
-        return MeasuredProgram(state, keep_alignment(inspection, None if former is None else former.inspection))
+def _work(
+    folder: Path, measurement: Measurement, state: ProgramState, former: MeasuredProgram | None, bench: Bench | None
+) -> Callable[[Job], tuple[Bench, MeasuredProgram]]:
+    def work(job: Job) -> tuple[Bench, MeasuredProgram]:
+        used = bench or Bench.of(folder, measurement)
+        return used, used.measure(state, former, job)
 
     return work

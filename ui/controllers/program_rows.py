@@ -28,7 +28,6 @@ class DimensionRow:
     entry: DimensionProgram | None  # None: the program is not at hand, so the row cannot be edited
     found: Dimension | None  # None: not measured yet
     status: Status
-    drawing: float | None = None  # nominal as the CAD model has it; None: not known
 
     @property
     def nominal(self) -> float:
@@ -38,11 +37,19 @@ class DimensionRow:
         return 0.0 if self.found is None else self.found.nominal
 
     @property
-    def limits(self) -> tuple[float, float]:
-        """Lower and upper tolerance; of a result that is current, with the bonus of its material condition."""
+    def limits(self) -> tuple[float, float] | None:
+        """Lower and upper tolerance; of a result that is current, with the bonus of its material condition. None: no tolerance."""
         if self.entry is not None and (self.status != "current" or self.found is None):
-            return self.entry.limits
-        return (0.0, 0.0) if self.found is None else (self.found.lower_tolerance, self.found.upper_tolerance)
+            return self.entry.limits if self.entry.is_toleranced else None
+        if self.found is None or self.found.lower_tolerance is None or self.found.upper_tolerance is None:
+            return None
+        return self.found.lower_tolerance, self.found.upper_tolerance
+
+    @property
+    def source(self) -> str:
+        """The text that the tolerance follows from, where it is more than the limits: H7, 2768-m."""
+        text = "" if self.entry is None else self.entry.tolerance or ""
+        return text if text[:1].isalpha() and not text.lower().startswith("max") or text.startswith("2768") else ""
 
     @property
     def unit(self) -> str:
@@ -69,8 +76,8 @@ class DimensionRow:
 
     @property
     def is_linked(self) -> bool:
-        """Whether the nominal is that of the CAD model."""
-        return self.drawing is not None and abs(self.drawing - self.nominal) < 5e-7
+        """Whether the nominal follows the nominal features."""
+        return self.entry is not None and self.entry.nominal_linked
 
 
 def carry_ids(names_before: Sequence[str], ids_before: Sequence[int], names: Sequence[str]) -> tuple[int, ...]:

@@ -10,7 +10,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 from PySide6.QtGui import QUndoCommand, QUndoStack
 
 from measureapp.data.length_unit import LengthUnit
-from measureapp.errors import InputError
+from measureapp.errors import MeasureError
 from ui.controllers.jobs import JobRunner
 from ui.controllers.program_jobs import (
     ChangedNominal,
@@ -28,9 +28,11 @@ from ui.session import Session
 
 if TYPE_CHECKING:
     from measureapp.data.dimension import Dimension
+    from measureapp.data.inspection_program import InspectionProgram
     from measureapp.pipeline import Outcome
 
-TextEdit = Callable[[str], str]
+    Edit = Callable[[InspectionProgram], InspectionProgram]
+
 
 
 class EditCommand(QUndoCommand):
@@ -142,38 +144,45 @@ class ProgrammingController(QObject):
 
     def text(self) -> str:
         """Return the text of the edited program."""
-        return "" if self.state is None else self.state.text
+        return "" if self.state is None else self.state.text()
 
-    @Slot(str, str)
     def add(self, lines: str, name: str) -> None:
-        """Add a feature or dimension."""
-        from measureapp.project.program_text import add_entry
+        """Add a feature or dimension, given as the lines of its entry."""
+        import tomllib
 
-        self.edit(lambda text: add_entry(text, lines), f"{name} added to the inspection program.")
+        from measureapp.inspection.programming import edits
+
+        document = tomllib.loads(lines)
+        kind = "feature" if "features" in document else "dimension"
+        entries = document[f"{kind}s"]
+        self.edit(lambda program: edits.add(program, kind, *entries), f"{name} added to the inspection program.")
 
     @Slot(str)
     def remove(self, name: str) -> None:
-        """Remove a feature or dimension."""
-        from measureapp.project.program_text import remove_entry
+        """Remove a dimension or feature by its name."""
+        from measureapp.inspection.programming import edits
+        from measureapp.inspection.session.graph import Node
 
-        self.edit(lambda text: remove_entry(text, name), f"{name} removed from the inspection program.")
+        if self.state is not None:
+            kind = "dimension" if name in edits.names_of(self.state.program, "dimension") else "feature"
+            self.edit(lambda program: edits.remove(program, [Node(kind, name)]), f"{name} removed from the inspection program.")
 
     def replace(self, text: str) -> None:
         """Use another text. Raises InputError if it is not valid."""
         if self.state is not None:
             self._push(ProgramState.of(text, self.state), "Inspection program changed.")
 
-    def edit(self, change: TextEdit, words: str) -> bool:
-        """Edit the text of the program; an edit that makes it invalid is refused with a message. Return whether it was made."""
+    def edit(self, change: Edit, words: str) -> bool:
+        """Edit the program; an edit that is not possible is refused with a message. Return whether it was made."""
         if self.state is None or not self.can_change:
             return False
         try:
-            after = ProgramState.of(change(self.state.text), self.state)
-        except InputError as error:
+            after = change(self.state.program)
+        except MeasureError as error:
             self._session.tell(error.message, error.hint, "error")
             return False
-        if after.text != self.state.text:
-            self._push(after, words)
+        if after != self.state.program:
+            self._push(self.state.edited(after), words)
         return True
 
     def refuse(self, words: str, hint: str) -> None:
@@ -277,6 +286,7 @@ class ProgrammingController(QObject):
 
     def _keep_nominal(self, found: ChangedNominal, words: str) -> None:
         outcome, self.state = found.outcome, found.state
+        self._measuring.forget()
         self._is_own = True
         self._session.set_measurement(outcome.measurement, outcome.files, outcome.filters)
         self._is_own = False
@@ -304,7 +314,10 @@ class ProgrammingController(QObject):
     def _take(self) -> None:
         """Read the program of a measurement that came from elsewhere."""
         folder = self.folder
-        if self._is_own or folder is None or self._session.inspection is None:
+        if self._is_own:
+            return
+        self._measuring.forget()
+        if folder is None or self._session.inspection is None:
             return
         self._reader.run("Reading the program", lambda _job: read_state(folder), self._show_read, quiet=True)
 

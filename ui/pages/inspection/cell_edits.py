@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 from ui.controllers.program_rows import DimensionRow
 from ui.pages.inspection.dimension_model import CellEdit, Column
 
 if TYPE_CHECKING:
-    from measureapp.project.program_text import Value
+    from measureapp.data.inspection_program import InspectionProgram
     from ui.controllers.programming import ProgrammingController
+
+    Change = Callable[[InspectionProgram], InspectionProgram]
 
 NOT_A_NUMBER = "Enter a number, such as 24.5."
 
@@ -19,61 +21,54 @@ NOT_A_NUMBER = "Enter a number, such as 24.5."
 def problem_of(row: DimensionRow, column: Column, text: str) -> str:
     """Return why a text cannot be used in a cell; empty: it can."""
     try:
-        values_of(row, column, text)
+        change_of(row, column, text)
     except ValueError as error:
         return str(error)
     return ""
 
 
-def values_of(row: DimensionRow, column: Column, text: str) -> dict[str, Value | None]:
-    """Return the keys of the program that a text sets. Raises ValueError with the reason if it cannot be used."""
+def change_of(row: DimensionRow, column: Column, text: str) -> Change:
+    """Return the edit that a text in a cell means. Raises ValueError with the reason if it cannot be used."""
+    from measureapp.inspection.programming import edits
+    from measureapp.inspection.session.graph import Node
+
     if column is Column.NAME:
         if not text.strip():
             raise ValueError("A dimension needs a name.")
-        return {"name": text.strip()}
+        return lambda program: edits.rename(program, Node("dimension", row.name), text)
     if column is Column.NOMINAL:
-        return {"nominal": _number(text)}
+        value = _number(text)
+        return lambda program: edits.set_nominal(program, row.name, value)
     from measureapp.data.tolerance_text import parse_tolerance
 
-    found = parse_tolerance(text, kind=row.kind, nominal=row.nominal, is_zone=row.is_zone)
-    if found is None:
-        raise ValueError("Enter a tolerance, such as ±0.1, +0.1/-0.05, H7 or 2768-m.")
-    limits: dict[str, Value | None] = {"upper_tolerance": round(found.upper, 6)}
-    return limits if row.is_zone else {"lower_tolerance": round(found.lower, 6), **limits}
+    parse_tolerance(text, kind=row.kind, nominal=row.nominal, is_zone=row.is_zone)
+    return lambda program: edits.set_tolerance(program, row.name, text)
 
 
 def apply_edit(programming: ProgrammingController, rows: Sequence[DimensionRow], edit: CellEdit) -> bool:
     """Edit the program by what was typed into a cell, for all its rows in one step; return whether it was done."""
-    from measureapp.project.program_edit import change_entry
-
     chosen = [row for row in rows if row.id in edit.ids and not (edit.column is Column.NOMINAL and row.is_zone)]
     try:
-        changes = [(row.name, values_of(row, edit.column, edit.text)) for row in chosen]
+        changes = [change_of(row, edit.column, edit.text) for row in chosen]
     except ValueError as error:
-        programming.refuse(f"{edit.text!r} was not taken over.", str(error))
+        programming.refuse("The entry was not taken over.", f"{str(error)[:1].upper()}{str(error)[1:].rstrip('.')}.")
         return False
-
-    def change(text: str) -> str:
-        for name, values in changes:
-            text = change_entry(text, name, values)
-        return text
-
+    if not chosen:
+        return False
     what = {Column.NAME: "Name", Column.NOMINAL: "Nominal", Column.TOLERANCE: "Tolerance"}[edit.column]
     words = f"{what} of {chosen[0].name} changed." if len(chosen) == 1 else f"{what} of {len(chosen)} dimensions changed."
-    return programming.edit(change, words)
+    return programming.edit(one_after_the_other(changes), words)
 
 
-def free_name(name: str, taken: Sequence[str]) -> str:
-    """Return a name for a copy that is not taken.
+def one_after_the_other(changes: Sequence[Change]) -> Change:
+    """Return one edit that makes several."""
 
-    >>> free_name("bore", ["bore", "bore 2"]), free_name("bore 2", ["bore 2"])
-    ('bore 3', 'bore 3')
-    """
-    stem, number = re.fullmatch(r"(.*?)(?: (\d+))?", name).groups()  # type: ignore[union-attr]
-    count = int(number or 1) + 1
-    while f"{stem} {count}" in taken:
-        count += 1
-    return f"{stem} {count}"
+    def change(program: InspectionProgram) -> InspectionProgram:
+        for one in changes:
+            program = one(program)
+        return program
+
+    return change
 
 
 def _number(text: str) -> float:

@@ -19,7 +19,7 @@ ROW_ROLE = Qt.ItemDataRole.UserRole + 1  # the DimensionRow
 SORT_ROLE = Qt.ItemDataRole.UserRole + 2  # what a column is sorted by
 STATUS_ROLE = Qt.ItemDataRole.UserRole + 3
 DIGITS = 3
-WORST_FIRST = ("fail", "not proven", "not measured", "", "pass")
+WORST_FIRST = ("fail", "not proven", "not measured", "", "pass", "no tolerance")
 
 
 class Column(IntEnum):
@@ -76,7 +76,7 @@ def cell_text(row: DimensionRow, column: Column) -> str:
     if column is Column.NOMINAL:
         return quantity(row.nominal, printed, DIGITS)
     if column is Column.TOLERANCE:
-        return tolerance(*row.limits, printed)
+        return _tolerance_text(row, printed)
     if found is None:
         return "" if column is Column.STATUS else NOTHING
     values = {
@@ -94,12 +94,22 @@ def edit_text(row: DimensionRow, column: Column) -> str:
         return row.name
     if column is Column.NOMINAL:
         return f"{row.nominal:g}"
-    lower, upper = row.limits
-    if row.entry is not None:
-        lower, upper = row.entry.limits
-    if -lower == upper:
-        return f"±{upper:g}"
-    return f"max {upper:g}" if lower == 0 and row.is_zone else f"{upper:+g}/{lower:+g}"
+    if row.entry is not None and row.entry.tolerance is not None:
+        return row.entry.tolerance
+    limits = row.limits if row.entry is None else row.entry.limits
+    if limits is None:
+        return ""
+    lower, upper = limits
+    if row.is_zone:
+        return f"max {upper:g}"
+    return f"±{upper:g}" if -lower == upper else f"{upper:+g}/{lower:+g}"
+
+
+def _tolerance_text(row: DimensionRow, unit: str) -> str:
+    if row.limits is None:
+        return NOTHING
+    words = tolerance(*row.limits, unit)
+    return f"{words} {row.source}" if row.source else words
 
 
 def sort_key(row: DimensionRow, column: Column) -> Any:
@@ -110,7 +120,7 @@ def sort_key(row: DimensionRow, column: Column) -> Any:
     if column is Column.NOMINAL:
         return row.nominal
     if column is Column.TOLERANCE:
-        return row.limits[1] - row.limits[0]
+        return float("-inf") if row.limits is None else row.limits[1] - row.limits[0]
     if column is Column.VERDICT:
         return rank(row)
     if column is Column.STATUS:
@@ -121,9 +131,9 @@ def sort_key(row: DimensionRow, column: Column) -> Any:
 
 def rank(row: DimensionRow) -> tuple[int, float]:
     """Return the place of a row in the order of the worst first: the verdict, then the share of its tolerance."""
-    found, (lower, upper) = row.found, row.limits
-    share = 0.0
-    if found is not None and found.deviation is not None:
+    found, share = row.found, 0.0
+    if found is not None and found.deviation is not None and row.limits is not None:
+        lower, upper = row.limits
         limit = upper if found.deviation >= 0 else lower
         share = abs(found.deviation) / max(abs(limit), 1e-9)
     return WORST_FIRST.index(row.verdict if row.verdict in WORST_FIRST else ""), -share
@@ -237,6 +247,10 @@ def _tip(row: DimensionRow, column: Column) -> str:
         return reason
     if column is Column.STATUS:
         return STATUS_WORDS[row.status]
-    if column is Column.NOMINAL and row.drawing is not None:
-        return "From the CAD model" if row.is_linked else f"Typed; the CAD model has {quantity(row.drawing, row.unit)}"
+    if column in (Column.TOLERANCE, Column.UNCERTAINTY) and row.found is not None and row.found.warning:
+        return row.found.warning
+    if column is Column.NOMINAL and row.entry is not None and not row.is_zone:
+        return "Follows the nominal features" if row.is_linked else "Typed"
+    if column is Column.TOLERANCE and row.limits is None:
+        return "No tolerance: there is no verdict"
     return cell_text(row, column)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Qt
 from PySide6.QtGui import QKeySequence, QShortcut
@@ -11,9 +12,13 @@ from PySide6.QtWidgets import QMenu
 from ui.controllers.program_rows import DimensionRow
 from ui.controllers.programming import ProgrammingController
 from ui.look.wording import several
-from ui.pages.inspection.cell_edits import free_name
+from ui.pages.inspection.cell_edits import apply_edit, one_after_the_other
 from ui.pages.inspection.dimension_model import CellEdit, Column
 from ui.pages.inspection.dimension_table import DimensionTable
+
+if TYPE_CHECKING:
+    from measureapp.data.inspection_program import InspectionProgram
+    from measureapp.inspection.session.graph import Node
 
 
 class RowActions(QObject):
@@ -40,71 +45,48 @@ class RowActions(QObject):
 
     def duplicate(self) -> None:
         """Insert a copy of each selected dimension behind it."""
-        from measureapp.project.program_edit import duplicate_entry
+        from measureapp.inspection.programming import edits
 
-        taken = [row.name for row in self._table.rows]
-        copies = []
-        for row in self.chosen:
-            copies.append((row.name, free_name(row.name, taken)))
-            taken.append(copies[-1][1])
+        nodes, names = self._nodes(), list[str]()
 
-        def change(text: str) -> str:
-            for name, new in copies:
-                text = duplicate_entry(text, name, new)
-            return text
+        def change(program: InspectionProgram) -> InspectionProgram:
+            for node in nodes:
+                program, name = edits.duplicate(program, node)
+                names.append(name)
+            return program
 
-        if copies and self._programming.edit(change, f"{several(len(copies), 'dimension')} duplicated."):
-            self._select_named(copies[-1][1])
+        if nodes and self._programming.edit(change, f"{several(len(nodes), 'dimension')} duplicated."):
+            self._select_named(names[-1])
 
     def remove(self) -> None:
         """Delete the selected dimensions."""
-        from measureapp.project.program_text import remove_entry
+        from measureapp.inspection.programming import edits
 
-        names = [row.name for row in self.chosen]
-
-        def change(text: str) -> str:
-            for name in names:
-                text = remove_entry(text, name)
-            return text
-
-        if names:
-            self._programming.edit(change, f"{several(len(names), 'dimension')} deleted.")
+        nodes = self._nodes()
+        if nodes:
+            self._programming.edit(lambda program: edits.remove(program, nodes), f"{several(len(nodes), 'dimension')} deleted.")
 
     def move(self, steps: int) -> None:
         """Move the selected dimensions up or down in the order of the report, which is shown then."""
-        from measureapp.project.program_edit import move_entry
+        from measureapp.inspection.programming import edits
 
-        names = [row.name for row in self.chosen]
         order = [row.name for row in self._table.rows]
-        names.sort(key=order.index, reverse=steps > 0)
-
-        def change(text: str) -> str:
-            for name in names:
-                text = move_entry(text, name, steps)
-            return text
-
-        if names:
+        nodes = sorted(self._nodes(), key=lambda node: order.index(node.name), reverse=steps > 0)
+        if nodes:
             self._table.sort_by_program()
-            self._programming.edit(change, "Order of the dimensions changed.")
+            changes = [lambda program, node=node: edits.move(program, node, steps) for node in nodes]
+            self._programming.edit(one_after_the_other(changes), "Order of the dimensions changed.")
 
     def restore_nominal(self) -> None:
-        """Set the nominals to those of the CAD model."""
-        from measureapp.project.program_edit import change_entry
+        """Let the nominals follow the nominal features again."""
+        from measureapp.inspection.programming import edits
 
-        wanted = [(row.name, row.drawing) for row in self.chosen if row.drawing is not None and not row.is_linked]
-
-        def change(text: str) -> str:
-            for name, value in wanted:
-                text = change_entry(text, name, {"nominal": value})
-            return text
-
-        if wanted:
-            self._programming.edit(change, "Nominal set to that of the CAD model.")
+        changes = [lambda program, name=row.name: edits.link_nominal(program, name) for row in self.chosen if not row.is_zone]
+        if changes:
+            self._programming.edit(one_after_the_other(changes), "The nominal follows the nominal features again.")
 
     def set_tolerance(self, text: str) -> None:
         """Set one tolerance for all selected dimensions."""
-        from ui.pages.inspection.cell_edits import apply_edit
-
         apply_edit(self._programming, self._table.rows, CellEdit(tuple(row.id for row in self.chosen), Column.TOLERANCE, text))
 
     def _fill(self, menu: QMenu) -> None:
@@ -113,7 +95,7 @@ class RowActions(QObject):
             ("Rename", "F2", lambda: self._table.edit_cell(Column.NAME)),
             ("Edit the nominal", "", lambda: self._table.edit_cell(Column.NOMINAL)),
             ("Edit the tolerance", "", lambda: self._table.edit_cell(Column.TOLERANCE)),
-            ("Restore the nominal of the CAD model", "", self.restore_nominal),
+            ("Restore the nominal of the CAD features", "", self.restore_nominal),
             ("", "", None),
             ("Duplicate", "Ctrl+D", self.duplicate),
             ("Delete", "Del", self.remove),
@@ -128,12 +110,17 @@ class RowActions(QObject):
             action.setShortcut(QKeySequence(key))
             action.setEnabled(can)
             if act == self.restore_nominal:
-                action.setEnabled(can and any(row.drawing is not None and not row.is_linked for row in self.chosen))
+                action.setEnabled(can and any(not row.is_zone and not row.is_linked for row in self.chosen))
         menu.addSeparator()
         copied = menu.addAction("Copy rows", self._table.copy)
         copied.setShortcut(QKeySequence(QKeySequence.StandardKey.Copy))
         closer = menu.addAction("Zoom to its features", self._table.closerAsked.emit)
         closer.setShortcut(QKeySequence(Qt.Key.Key_Return))
+
+    def _nodes(self) -> list[Node]:
+        from measureapp.inspection.session.graph import Node
+
+        return [Node("dimension", row.name) for row in self.chosen]
 
     def _select_named(self, name: str) -> None:
         row = next((row for row in self._table.rows if row.name == name), None)
