@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
@@ -62,6 +62,26 @@ def evaluate_pattern_mean(
         return float(np.mean([measure(features[ends[i] : ends[i + 1]]) for i, measure in enumerate(measures)]))
 
     return Value(*propagate(mean, [one for found in sets for one in found]))
+
+
+def evaluate_nominal(described: DimensionProgram, nominals: Mapping[str, Feature], settings: InspectionSettings) -> float:
+    """Return the value of a size on the nominal features, the mean over the copies of a pattern.
+
+    Raises
+    ------
+    InspectionError
+        The kind is not a function of nominal features, one of them has no nominal position, or the value does not exist.
+    """
+    if described.kind not in {*SIZES, *PAIRS}:
+        raise InspectionError(f"the nominal of a {described.kind.replace('_', ' ')} does not follow from features")
+    values = []
+    for names in described.feature_sets:
+        for name in names:
+            if name not in nominals:
+                raise InspectionError(f"{name} has no nominal position")
+        found = [FoundFeature(name, nominals[name]) for name in names]
+        values.append(_measure(described.kind, found, settings)([nominals[name] for name in names]))
+    return float(np.mean(values))
 
 
 def _measure(kind: str, found: Sequence[FoundFeature], settings: InspectionSettings) -> Measure:

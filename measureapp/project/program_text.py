@@ -10,8 +10,8 @@ from collections.abc import Mapping, Sequence
 from measureapp.errors import InputError
 from measureapp.project.program_file import parse_program
 
-HEAD = re.compile(r"^(?=\[\[(?:features|dimensions)\]\])", re.MULTILINE)  # start of an entry of one of the lists
-Value = str | float | Sequence[str] | Sequence[float] | Mapping[str, "Value"]
+HEAD = re.compile(r"^(?=\[\[(?:features|dimensions|alignments)\]\])", re.MULTILINE)  # start of an entry of one of the lists
+Value = str | float | Sequence["Value"] | Mapping[str, "Value"]
 
 
 def format_entry(kind: str, values: Mapping[str, Value]) -> str:
@@ -23,7 +23,7 @@ def format_entry(kind: str, values: Mapping[str, Value]) -> str:
     grow = { seed_mm = [1.0, 2.0, 0.5] }
     <BLANKLINE>
     """
-    return "\n".join((f"[[{kind}]]", *(f"{name} = {_format_value(value)}" for name, value in values.items()), ""))
+    return "\n".join((f"[[{kind}]]", *(f"{name} = {format_value(value)}" for name, value in values.items()), ""))
 
 
 def add_entry(text: str, lines: str) -> str:
@@ -56,11 +56,14 @@ def _names(part: str) -> list[str]:
     return [one.get("name") for one in entries]
 
 
-def _format_value(value: Value) -> str:
+def format_value(value: Value) -> str:
+    """Format a value as TOML in one line."""
+    if isinstance(value, bool):
+        return "true" if value else "false"
     if isinstance(value, str):
         return json.dumps(value, ensure_ascii=False)
     if isinstance(value, Mapping):
-        return "{ " + ", ".join(f"{name} = {_format_value(one)}" for name, one in value.items()) + " }"
+        return "{ " + ", ".join(f"{name} = {format_value(one)}" for name, one in value.items()) + " }"
     if isinstance(value, Sequence):
-        return "[" + ", ".join(_format_value(one) for one in value) + "]"
-    return repr(float(value))
+        return "[" + ", ".join(format_value(one) for one in value) + "]"
+    return repr(value) if isinstance(value, int) else repr(float(value))

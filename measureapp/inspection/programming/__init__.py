@@ -1,0 +1,1 @@
+"""Writing inspection programs: edits as pure functions, nominals from the features, proposals for what is selected."""
