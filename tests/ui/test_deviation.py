@@ -121,10 +121,11 @@ def test_the_inspection_page_shows_deviations_once_they_are_known_and_forgets_th
     assert not page.side.deviation.isVisible()
     session.set_comparison(compared)
     assert page.shape.value() == "deviation"
+    page.side.list.setValue("deviation")
     assert page.side.deviation.isVisible()
     qtbot.waitUntil(lambda: len(page.view._clouds) == 2, timeout=10_000)
     session.open_project("other", "gear", None)
-    assert session.comparison is None
+    assert session.comparison is None and page.side.list.value() == "dimensions"
     assert page.shape.value() == "surface"
 
 

@@ -32,7 +32,7 @@ def test_from_start_to_report_an_operator_clicks_three_times(application, operat
     application.session.set_measurement(measurement, {"report_pdf": measurement})
     assert operator.page is inspection and inspection.side.banner.isVisible()
     assert inspection.side.banner.word.text() == "FAIL" and "1 of 4 dimensions fail" in inspection.side.banner.accessibleName()
-    assert inspection.side.table.selected()[0] == 1  # the one that fails
+    assert inspection.side.table.current_row().name == "b"  # the one that fails
     assert "b 40.131 mm   fail" in [label.text for label in inspection.view._labels]
     application.session.set_busy("")
     inspection.see_report.click()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -40,7 +40,7 @@ class ProgramState:
 
     def text(self) -> str:
         """Return the program as it is saved: the text with the edits, its comments kept."""
-        from measureapp.project.program_edit import rewrite_program
+        from measureapp.project.program_rewrite import rewrite_program
 
         return rewrite_program(self.base, self.program)
 

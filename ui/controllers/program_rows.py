@@ -49,7 +49,7 @@ class DimensionRow:
     def source(self) -> str:
         """The text that the tolerance follows from, where it is more than the limits: H7, 2768-m."""
         text = "" if self.entry is None else self.entry.tolerance or ""
-        return text if text[:1].isalpha() and not text.lower().startswith("max") or text.startswith("2768") else ""
+        return text if (text[:1].isalpha() and not text.lower().startswith("max")) or text.startswith("2768") else ""
 
     @property
     def unit(self) -> str:

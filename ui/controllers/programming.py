@@ -34,7 +34,6 @@ if TYPE_CHECKING:
     Edit = Callable[[InspectionProgram], InspectionProgram]
 
 
-
 class EditCommand(QUndoCommand):
     """One edit: the program before and after it."""
 

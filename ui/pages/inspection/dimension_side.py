@@ -62,9 +62,8 @@ class DimensionSide(QWidget):
         self._lists.addWidget(self.table)
         self._lists.addWidget(self.features)
         self._lists.addWidget(self.deviation)
-        top = row(self.list, 0, self.filter, spacing=8)
-        beside = column(self.banner, top, self._lists, self.save, self.rule, spacing=8)
-        beside.setStretch(2, 1)
+        beside = column(self.banner, row(self.list, 0), self.filter, self._lists, self.save, self.rule, spacing=8)
+        beside.setStretch(3, 1)
         self.setLayout(beside)
 
     @property
@@ -79,7 +78,7 @@ class DimensionSide(QWidget):
             return Selection()
         known = {feature.name: feature for feature in self._inspection.features}
         if self.list.value() == "features":
-            return Selection(None, tuple(known[name] for name in self.features.names() if name in known), is_leaf=True)
+            return Selection(None, tuple(known[name] for name in self.features.names() if name in known))
         chosen = self.table.current_row()
         if chosen is None or chosen.found is None:
             return Selection()

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Sequence
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import QSize, Signal
 from PySide6.QtWidgets import QLineEdit, QPushButton, QWidget
 
 from ui.controllers.program_rows import DimensionRow
@@ -17,6 +17,7 @@ CHIPS = {
     "fail": "{count} fail",
     "not proven": "{count} not proven",
     "not measured": "{count} not measured",
+    "no tolerance": "{count} without tolerance",
     "pass": "{count} pass",
     STALE: "{count} stale",
 }
@@ -34,6 +35,7 @@ class FilterBar(QWidget):
         self.buttons: dict[str, QPushButton] = {}
         for name in CHIPS:
             made = QPushButton()
+            made.setIconSize(QSize(18, 18))
             made.setCheckable(True)
             made.setProperty("role", "quiet")
             made.setAutoDefault(False)
@@ -49,6 +51,7 @@ class FilterBar(QWidget):
         self.search.textChanged.connect(self.changed)
         self.setLayout(row(*self.buttons.values(), 0, self.search, spacing=4))
         look.changed.connect(self._colour)
+        self.show_rows(())
 
     def chips(self) -> frozenset[str]:
         """Return the chosen chips; none: all rows are shown."""
@@ -63,8 +66,9 @@ class FilterBar(QWidget):
         counts = Counter(one.verdict for one in rows)
         counts[STALE] = sum(one.status in ("stale", "calculating") for one in rows)
         for name, made in self.buttons.items():
-            made.setText(CHIPS[name].format(count=counts[name]))
-            made.setToolTip(f"Show only these dimensions: {name}")
+            made.setText(str(counts[name]))
+            made.setAccessibleName(CHIPS[name].format(count=counts[name]))
+            made.setToolTip(f"{CHIPS[name].format(count=counts[name])}: show only these")
             if not counts[name]:
                 made.setChecked(False)
             made.setVisible(counts[name] > 0)
@@ -73,5 +77,4 @@ class FilterBar(QWidget):
 
     def _colour(self) -> None:
         for name, made in self.buttons.items():
-            colour = self._look.theme.colour("soft") if name == STALE else self._look.theme.verdict(name)
-            made.setStyleSheet(f"QPushButton {{ color: {colour.name()}; font-weight: 600; }}")
+            made.setIcon(self._look.icon(*(("again", "soft") if name == STALE else (name, "verdict_" + name.replace(" ", "_")))))

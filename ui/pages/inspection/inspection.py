@@ -154,9 +154,9 @@ class InspectionPage(ViewportPage):
         self._point = None
         inspection, chosen = self.session.inspection, self.side.selection
         dimension, features = chosen.dimension, chosen.features
-        if inspection is not None and dimension is not None and not chosen.is_leaf:
+        if inspection is not None and dimension is not None:
             self._show_entry(dimension_properties(dimension, features, inspection.alignment, decision_rule()), dimension.name)
-        elif features and chosen.is_leaf:
+        elif features:
             title = sentence_case(features[0].name) if len(features) == 1 else several(len(features), "feature")
             self._show_entry(Properties(title, tuple(feature_group(one) for one in features)), features[-1].name)
             self.program.bar.take(features[-1].name)
@@ -185,7 +185,7 @@ class InspectionPage(ViewportPage):
         inspection, chosen = self.session.inspection, self.side.selection
         if inspection is None:
             return
-        dimension = None if chosen.is_leaf else chosen.dimension
+        dimension = chosen.dimension
         theme = self.look.theme
         accent = rgb(theme, "accent")
         colour = accent if chosen.dimension is None else verdict_rgb(theme, chosen.dimension)
