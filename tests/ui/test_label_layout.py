@@ -6,7 +6,7 @@ from itertools import combinations
 
 import numpy as np
 
-from ui.viewport.label_layout import place_labels
+from ui.viewport.overlay.label_layout import place_labels
 
 PICTURE, SIZE = (800, 600), (120, 26)
 

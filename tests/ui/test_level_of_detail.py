@@ -37,7 +37,7 @@ def view(qtbot):
     with qtbot.waitExposed(made):
         made.show()
     made.activate()
-    made._scene.budget = FixedBudget(SOFTWARE)
+    made.stage.scene.budget = FixedBudget(SOFTWARE)
     points = np.random.default_rng(3).uniform(-10, 10, (COUNT, 3))
     made.set_clouds([CloudLayer(points, plain((220, 20, 30), COUNT))])
     made.screenshot()
@@ -56,7 +56,7 @@ def drag(widget, step: int) -> None:
 
 
 def test_while_the_mouse_turns_each_frame_is_the_same_first_part_and_nothing_is_handed_to_the_graphics_again(view, qtbot):
-    scene, inner = view._scene, view._view
+    scene, inner = view.stage.scene, view._view
     data = [block.GetMapper().GetInput() for block in scene._blocks]
     handed = [found.GetMTime() for found in data]
     qtbot.mousePress(inner, Qt.MouseButton.LeftButton, pos=QPoint(160, 120))
@@ -75,7 +75,7 @@ def test_while_the_mouse_turns_each_frame_is_the_same_first_part_and_nothing_is_
 
 
 def test_when_it_comes_to_rest_all_points_follow_in_parts_between_which_the_window_answers(view, qtbot):
-    scene, inner, frames, others = view._scene, view._view, [], []
+    scene, inner, frames, others = view.stage.scene, view._view, [], []
     turn_once(view, qtbot)
     from PySide6.QtCore import QTimer
 
@@ -100,15 +100,15 @@ def test_when_it_comes_to_rest_all_points_follow_in_parts_between_which_the_wind
 
 
 def test_the_next_move_ends_what_was_being_drawn_and_the_next_rest_begins_anew(view, qtbot):
-    scene, inner = view._scene, view._view
+    scene, inner = view.stage.scene, view._view
     turn_once(view, qtbot)
-    qtbot.waitUntil(lambda: not inner._rest.isActive(), timeout=5_000)
+    qtbot.waitUntil(lambda: view.stage.is_resting, timeout=5_000)
     inner._render()
     inner._go_on()
     assert BUDGET < scene.picture_points < COUNT and not scene.is_complete
     qtbot.mousePress(inner, Qt.MouseButton.LeftButton, pos=QPoint(160, 120))
     drag(inner, 2)
-    assert scene.is_complete and scene.picture_points == scene.frame_points <= BUDGET
+    assert scene.is_complete and scene.picture_points == 0 < scene.frame_points <= BUDGET
     inner._go_on()
     assert scene.picture_points <= BUDGET
     qtbot.mouseRelease(inner, Qt.MouseButton.LeftButton, pos=QPoint(200, 120))
@@ -116,12 +116,11 @@ def test_the_next_move_ends_what_was_being_drawn_and_the_next_rest_begins_anew(v
 
 
 def test_a_picture_thinner_than_the_one_seen_while_turning_is_not_shown(view, qtbot):
-    scene, inner = view._scene, view._view
+    scene, inner = view.stage.scene, view._view
     turn_once(view, qtbot)
     inner._render()
     seen = inner._image.copy()
-    inner._rest.stop()
-    inner._come_to_rest()
+    view.stage.come_to_rest()
     inner._render()
     assert scene._size_px < scene._moving_size_px()
     assert inner._image == seen
@@ -139,10 +138,11 @@ def test_where_the_processor_draws_it_is_recognised_before_the_first_frame_and_d
     qtbot.addWidget(view)
     view.show()
     view.activate()
-    capabilities = view._view._window.ReportCapabilities()
+    view.screenshot()
+    capabilities = view._view._window.vtk.ReportCapabilities()
     assert "renderer string" in capabilities
-    assert view._scene.budget.software == ("llvmpipe" in capabilities or FrameBudget(capabilities).software)
-    assert view._view._window.GetMultiSamples() == (0 if view._scene.budget.software else 4)
+    assert view.stage.scene.budget.software == ("llvmpipe" in capabilities or FrameBudget(capabilities).software)
+    assert view._view._window.vtk.GetMultiSamples() == (0 if view.stage.scene.budget.software else 4)
     view.close_view()
 
 

@@ -55,7 +55,7 @@ def test_a_click_picks_the_foremost_point_and_its_layer(view, qtbot):
     with qtbot.waitSignal(view.pointPicked) as told:
         qtbot.mouseClick(view._view, Qt.MouseButton.LeftButton, pos=QPoint(round(x), round(240 - 1 - y)))
     assert told.args == [1, 0]
-    assert view._scene.keep_framed
+    assert view.stage.scene.camera.keep_framed
 
 
 def test_a_click_beside_the_part_picks_nothing(view, qtbot):
@@ -66,8 +66,7 @@ def test_a_click_beside_the_part_picks_nothing(view, qtbot):
 
 
 def _pixel_of(view: CloudView, point: np.ndarray) -> tuple[float, float]:
-    placed = view._scene._projection() @ np.append(point, 1.0)
-    x, y = (placed[:2] / placed[3] + 1.0) / 2.0 * view._scene.renderer.GetSize()
+    x, y = view.stage.scene.camera.pixels(point[None])[0]
     return float(x), float(y)
 
 

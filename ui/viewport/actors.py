@@ -1,27 +1,20 @@
-"""VTK actors of the 3-D view: points, surfaces, lines and labels."""
+"""VTK actors of points, surfaces and lines."""
 
 from __future__ import annotations
 
-from functools import cache
-from importlib.util import find_spec
-from pathlib import Path
-
 import numpy as np
-import vtkmodules.vtkRenderingFreeType
-import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  registers the OpenGL classes
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkPolyDataNormals
-from vtkmodules.vtkRenderingAnnotation import vtkCaptionActor2D
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPointGaussianMapper, vtkPolyDataMapper, vtkTextProperty
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPointGaussianMapper, vtkPolyDataMapper
 
 from ui.viewport.colouring import HATCH_SHADE, UNKNOWN
-from ui.viewport.layers import Label, LineLayer, SurfaceLayer
+from ui.viewport.layers import LineLayer, SurfaceLayer
+from ui.viewport.prepared_surface import SurfacePart
 
-LETTERS = Path("mpl-data") / "fonts" / "ttf" / "DejaVuSans.ttf"
-LETTERS_PX, FONT_FILE = 13, 4  # VTK_FONT_FILE, which the Python wrapping lacks
 HATCH_PERIOD_PX = 9.0
+AMBIENT, DIFFUSE = 0.32, 0.8
+READ_AMBIENT, READ_DIFFUSE = 0.9, 0.1  # for colours of a scale, so that a colour means the same everywhere
 IS_UNKNOWN = "all(lessThan(abs(vertexColorVSOutput.rgb - vec3({}, {}, {}) / 255.0), vec3(0.012)))".format(*UNKNOWN)
 HATCHED = (  # in screen space, so that unmeasured areas are recognisable at every distance
     "//VTK::Color::Impl\n"
@@ -37,7 +30,7 @@ def points_actor(points: np.ndarray, colours: np.ndarray) -> vtkActor:
     (VTK merge request 296).
     """
     data = _poly_data(points)
-    data.GetPointData().SetScalars(numpy_to_vtk(colours))
+    data.GetPointData().SetScalars(numpy_to_vtk(np.ascontiguousarray(colours)))
     mapper, actor = vtkPointGaussianMapper(), vtkActor()
     mapper.SetInputData(data)
     mapper.SetScaleFactor(0.0)
@@ -48,34 +41,23 @@ def points_actor(points: np.ndarray, colours: np.ndarray) -> vtkActor:
     return actor
 
 
-def surface_actor(layer: SurfaceLayer) -> vtkActor:
-    """Return an actor of a lit surface; unmeasured vertices are hatched."""
-    data = _poly_data(np.asarray(layer.vertices_mm, np.float32))
+def surface_actor(part: SurfacePart, layer: SurfaceLayer) -> vtkActor:
+    """Return an actor of a part of a surface; unmeasured vertices are hatched."""
+    data = _poly_data(np.asarray(part.vertices_mm, np.float32))
     cells = vtkCellArray()
-    cells.SetData(3, numpy_to_vtkIdTypeArray(np.ascontiguousarray(layer.triangles, np.int64).ravel(), deep=True))
+    cells.SetData(3, numpy_to_vtkIdTypeArray(np.ascontiguousarray(part.triangles, np.int64).ravel(), deep=True))
     data.SetPolys(cells)
-    if layer.colours is not None:
-        data.GetPointData().SetScalars(numpy_to_vtk(np.ascontiguousarray(layer.colours, np.uint8), deep=True))
-    actor = _actor(_with_normals(data, layer))
-    if layer.colours is not None:
+    data.GetPointData().SetNormals(numpy_to_vtk(np.ascontiguousarray(part.normals, np.float32), deep=True))
+    if part.colours is not None:
+        data.GetPointData().SetScalars(numpy_to_vtk(np.ascontiguousarray(part.colours, np.uint8), deep=True))
+    actor = _actor(data)
+    if part.colours is not None:
         actor.GetShaderProperty().AddFragmentShaderReplacement("//VTK::Color::Impl", True, HATCHED, False)
     actor.GetProperty().SetColor(*(value / 255 for value in layer.colour))
     actor.GetProperty().SetOpacity(layer.opacity)
-    actor.GetProperty().SetAmbient(0.32)
-    actor.GetProperty().SetDiffuse(0.8)
+    actor.GetProperty().SetAmbient(READ_AMBIENT if layer.to_read else AMBIENT)
+    actor.GetProperty().SetDiffuse(READ_DIFFUSE if layer.to_read else DIFFUSE)
     return actor
-
-
-def _with_normals(data: vtkPolyData, layer: SurfaceLayer) -> vtkPolyData:
-    """Return the surface with its normals; missing ones are computed and split at edges."""
-    if layer.normals is not None:
-        data.GetPointData().SetNormals(numpy_to_vtk(np.ascontiguousarray(layer.normals, np.float32), deep=True))
-        return data
-    split = vtkPolyDataNormals()
-    split.SetInputData(data)
-    split.SetFeatureAngle(35.0)
-    split.Update()
-    return split.GetOutput()
 
 
 def line_actor(layer: LineLayer) -> vtkActor:
@@ -96,49 +78,6 @@ def line_actor(layer: LineLayer) -> vtkActor:
     actor.GetProperty().SetLineWidth(layer.width)
     actor.GetProperty().LightingOff()
     return actor
-
-
-def label_actor(label: Label) -> vtkCaptionActor2D:
-    """Return an actor of a text on a leader line; opaque, so that progressive drawing gives the same picture."""
-    actor = vtkCaptionActor2D()
-    actor.SetCaption(label.text)
-    actor.SetAttachmentPoint(*(float(value) for value in label.point_mm))
-    actor.BorderOff()
-    actor.LeaderOn()
-    actor.ThreeDimensionalLeaderOff()
-    actor.SetPosition(24, 32)
-    actor.GetTextActor().SetTextScaleModeToNone()
-    text = actor.GetCaptionTextProperty()
-    set_letters(text)
-    text.BoldOff()
-    text.ItalicOff()
-    text.ShadowOff()
-    text.SetColor(*(value / 255 for value in label.colour))
-    text.SetBackgroundColor(*(value / 255 for value in label.background))
-    text.SetBackgroundOpacity(1.0)
-    text.FrameOn()
-    text.SetFrameColor(*(value / 255 for value in label.colour))
-    actor.GetProperty().SetColor(*(value / 255 for value in label.colour))
-    return actor
-
-
-def set_letters(text: vtkTextProperty) -> None:
-    """Set a readable font; VTK's default font lacks many characters."""
-    letters = letters_file()
-    if letters is None:
-        text.SetFontFamilyToArial()
-    else:
-        text.SetFontFamily(FONT_FILE)
-        text.SetFontFile(str(letters))
-    text.SetFontSize(LETTERS_PX)
-
-
-@cache
-def letters_file() -> Path | None:
-    """Return the font file of Matplotlib, which PyVista installs; None if it is missing."""
-    found = find_spec("matplotlib")
-    path = None if found is None or found.origin is None else Path(found.origin).parent / LETTERS
-    return path if path is not None and path.is_file() else None
 
 
 def _poly_data(points: np.ndarray) -> vtkPolyData:

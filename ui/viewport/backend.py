@@ -44,6 +44,7 @@ def off_screen_window() -> vtkRenderWindow | None:
         window = kind()
         window.SetOffScreenRendering(True)
         window.SetShowWindow(False)
+        window.SetAlphaBitPlanes(True)  # for pictures with a transparent background
         if window.SupportsOpenGL():
             return window
     return None

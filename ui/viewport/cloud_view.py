@@ -6,69 +6,87 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QColor, QImage, QKeyEvent, QShowEvent
-from PySide6.QtWidgets import QLabel, QStackedLayout, QWidget
+from PySide6.QtCore import QPoint, QPointF, Qt, Signal
+from PySide6.QtGui import QColor, QGuiApplication, QImage, QShowEvent
+from PySide6.QtWidgets import QLabel, QMenu, QStackedLayout, QWidget
 
 from ui.look.look import Look
 from ui.viewport.backend import NO_GRAPHICS, choose_backend, off_screen_window
+from ui.viewport.keys import KEYS, add_keys
 from ui.viewport.layers import CloudLayer, Label, LineLayer, SurfaceLayer
+from ui.viewport.menus import NumberPopup, legend_menu, view_menu
+from ui.viewport.overlay.flag import Flag
+from ui.viewport.overlay.legend import Legend
+from ui.viewport.overlay.style import OverlayStyle
+from ui.viewport.pick import Pick
+from ui.viewport.prepared_surface import PreparedSurface, prepare_surface
 from ui.viewport.shuffled_cloud import ShuffledCloud, shuffle
+from ui.viewport.standard_views import OPENING_DIRECTION, Direction
+from ui.viewport.steered_view import SteeredView
 
 if TYPE_CHECKING:
     from ui.viewport.native import NativeView
     from ui.viewport.off_screen import OffScreenView
-    from ui.viewport.scene import Scene
+    from ui.viewport.point_index import PointIndex
+    from ui.viewport.stage import Stage
 
-STEP_DEG = 15.0
-TURNS = {
-    Qt.Key.Key_Left: (-STEP_DEG, 0.0),
-    Qt.Key.Key_Right: (STEP_DEG, 0.0),
-    Qt.Key.Key_Up: (0.0, STEP_DEG),
-    Qt.Key.Key_Down: (0.0, -STEP_DEG),
-}
-ZOOMS = {Qt.Key.Key_Plus: 1.25, Qt.Key.Key_Equal: 1.25, Qt.Key.Key_Minus: 0.8}
-PICKS = (Qt.Key.Key_Return, Qt.Key.Key_Enter)
-KEYS = "Arrow keys rotate, plus and minus zoom, Home shows everything, Enter picks the point in the centre."
 PREPARING = "Preparing 3-D view…"
 
 
-class CloudView(QWidget):
-    """Shows clouds, a surface, lines and labels; drag rotates, Shift and drag pans, the wheel zooms, a click picks a point.
+class CloudView(SteeredView):
+    """Shows clouds, a surface and lines, with a legend, flags and labels over them.
 
-    Keys: arrows rotate, + and − zoom, Home shows everything, Enter picks the point in the centre.
+    The mouse: left drag rotates, middle drag or Shift pans, the wheel and right drag zoom, Alt and drag zooms to a box, a double
+    click sets the centre of rotation, a click picks. Keys: see `ui.viewport.keys`.
     """
 
+    picked = Signal(object)  # Pick, of every click
     pointPicked = Signal(int, int)  # layer, index in the layer
     rayClicked = Signal(object, object)  # origin and direction, where a click hits no point
+    legendEdited = Signal(object)  # Legend
+    flagMoved = Signal(str, object)  # key, middle of its box as fractions of the picture
+    flagChosen = Signal(str)
+    clipChanged = Signal(object)  # ClipBox
+    menuOpening = Signal(object, object)  # QMenu and Pick, so that pages can add actions
+    becameLive = Signal()
 
     def __init__(self, look: Look, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._look = look
-        self._scene: Scene | None = None
         self._view: OffScreenView | NativeView | None = None
         self._allowed = False
         self._clouds: tuple[CloudLayer, ...] = ()
         self._cloud = shuffle(())
-        self._surface: SurfaceLayer | None = None
+        self._index: PointIndex | None = None
+        self._surface: PreparedSurface | None = None
+        self._proxy: PreparedSurface | None = None
         self._lines: tuple[LineLayer, ...] = ()
         self._labels: tuple[Label, ...] = ()
-        self._framing: tuple[np.ndarray | None, tuple[float, float, float]] | None = None
+        self._flags: tuple[Flag, ...] = ()
+        self._legend: Legend | None = None
+        self._frame_name, self._chosen = "", ""
+        self._framing: tuple[np.ndarray | None, Direction] | None = None
         self._placeholder = QLabel(PREPARING, alignment=Qt.AlignmentFlag.AlignCenter)
         self._placeholder.setProperty("role", "soft")
         self._placeholder.setWordWrap(True)
         self._stack = QStackedLayout(self)
         self._stack.addWidget(self._placeholder)
         self.setMinimumSize(280, 240)
-        self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAccessibleName("3-D view")
         self.setAccessibleDescription(KEYS)
+        add_keys(self)
         look.changed.connect(self._apply_theme)
 
     @property
     def is_live(self) -> bool:
         """Whether the 3-D view draws."""
         return self._view is not None
+
+    @property
+    def legend(self) -> Legend | None:
+        """The legend shown."""
+        return self._legend
 
     def activate(self) -> None:
         """Enable drawing, when the widget is visible; VTK should have been imported, or the window waits for it."""
@@ -84,53 +102,90 @@ class CloudView(QWidget):
         """Show these clouds; ``cloud``: all of them, if they were shuffled already in a thread."""
         self._clouds = tuple(layers)
         self._cloud = shuffle(self._clouds) if cloud is None else cloud
-        if self._scene is not None:
-            self._scene.set_cloud(self._cloud)
+        self._index, self._proxy = None, None
+        if self.stage is not None:
+            self.stage.scene.set_cloud(self._cloud)
             self._refresh()
 
-    def set_surface(self, layer: SurfaceLayer | None) -> None:
-        """Show this surface, or none."""
-        self._surface = layer
-        if self._scene is not None:
-            self._scene.set_surface(layer)
+    def set_index(self, index: PointIndex) -> None:
+        """Use what was prepared for the clouds shown; ignored for others."""
+        if index.cloud is self._cloud:
+            self._index = index
+            if self.stage is not None:
+                self.stage.scene.set_index(index)
+
+    def set_cloud_proxy(self, surface: PreparedSurface | None) -> None:
+        """Show this surface in place of the clouds while the camera moves; None: a subsample of their points."""
+        self._proxy = surface
+        if self.stage is not None:
+            self.stage.scene.set_cloud_proxy(surface)
+
+    def set_surface(self, layer: SurfaceLayer | None, prepared: PreparedSurface | None = None) -> None:
+        """Show this surface, or none; ``prepared``: the same, if it was prepared already in a thread."""
+        self._surface = prepared if prepared is not None or layer is None else prepare_surface(layer)
+        if self.stage is not None:
+            self.stage.scene.set_surface(self._surface)
             self._refresh()
 
     def set_lines(self, layers: Sequence[LineLayer]) -> None:
         """Show these lines."""
         self._lines = tuple(layers)
-        if self._scene is not None:
-            self._scene.set_lines(self._lines)
+        if self.stage is not None:
+            self.stage.scene.set_lines(self._lines)
             self._refresh()
 
     def set_labels(self, labels: Sequence[Label]) -> None:
-        """Show these labels."""
+        """Show these short texts beside their points."""
         self._labels = tuple(labels)
-        if self._scene is not None:
-            self._scene.set_labels(self._labels)
-            self._refresh()
+        self._show_overlay()
+
+    def set_flags(self, flags: Sequence[Flag], chosen: str = "") -> None:
+        """Show these flags, the most important first; ``chosen``: key of the selected one."""
+        self._flags, self._chosen = tuple(flags), chosen
+        self._show_overlay()
+
+    def set_legend(self, legend: Legend | None) -> None:
+        """Show this legend, or none."""
+        self._legend = legend
+        self._show_overlay()
+
+    def set_frame_name(self, name: str) -> None:
+        """Show the name of the scene's frame beside its axes."""
+        self._frame_name = name
+        self._show_overlay()
 
     def reset_camera(self) -> None:
-        """Show everything."""
-        if self._scene is not None:
-            self._scene.keep_framed = True
+        """Show everything from the opening direction."""
+        if self.stage is not None:
+            self.stage.scene.camera.open_from(OPENING_DIRECTION if self._framing is None else self._framing[1])
             self._refresh()
 
-    def frame(self, points_mm: np.ndarray | None, direction: tuple[float, float, float]) -> None:
+    def frame(self, points_mm: np.ndarray | None, direction: Direction) -> None:
         """Open the camera on these points (N, 3), None: on everything, from a direction; a camera that was moved by hand stays."""
         self._framing = (points_mm, direction)
-        if self._scene is not None:
-            self._scene.frame(*self._framing)
+        if self.stage is not None:
+            self.stage.scene.camera.framed_mm, self.stage.scene.camera.opening = self._framing
             self._refresh()
 
     def look_at(self, points_mm: np.ndarray) -> None:
         """Move the camera to these points (N, 3) without rotation."""
-        if self._scene is not None and len(points_mm):
-            self._scene.look_at(np.asarray(points_mm, float))
+        if self.stage is not None and len(points_mm):
+            self.stage.scene.look_at(np.asarray(points_mm, float))
             self._refresh()
 
     def screenshot(self) -> QImage:
         """Return the picture; empty while there is no 3-D view."""
         return QImage() if self._view is None else self._view.image()
+
+    def copy_picture(self) -> None:
+        """Copy the picture with its furniture to the clipboard."""
+        picture = self.screenshot()
+        if not picture.isNull():
+            QGuiApplication.clipboard().setImage(picture)
+
+    def cancel(self) -> bool:
+        """End a gesture of the mouse without effect; False if there is none."""
+        return self._view is not None and self._view.mouse is not None and self._view.mouse.cancel()
 
     def close_view(self) -> None:
         """Release the graphics memory and show the placeholder."""
@@ -138,24 +193,9 @@ class CloudView(QWidget):
             self._view.close_view()
             self._stack.removeWidget(self._view)
             self._view.deleteLater()
-        self._view, self._scene, self._allowed = None, None, False
-
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        """Rotate, zoom and pick by keyboard."""
-        key, scene = Qt.Key(event.key()), self._scene
-        if scene is None or not (key in TURNS or key in ZOOMS or key in PICKS or key == Qt.Key.Key_Home):
-            super().keyPressEvent(event)
-        elif key in PICKS:
-            width, height = scene.renderer.GetSize()
-            self._pick(width / 2, height / 2)
-        else:
-            if key in TURNS:
-                scene.turn(*TURNS[key])
-            elif key in ZOOMS:
-                scene.approach(ZOOMS[key])
-            else:
-                scene.keep_framed = True
-            self._refresh()
+        if self.stage is not None:
+            self.stage.deleteLater()
+        self._view, self.stage, self._allowed = None, None, False
 
     def showEvent(self, event: QShowEvent) -> None:
         """Create the 3-D view when it is first visible."""
@@ -163,59 +203,128 @@ class CloudView(QWidget):
         if self._allowed:
             self._create()
 
+    def pick_at(self, place: QPointF) -> Pick | None:
+        """Return what is at a place of the widget; None before the view is live."""
+        return None if self._view is None else self._view.pick(place)
+
+    def pick_centre(self) -> None:
+        """Pick what is in the middle of the picture."""
+        self.take_pick(self.pick_at(QPointF(self.width() / 2.0, self.height() / 2.0)))
+
+    def take_pick(self, pick: Pick | None) -> None:
+        """Announce a pick."""
+        if pick is None:
+            return
+        self.picked.emit(pick)
+        if pick.is_point:
+            self.pointPicked.emit(pick.layer, pick.index)
+        else:
+            self.rayClicked.emit(pick.ray_mm, pick.direction)
+
     def _create(self) -> None:
         if self._view is not None:
             return
-        from ui.viewport.scene import Scene
+        from ui.viewport.stage import Stage
 
-        scene = Scene()
-        view = _new_view(scene)
+        stage = Stage(OverlayStyle.of(self._look.theme), self)
+        view = _new_view(self, stage)
         if view is None:
+            stage.deleteLater()
             self._allowed = False
             self.explain(NO_GRAPHICS)
             return
-        self._scene, self._view = scene, view
-        view.clicked.connect(self._pick)
-        self._apply_theme()
-        if self._framing is not None:
-            scene.frame(*self._framing)
-        scene.set_cloud(self._cloud)
-        scene.set_surface(self._surface)
-        scene.set_lines(self._lines)
-        scene.set_labels(self._labels)
+        self.stage, self._view = stage, view
+        stage.clicked.connect(self.take_pick)
+        stage.menuAsked.connect(self._open_menu)
+        stage.legendMenuAsked.connect(self._open_legend_menu)
+        stage.numberAsked.connect(self._type_number)
+        stage.legendEdited.connect(self._take_legend)
+        stage.flagMoved.connect(self.flagMoved)
+        stage.flagChosen.connect(self.flagChosen)
+        stage.clipChanged.connect(self.clipChanged)
+        self._fill(stage)
         self._stack.addWidget(view)
         self._stack.setCurrentWidget(view)
         self._refresh()
+        self.becameLive.emit()
 
-    def _pick(self, x_px: float, y_px: float) -> None:
-        found = self._scene.pick(x_px, y_px) if self._scene is not None else None
-        if found is not None:
-            self.pointPicked.emit(*found)
-        elif self._scene is not None:
-            self.rayClicked.emit(*self._scene.ray(x_px, y_px))
+    def _fill(self, stage: Stage) -> None:
+        scene = stage.scene
+        if self._framing is not None:
+            scene.camera.framed_mm, scene.camera.opening = self._framing
+        scene.set_cloud(self._cloud)
+        if self._index is not None:
+            scene.set_index(self._index)
+        scene.set_cloud_proxy(self._proxy)
+        scene.set_surface(self._surface)
+        scene.set_lines(self._lines)
+        self._apply_theme()
+        self._show_overlay()
+
+    def _take_legend(self, legend: Legend) -> None:
+        self._legend = legend
+        self.legendEdited.emit(legend)
+
+    def _open_menu(self, pick: Pick, place: QPoint) -> None:
+        menu = view_menu(self, pick)
+        self.menuOpening.emit(menu, pick)
+        self._open(menu, place)
+
+    def _open_legend_menu(self, place: QPoint) -> None:
+        if self._legend is not None and self._legend.editable and self.stage is not None:
+            self._open(legend_menu(self, self._legend, self.stage.edit_legend), place)
+
+    def _open(self, menu: QMenu, place: QPoint) -> None:
+        menu.aboutToHide.connect(menu.deleteLater)
+        menu.popup(place)
+
+    def _type_number(self, handle: str, place: QPoint) -> None:
+        if self._legend is not None and self.stage is not None:
+            NumberPopup(self, self._legend, handle, self.stage.edit_legend).open_at(place)  # type: ignore[arg-type]
+
+    def _show_overlay(self) -> None:
+        if self.stage is None:
+            return
+        furniture = self.stage.furniture
+        legend_came = (furniture.legend is None) != (self._legend is None)
+        furniture.legend, furniture.flags, furniture.labels = self._legend, self._flags, self._labels
+        furniture.frame, furniture.chosen = self._frame_name, self._chosen
+        furniture.forget_places()
+        self.stage.picture_ready()
+        if legend_came:
+            self._refresh()  # the room for the part has changed
+        else:
+            self.stage.paintWanted.emit()
 
     def _apply_theme(self) -> None:
-        if self._scene is not None:
+        if self.stage is not None:
             theme = self._look.theme
-            self._scene.set_background(_rgb(theme.colour("viewport_top")), _rgb(theme.colour("viewport_bottom")))
+            self.stage.scene.set_background(_rgb(theme.colour("viewport_top")), _rgb(theme.colour("viewport_bottom")))
+            self.stage.set_style(OverlayStyle.of(theme))
             self._refresh()
 
     def _refresh(self) -> None:
-        if self._view is not None:
-            self._view.refresh()
+        if self.stage is not None:
+            self.stage.refreshWanted.emit()
 
 
-def _new_view(scene: Scene) -> OffScreenView | NativeView | None:
+def _new_view(owner: CloudView, stage: Stage) -> OffScreenView | NativeView | None:
+    """Return a view in the render window that all views of the same top-level window share; None without graphics."""
+    from ui.viewport.render_window import RenderWindow, shared_window
+
+    shared = shared_window(owner)
     if choose_backend() == "native":
-        from ui.viewport.native import NativeView
+        from ui.viewport.native import NativeView, NativeWindow
 
-        return NativeView(scene)
-    window = off_screen_window()
-    if window is None:
-        return None
+        return NativeView(stage, shared if isinstance(shared, NativeWindow) else NativeWindow(owner.window()))
     from ui.viewport.off_screen import OffScreenView
 
-    return OffScreenView(scene, window)
+    if shared is None:
+        window = off_screen_window()
+        if window is None:
+            return None
+        shared = RenderWindow(window, owner.window())
+    return OffScreenView(stage, shared)
 
 
 def _rgb(colour: QColor) -> tuple[float, float, float]:

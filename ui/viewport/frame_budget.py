@@ -5,6 +5,7 @@ from __future__ import annotations
 FRAME_S = 0.075  # of 0.1 s; the rest is for everything else
 LEARNING = 0.4  # weight of the newest frame
 LEAST_POINTS = 10_000
+SPARE = 0.8  # of the time of a frame, within which a finer subsample is tried
 SOFTWARE_S_PER_POINT, HARDWARE_S_PER_POINT = 4e-7, 5e-9  # until the first frame is measured
 SOFTWARE_NAMES = ("llvmpipe", "softpipe", "swr", "software", "swiftshader", "gdi generic", "basic render")
 
@@ -30,6 +31,35 @@ class FrameBudget:
         used_up = points >= self.points / 2 or seconds > FRAME_S
         if used_up and points >= LEAST_POINTS / 2:
             self._s_per_point += LEARNING * (seconds / points - self._s_per_point)
+
+
+class LevelChoice:
+    """Chooses the finest subsample that is drawn in time while the camera moves; the subsamples are counted from the finest one."""
+
+    def __init__(self) -> None:
+        self._seconds: dict[int, float] = {}
+        self._place: int | None = None
+
+    def place(self, count: int) -> int:
+        """Return the subsample for the next frame, of so many."""
+        if self._place is None or self._place >= count:
+            self._place = count - 1
+        here = self._seconds.get(self._place)
+        if here is not None and here > FRAME_S and self._place < count - 1:
+            self._place += 1
+        elif here is not None and self._place > 0 and self._expected(self._place - 1, here) < SPARE * FRAME_S:
+            self._place -= 1
+        return self._place
+
+    def observe(self, seconds: float) -> None:
+        """Take note of the time of a frame."""
+        if self._place is not None:
+            former = self._seconds.get(self._place)
+            self._seconds[self._place] = seconds if former is None else former + LEARNING * (seconds - former)
+
+    def _expected(self, place: int, coarser_s: float) -> float:
+        """Return the time of a finer subsample: as it was; never drawn, twice that of the coarser one, which has a quarter of its points."""
+        return self._seconds.get(place, 2.0 * coarser_s)
 
 
 def is_software(capabilities: str) -> bool:

@@ -27,6 +27,7 @@ class SurfaceLayer:
     colour: tuple[int, int, int] = (190, 198, 203)
     opacity: float = 1.0
     normals: np.ndarray | None = None  # (V, 3); None: computed
+    to_read: bool = False  # the colours belong to a scale, so they are shaded only slightly
 
 
 @dataclass(frozen=True, eq=False)

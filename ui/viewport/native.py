@@ -1,123 +1,270 @@
-"""Native backend: VTK renders directly into the window."""
+"""Native backend: VTK draws directly into a window of the desktop; one such window serves all 3-D views of the program's window."""
 
 from __future__ import annotations
 
-import time
-
 import numpy as np
-from PySide6.QtCore import QTimer, Signal
-from PySide6.QtGui import QImage, QResizeEvent
+from PySide6.QtCore import QEvent, QPointF, Qt, QTimer, Signal
+from PySide6.QtGui import QImage, QPaintEngine, QPainter, QPaintEvent, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QVBoxLayout, QWidget
-from vtkmodules.qt.QVTKRenderWindowInteractor import QVTKRenderWindowInteractor
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
-from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyData
+from vtkmodules.vtkRenderingCore import vtkPolyDataMapper2D, vtkRenderer, vtkRenderWindow, vtkTexture, vtkTexturedActor2D
 
-from ui.viewport.frame_budget import FrameBudget
-from ui.viewport.scene import Scene
+from ui.viewport.depth import hidden_places, pick_at
+from ui.viewport.mouse import Mouse
+from ui.viewport.pick import Pick
+from ui.viewport.render_window import RenderWindow
+from ui.viewport.stage import Stage
 
-REST_MS = 200
+
+class Overlay:
+    """What is painted over the picture, as a texture in front of the scene, because a desktop window hides the widgets over it."""
+
+    def __init__(self) -> None:
+        self.renderer = vtkRenderer()
+        self.renderer.SetLayer(1)
+        self.renderer.InteractiveOff()
+        self._image, self._texture, self._pixels = vtkImageData(), vtkTexture(), np.empty(0, np.uint8)
+        self._texture.SetInputData(self._image)
+        self._texture.SetColorModeToDirectScalars()
+        self._corners, data = vtkPoints(), vtkPolyData()
+        self._corners.SetNumberOfPoints(4)
+        cells = vtkCellArray()
+        cells.InsertNextCell(4)
+        for corner in range(4):
+            cells.InsertCellPoint(corner)
+        data.SetPoints(self._corners)
+        data.SetPolys(cells)
+        places = numpy_to_vtk(np.array([[0, 0], [1, 0], [1, 1], [0, 1]], np.float32), deep=True)
+        places.SetName("texture")
+        data.GetPointData().SetTCoords(places)
+        mapper, self._actor = vtkPolyDataMapper2D(), vtkTexturedActor2D()
+        mapper.SetInputData(data)
+        self._actor.SetMapper(mapper)
+        self._actor.SetTexture(self._texture)
+        self.renderer.AddViewProp(self._actor)
+
+    def show(self, image: QImage) -> None:
+        """Show an image of the size of the window, with transparent parts."""
+        straight = image.convertToFormat(QImage.Format.Format_RGBA8888)
+        width, height = straight.width(), straight.height()
+        raw = np.frombuffer(straight.constBits(), np.uint8).reshape(height, straight.bytesPerLine())[:, : 4 * width]
+        self._pixels = np.ascontiguousarray(raw.reshape(height, width, 4)[::-1]).reshape(-1, 4)
+        if self._image.GetDimensions()[:2] != (width, height):
+            self._image.SetDimensions(width, height, 1)
+            for corner, (x, y) in enumerate(((0, 0), (width, 0), (width, height), (0, height))):
+                self._corners.SetPoint(corner, x, y, 0)
+            self._corners.Modified()
+        self._image.GetPointData().SetScalars(numpy_to_vtk(self._pixels))
+        self._image.Modified()
+
+
+class NativeSurface(QWidget):
+    """The desktop window in which VTK draws; it is moved into the view that is visible."""
+
+    drawAsked = Signal()
+    windowChanged = Signal()  # the desktop gave it another window
+
+    def __init__(self) -> None:
+        super().__init__()
+        for attribute in (
+            Qt.WidgetAttribute.WA_NativeWindow,
+            Qt.WidgetAttribute.WA_PaintOnScreen,
+            Qt.WidgetAttribute.WA_OpaquePaintEvent,
+            Qt.WidgetAttribute.WA_NoSystemBackground,
+            Qt.WidgetAttribute.WA_DontCreateNativeAncestors,
+        ):
+            self.setAttribute(attribute)
+        self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
+        self.window_id = 0
+
+    def paintEngine(self) -> QPaintEngine | None:  # type: ignore[override]
+        """Return none: Qt does not paint here."""
+        return None
+
+    def paintEvent(self, _event: QPaintEvent) -> None:
+        """Let the view draw."""
+        self.drawAsked.emit()
+
+    def resizeEvent(self, _event: QResizeEvent) -> None:
+        """Let the view draw at the new size."""
+        self.drawAsked.emit()
+
+    def event(self, event: QEvent) -> bool:
+        """Notice another window of the desktop."""
+        if event.type() == QEvent.Type.WinIdChange and self.window_id:
+            self.windowChanged.emit()
+        return super().event(event)
+
+
+class NativeWindow(RenderWindow):
+    """The render window in a desktop window."""
+
+    def __init__(self, parent: QWidget) -> None:
+        window = vtkRenderWindow()
+        window.SetNumberOfLayers(2)
+        window.SetAlphaBitPlanes(True)
+        super().__init__(window, parent)
+        self.surface, self.overlay = NativeSurface(), Overlay()
+        self.holder: NativeView | None = None
+        self.surface.drawAsked.connect(self._draw_holder)
+        self.surface.windowChanged.connect(self._take_window)
+
+    def give_to(self, holder: NativeView) -> None:
+        """Move the desktop window into a view."""
+        if self.holder is holder:
+            return
+        former, self.holder = self.holder, holder
+        if former is not None:
+            former.give_up()
+        holder.layout().addWidget(self.surface)
+        self.surface.show()
+        self._take_window()
+
+    def take_from(self, holder: NativeView) -> None:
+        """Take the desktop window out of a view that is closed."""
+        if self.holder is holder:
+            self.holder = None
+            self.surface.setParent(None)
+
+    def _take_window(self) -> None:
+        wanted = int(self.surface.winId())
+        if wanted != self.surface.window_id:
+            if self.surface.window_id:
+                self.vtk.Finalize()
+            self.surface.window_id = wanted
+            self.vtk.SetWindowInfo(str(wanted))
+            self.vtk.AddRenderer(self.overlay.renderer)
+
+    def _draw_holder(self) -> None:
+        if self.holder is not None:
+            self.holder.draw_now()
 
 
 class NativeView(QWidget):
-    """Shows a scene in VTK's own window."""
+    """Shows a stage in the desktop window while it is visible."""
 
-    clicked = Signal(float, float)  # pixel of the picture, y from the bottom
-
-    def __init__(self, scene: Scene, parent: QWidget | None = None) -> None:
+    def __init__(self, stage: Stage, window: NativeWindow, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self._scene = scene
-        self._interactor = QVTKRenderWindowInteractor(self)
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
-        layout.addWidget(self._interactor)
-        self._window = self._interactor.GetRenderWindow()
-        self._window.SetMultiSamples(4)
-        self._window.AddRenderer(scene.renderer)
-        self._window.AddObserver("StartEvent", self._begin_frame)  # type: ignore[arg-type]
-        self._window.AddObserver("EndEvent", self._end_frame)  # type: ignore[arg-type]
-        self._adding, self._knows_renderer, self._started = False, False, 0.0
-        style = vtkInteractorStyleTrackballCamera()
-        self._interactor.SetInteractorStyle(style)
-        style.AddObserver("StartInteractionEvent", self._begin_move)  # type: ignore[arg-type]
-        style.AddObserver("EndInteractionEvent", self._end_move)  # type: ignore[arg-type]
-        self._interactor.Initialize()
-        self._pressed_at, self._was_framed = (0, 0), True
-        self._rest = QTimer(self)
-        self._rest.setSingleShot(True)
-        self._rest.setInterval(REST_MS)
-        self._rest.timeout.connect(self._come_to_rest)
-        self._more = QTimer(self)
-        self._more.setSingleShot(True)
-        self._more.timeout.connect(self._go_on)
+        self._stage, self._window, self._stale = stage, window, True
+        window.join(self)
+        self.mouse: Mouse | None = None
+        self._more, self._next = QTimer(self), QTimer(self)
+        for timer, action in ((self._more, self._go_on), (self._next, self._render)):
+            timer.setSingleShot(True)
+            timer.timeout.connect(action)
+        stage.refreshWanted.connect(self.refresh)
+        stage.paintWanted.connect(self.refresh)
+        stage.places_hidden = self._hidden
 
     def refresh(self) -> None:
         """Schedule a redraw."""
-        self._interactor.update()
+        self._stale = True
+        if self._window.holder is self:
+            self._next.start()
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        """Redraw at the new size."""
-        super().resizeEvent(event)
+    def showEvent(self, event: QShowEvent) -> None:
+        """Get the desktop window."""
+        super().showEvent(event)
+        self.take()
+
+    def take(self) -> None:
+        """Get the desktop window, when the view becomes visible."""
+        self._window.give_to(self)
+        if self.mouse is None:
+            self.mouse = Mouse(self._window.surface, self._stage, self.pick)
         self.refresh()
+
+    def give_up(self) -> None:
+        """Lose the desktop window to another view."""
+        self._more.stop()
+        self._next.stop()
+        if self.mouse is not None:
+            self._window.surface.removeEventFilter(self.mouse)
+            self.mouse.deleteLater()
+            self.mouse = None
+
+    def draw_now(self) -> None:
+        """Draw, because the desktop asks for it."""
+        self._stale = True
+        self._render()
 
     def image(self) -> QImage:
-        """Return the present picture."""
-        self._window.Render()
-        while not self._scene.is_complete:
+        """Return the complete picture with what is painted over it."""
+        self.take()
+        self._stage.scene.set_moving(False)
+        self.draw_now()
+        while not self._stage.scene.is_complete:
             self._go_on()
-        width, height = self._window.GetSize()
-        data = vtkUnsignedCharArray()
-        self._window.GetPixelData(0, 0, width - 1, height - 1, True, data, 0)
-        pixels = np.ascontiguousarray(vtk_to_numpy(data).reshape(height, width, 3)[::-1])
-        return QImage(pixels.data, width, height, 3 * width, QImage.Format.Format_RGB888).copy()
+        return self._window.image()
 
     def close_view(self) -> None:
-        """Release the window before Qt destroys it."""
-        self._rest.stop()
-        self._more.stop()
-        self._window.RemoveAllObservers()
-        self._window.RemoveRenderer(self._scene.renderer)
-        self._interactor.Finalize()
+        """Release the graphics memory before Qt destroys the window."""
+        self.give_up()
+        surface = self._window.surface
+        self._window.take_from(self)
+        self._window.leave(self, self._stage.scene)
+        if self._window.holder is None:
+            surface.hide()
+
+    def pick(self, place: QPointF) -> Pick:
+        """Return what is at a place of the widget, in logical pixels from the top left corner."""
+        if not self._window.shows(self._stage.scene):
+            self.draw_now()
+        ratio = self._window.surface.devicePixelRatioF()
+        return pick_at(self._stage.scene, self._window.vtk, place.x() * ratio, (self.height() - place.y()) * ratio - 1.0)
+
+    def _render(self) -> None:
+        if self._window.holder is not self or not self._stale or not self.isVisible():
+            return
+        surface = self._window.surface
+        ratio = surface.devicePixelRatioF()
+        width, height = max(1, round(surface.width() * ratio)), max(1, round(surface.height() * ratio))
+        self._stage.resize(surface.width(), surface.height())
+        self._stage.fit_room()
+        self._window.put_in(self._stage.scene, width, height)
+        self._stage.scene.begin_picture()
+        self._stale = False
+        self._draw(width, height, ratio)
+
+    def _draw(self, width: int, height: int, ratio: float) -> None:
+        """Draw a frame; one that is too thin stays in memory, while the desktop shows the former picture."""
+        scene, window = self._stage.scene, self._window
+        shown = scene.is_presentable
+        window.overlay.renderer.SetDraw(shown)
+        if shown:
+            self._stage.say_progress()
+            window.overlay.show(self._painted(width, height, ratio))
+        window.vtk.SetSwapBuffers(shown)
+        window.draw()
+        if not scene.is_complete:
+            self._more.start()
+        else:
+            self._stage.picture_ready()
+
+    def _painted(self, width: int, height: int, ratio: float) -> QImage:
+        image = QImage(width, height, QImage.Format.Format_ARGB32_Premultiplied)
+        image.setDevicePixelRatio(ratio)
+        image.fill(Qt.GlobalColor.transparent)
+        painter = QPainter(image)
+        self._stage.paint(painter)
+        self._stage.paint_handles(painter)
+        painter.end()
+        return image
 
     def _go_on(self) -> None:
-        """Add points to an incomplete picture."""
-        if not self._scene.is_complete:
-            self._adding = True
-            self._window.Render()
-            self._adding = False
-
-    def _begin_frame(self, _caller: object, _event: str) -> None:
-        if self._adding:
-            self._scene.go_on()
-        else:
-            self._scene.begin_picture()
-        self._started = time.perf_counter()
-
-    def _end_frame(self, _caller: object, _event: str) -> None:
-        if not self._knows_renderer:
-            self._scene.budget, self._knows_renderer = FrameBudget(self._window.ReportCapabilities()), True
-            if self._scene.budget.software:
-                self._window.SetMultiSamples(0)
+        """Add points to an incomplete picture; begin anew where another view was drawn since."""
+        scene = self._stage.scene
+        if self._stale or scene.is_complete or self._window.holder is not self:
             return
-        self._window.WaitForCompletion()
-        self._scene.budget.observe(self._scene.frame_points, time.perf_counter() - self._started)
-        if not self._scene.is_complete:
-            self._more.start()
+        scene.go_on()
+        width, height = self._window.vtk.GetSize()
+        self._draw(width, height, self._window.surface.devicePixelRatioF())
 
-    def _begin_move(self, _caller: object, _event: str) -> None:
-        self._rest.stop()
-        self._pressed_at, self._was_framed = self._interactor.GetEventPosition(), self._scene.keep_framed
-        self._scene.set_moving(True)
-
-    def _end_move(self, _caller: object, _event: str) -> None:
-        x, y = self._interactor.GetEventPosition()
-        if (x, y) == tuple(self._pressed_at):
-            self._scene.set_moving(False)
-            self._scene.keep_framed = self._was_framed
-            self.clicked.emit(float(x), float(y))
-        else:
-            self._rest.start()
-
-    def _come_to_rest(self) -> None:
-        self._scene.set_moving(False)
-        self.refresh()
+    def _hidden(self, places_mm: np.ndarray) -> set[int]:
+        if not self._window.shows(self._stage.scene):
+            return set(self._stage.furniture.hidden)
+        return hidden_places(self._stage.scene, self._window.vtk, places_mm)

@@ -1,54 +1,40 @@
-"""Off-screen backend: renders to memory and paints the image; mouse and wheel events are forwarded."""
+"""Off-screen backend: renders to memory and paints the image."""
 
 from __future__ import annotations
 
 import time
 
 import numpy as np
-from PySide6.QtCore import QEvent, QPointF, Qt, QTimer, Signal
-from PySide6.QtGui import QImage, QMouseEvent, QPainter, QPaintEvent, QResizeEvent, QWheelEvent
+from PySide6.QtCore import QEvent, QPointF, Qt, QTimer
+from PySide6.QtGui import QImage, QPainter, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import QWidget
-from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
-from vtkmodules.vtkInteractionStyle import vtkInteractorStyleTrackballCamera
-from vtkmodules.vtkRenderingCore import vtkRenderWindow
-from vtkmodules.vtkRenderingUI import vtkGenericRenderWindowInteractor
 
-from ui.viewport.frame_budget import FrameBudget
-from ui.viewport.scene import Scene
+from ui.viewport.depth import hidden_places, pick_at
+from ui.viewport.mouse import Mouse
+from ui.viewport.pick import Pick
+from ui.viewport.render_window import RenderWindow
+from ui.viewport.stage import Stage
 
-REST_MS = 200
-CLICK_REACH_PX = 4
-BUTTONS = {Qt.MouseButton.LeftButton: "LeftButton", Qt.MouseButton.MiddleButton: "MiddleButton", Qt.MouseButton.RightButton: "RightButton"}
+GRAB_S = 0.25  # between images of a picture that is not complete
 
 
 class OffScreenView(QWidget):
-    """Shows a scene rendered off-screen."""
+    """Shows a stage whose scene is rendered off-screen."""
 
-    clicked = Signal(float, float)  # pixel of the picture, y from the bottom
-
-    def __init__(self, scene: Scene, window: vtkRenderWindow, parent: QWidget | None = None) -> None:
+    def __init__(self, stage: Stage, window: RenderWindow, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
-        self._scene, self._window, self._image, self._stale = scene, window, QImage(), True
-        window.Initialize()  # needed for the capability report
-        scene.budget = FrameBudget(window.ReportCapabilities())
-        window.SetMultiSamples(0 if scene.budget.software else 4)  # multisampling by the processor is too slow at any size
-        window.AddRenderer(scene.renderer)
-        self._interactor = vtkGenericRenderWindowInteractor()
-        self._interactor.SetRenderWindow(window)
-        self._interactor.SetInteractorStyle(vtkInteractorStyleTrackballCamera())
-        self._interactor.EnableRenderOff()
-        self._interactor.Initialize()
-        self._interactor.AddObserver("RenderEvent", self._on_render_wanted)  # type: ignore[arg-type]
-        self._pressed_at = QPointF()
-        self._rest = QTimer(self)
-        self._rest.setSingleShot(True)
-        self._rest.setInterval(REST_MS)
-        self._rest.timeout.connect(self._come_to_rest)
+        self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
+        self._stage, self._window, self._image, self._stale = stage, window, QImage(), True
+        self._grabbed = 0.0  # time of the last image
+        window.join(self)
+        self.mouse = Mouse(self, stage, self.pick)
         self._more = QTimer(self)
         self._more.setSingleShot(True)
         self._more.timeout.connect(self._go_on)
+        stage.refreshWanted.connect(self.refresh)
+        stage.paintWanted.connect(self.update)
+        stage.places_hidden = self._hidden
 
     def refresh(self) -> None:
         """Schedule a redraw."""
@@ -56,116 +42,40 @@ class OffScreenView(QWidget):
         self.update()
 
     def image(self) -> QImage:
-        """Return the present picture."""
+        """Return the complete picture with what is painted over it."""
+        self._stage.scene.set_moving(False)
+        self._stale = True
         self._render()
-        while not self._scene.is_complete:
+        while not self._stage.scene.is_complete:
             self._go_on()
-        return self._image.copy()
+        made = self._image.copy()
+        painter = QPainter(made)
+        self._stage.paint(painter)
+        painter.end()
+        return made
 
     def close_view(self) -> None:
         """Release the graphics memory."""
-        self._rest.stop()
         self._more.stop()
-        self._interactor.RemoveAllObservers()
-        self._window.RemoveRenderer(self._scene.renderer)
-        self._window.Finalize()
+        self._window.leave(self, self._stage.scene)
+
+    def pick(self, place: QPointF) -> Pick:
+        """Return what is at a place of the widget, in logical pixels from the top left corner."""
+        self._render(anew=not self._window.shows(self._stage.scene))
+        ratio = self.devicePixelRatioF()
+        return pick_at(self._stage.scene, self._window.vtk, place.x() * ratio, (self.height() - place.y()) * ratio - 1.0)
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        """Paint the rendered image."""
+        """Paint the rendered image and what belongs over it."""
         self._render()
-        QPainter(self).drawImage(0, 0, self._image)
+        painter = QPainter(self)
+        painter.drawImage(0, 0, self._image)
+        self._stage.paint(painter)
+        self._stage.paint_handles(painter)
 
     def resizeEvent(self, _event: QResizeEvent) -> None:
         """Render at the new size."""
         self.refresh()
-
-    def mousePressEvent(self, event: QMouseEvent) -> None:
-        """Start to rotate, pan or zoom."""
-        self._pressed_at = event.position()
-        self._forward(event, "PressEvent")
-
-    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
-        """End rotation, pan or zoom; a click picks."""
-        self._forward(event, "ReleaseEvent")
-        moved = (event.position() - self._pressed_at).manhattanLength()
-        if event.button() == Qt.MouseButton.LeftButton and moved < CLICK_REACH_PX:
-            ratio = self.devicePixelRatioF()
-            self.clicked.emit(event.position().x() * ratio, (self.height() - event.position().y() - 1) * ratio)
-            return
-        self._rest.start()
-
-    def mouseMoveEvent(self, event: QMouseEvent) -> None:
-        """Rotate, pan or zoom."""
-        moved = (event.position() - self._pressed_at).manhattanLength()
-        if event.buttons() != Qt.MouseButton.NoButton and moved >= CLICK_REACH_PX:
-            self._begin_move()
-            self._place(event.position(), event)
-            self._interactor.MouseMoveEvent()
-
-    def wheelEvent(self, event: QWheelEvent) -> None:
-        """Zoom."""
-        self._begin_move()
-        self._place(event.position(), event)
-        if event.angleDelta().y() > 0:
-            self._interactor.MouseWheelForwardEvent()
-        else:
-            self._interactor.MouseWheelBackwardEvent()
-        self._rest.start()
-        event.accept()
-
-    def _forward(self, event: QMouseEvent, kind: str) -> None:
-        name = BUTTONS.get(event.button())
-        if name is not None:
-            self._place(event.position(), event)
-            getattr(self._interactor, name + kind)()
-
-    def _place(self, position: QPointF, event: QMouseEvent | QWheelEvent) -> None:
-        ratio = self.devicePixelRatioF()
-        keys = event.modifiers()
-        control = bool(keys & Qt.KeyboardModifier.ControlModifier)
-        shift = bool(keys & Qt.KeyboardModifier.ShiftModifier)
-        x, y = round(position.x() * ratio), round((self.height() - position.y() - 1) * ratio)
-        self._interactor.SetEventInformation(x, y, control, shift, "\0", 0, "")
-
-    def _begin_move(self) -> None:
-        self._rest.start()
-        self._scene.set_moving(True)
-
-    def _come_to_rest(self) -> None:
-        self._scene.set_moving(False)
-        self.refresh()
-
-    def _on_render_wanted(self, _caller: object, _event: str) -> None:
-        self.refresh()
-
-    def _render(self) -> None:
-        ratio = self.devicePixelRatioF()
-        width, height = max(1, round(self.width() * ratio)), max(1, round(self.height() * ratio))
-        if not self._stale and (self._image.width(), self._image.height()) == (width, height):
-            return
-        self._window.SetSize(width, height)
-        self._interactor.SetSize(width, height)
-        self._scene.begin_picture()
-        self._draw(width, height)
-        self._stale = False
-
-    def _go_on(self) -> None:
-        """Add points to an incomplete picture."""
-        if not self._stale and not self._scene.is_complete:
-            self._scene.go_on()
-            self._draw(self._image.width(), self._image.height())
-            self.update()
-
-    def _draw(self, width: int, height: int) -> None:
-        started = time.perf_counter()
-        self._window.Render()
-        self._window.WaitForCompletion()
-        if self._scene.is_presentable or (self._image.width(), self._image.height()) != (width, height):
-            self._image = _grab(self._window, width, height)
-            self._image.setDevicePixelRatio(self.devicePixelRatioF())
-        self._scene.budget.observe(self._scene.frame_points, time.perf_counter() - started)
-        if not self._scene.is_complete:
-            self._more.start()
 
     def changeEvent(self, event: QEvent) -> None:
         """Redraw when the theme changes."""
@@ -173,9 +83,46 @@ class OffScreenView(QWidget):
             self.refresh()
         super().changeEvent(event)
 
+    def _render(self, *, anew: bool = False) -> None:
+        ratio = self.devicePixelRatioF()
+        width, height = max(1, round(self.width() * ratio)), max(1, round(self.height() * ratio))
+        if not self._stale and not anew and (self._image.width(), self._image.height()) == (width, height):
+            return
+        self._stage.resize(self.width(), self.height())
+        self._stage.fit_room()
+        self._window.put_in(self._stage.scene, width, height)
+        self._stage.scene.begin_picture()
+        self._draw(width, height)
+        self._stale = False
 
-def _grab(window: vtkRenderWindow, width: int, height: int) -> QImage:
-    data = vtkUnsignedCharArray()
-    window.GetPixelData(0, 0, width - 1, height - 1, True, data, 0)
-    pixels = np.ascontiguousarray(vtk_to_numpy(data).reshape(height, width, 3)[::-1])
-    return QImage(pixels.data, width, height, 3 * width, QImage.Format.Format_RGB888).copy()
+    def _go_on(self) -> None:
+        """Add points to an incomplete picture; begin anew where another view was drawn since."""
+        scene = self._stage.scene
+        if self._stale or scene.is_complete:
+            return
+        if not self._window.shows(scene):
+            self._stale = True
+        else:
+            scene.go_on()
+            self._draw(self._image.width(), self._image.height())
+        self.update()
+
+    def _draw(self, width: int, height: int) -> None:
+        self._window.draw()
+        scene = self._stage.scene
+        resized = (self._image.width(), self._image.height()) != (width, height)
+        now = time.monotonic()
+        if scene.is_complete or resized or (scene.is_presentable and now - self._grabbed > GRAB_S):
+            self._grabbed = now
+            self._image = self._window.image()
+            self._image.setDevicePixelRatio(self.devicePixelRatioF())
+        self._stage.say_progress()
+        if not scene.is_complete:
+            self._more.start()
+        else:
+            self._stage.picture_ready()
+
+    def _hidden(self, places_mm: np.ndarray) -> set[int]:
+        if not self._window.shows(self._stage.scene):
+            return set(self._stage.furniture.hidden)
+        return hidden_places(self._stage.scene, self._window.vtk, places_mm)

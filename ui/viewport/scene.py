@@ -1,49 +1,64 @@
-"""The 3-D scene: renderer, actors and camera."""
+"""The content of one 3-D view: renderer, actors, and what of them is drawn in each frame."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
 import numpy as np
-from vtkmodules.vtkRenderingCore import vtkActor, vtkProp, vtkRenderer
+from vtkmodules.vtkCommonDataModel import vtkPlane, vtkPlaneCollection
+from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer
 
-from ui.viewport.actors import label_actor, line_actor, points_actor, surface_actor
-from ui.viewport.frame_budget import FrameBudget
-from ui.viewport.label_layout import place_labels
-from ui.viewport.layers import Label, LineLayer, SurfaceLayer
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  isort: skip  (registers what implements the renderer)
+
+from ui.viewport.actors import line_actor, points_actor, surface_actor
+from ui.viewport.camera import SceneCamera
+from ui.viewport.clip_box import ClipBox
+from ui.viewport.frame_budget import FrameBudget, LevelChoice
+from ui.viewport.layers import LineLayer
+from ui.viewport.point_index import PointIndex
 from ui.viewport.point_size import point_size_px
+from ui.viewport.prepared_surface import PreparedSurface, SurfacePart
 from ui.viewport.shuffled_cloud import ShuffledCloud, shuffle
+from ui.viewport.voxel_grid import Level
 
-OPENING_DIRECTION = (-1.0, -1.1, 0.85)
 FRAMING_POINTS = 4_000
-FILLED_SHARE = 0.86  # of the picture's width or height, whichever is reached first
 CLOSEST_MM, ROOM = 15.0, 1.8
-PICK_REACH_PX = 5.0
-LABEL_PX = (7.6, 24)  # approximate width of a letter and height of a label
-PICK_CHUNK = 2_000_000
+SPLAT, LARGEST_SPLAT_PX = 1.9, 14.0  # size of the points of a level, in edges of its cubes
+TRIANGLE_COST = 1.2  # of a triangle, in points
+TRANSPARENT = 0.35
 
 
 class Scene:
-    """Clouds, surfaces, lines and labels in one renderer."""
+    """Clouds, surfaces and lines in one renderer; independent of the window that draws it."""
 
     def __init__(self) -> None:
         self.renderer = vtkRenderer()
         self.renderer.GradientBackgroundOn()
-        self.budget = FrameBudget()
-        self._cloud = shuffle(())
-        self._blocks: list[vtkActor] = []
+        self.camera = SceneCamera(self.renderer)
+        self.budget, self.choice = FrameBudget(), LevelChoice()
+        self.cloud = shuffle(())
+        self.index: PointIndex | None = None
+        self.clip: ClipBox | None = None
+        self.is_transparent = self.has_edges = False
+        self._surface: PreparedSurface | None = None
+        self._blocks: list[vtkActor] = []  # of points
+        self._parts: list[vtkActor] = []  # of the surface; drawn before the points
+        self._lines: list[vtkActor] = []
+        self._surface_proxy: vtkActor | None = None  # instead of the surface while the camera moves
+        self._cloud_proxy: vtkActor | None = None  # instead of the points
+        self._levels: list[tuple[Level, vtkActor]] = []
+        self._costs = np.empty(0, np.int64)  # cumulative cost of the parts and the blocks, in points
         self._ends = np.empty(0, np.int64)  # cumulative number of points at the end of each block
-        self._bounds: tuple[np.ndarray, ...] = ()
-        self._drawn = 0  # blocks drawn in the picture
-        self._shown = slice(0, 0)  # blocks of the present frame
+        self._drawn = 0  # pieces drawn in the picture
+        self._shown = slice(0, 0)  # pieces of the present frame
         self._size_px = 1.0
-        self._moving = False
-        self._others: dict[str, list[vtkProp]] = {"surface": [], "lines": [], "labels": []}
+        self._moving, self._moving_cost = False, 0  # cost of a frame of the moving camera, in points
         self._extent: dict[str, np.ndarray] = {}
-        self._labels: tuple[Label, ...] = ()
-        self.keep_framed = True  # until the user moves the camera
-        self._opening = OPENING_DIRECTION
-        self._framed_mm: np.ndarray | None = None  # (N, 3), what the camera is opened on; None: everything
+
+    @property
+    def is_moving(self) -> bool:
+        """Whether the camera is being moved."""
+        return self._moving
 
     def set_background(self, top: tuple[float, float, float], bottom: tuple[float, float, float]) -> None:
         """Set the colours (0…1) of the background."""
@@ -51,229 +66,248 @@ class Scene:
         self.renderer.SetBackground2(top)
 
     def set_cloud(self, cloud: ShuffledCloud) -> None:
-        """Replace the points."""
-        for block in self._blocks:
-            self.renderer.RemoveActor(block)
-        self._cloud, self._extent["clouds"] = cloud, cloud.points_mm[:FRAMING_POINTS].astype(float)
+        """Replace the points; their index and their proxy are dropped."""
+        self.cloud, self._extent["clouds"] = cloud, cloud.points_mm[:FRAMING_POINTS].astype(float)
+        self._remove([*self._blocks, *(actor for _, actor in self._levels)])
+        self.index, self._levels = None, []
+        self.set_cloud_proxy(None)
         parts = cloud.blocks()
         self._ends = np.array([part.stop for part in parts], np.int64)
-        self._blocks = [points_actor(cloud.points_mm[part], cloud.colours[part]) for part in parts]
-        self._bounds = cloud.bounds_mm
-        self._drawn, self._shown = 0, slice(0, 0)
-        for block in self._blocks:
-            block.VisibilityOff()
-            self.renderer.AddActor(block)
+        self._blocks = self._add([points_actor(cloud.points_mm[part], cloud.colours[part]) for part in parts])
+        self._begin_anew()
 
-    def set_moving(self, moving: bool) -> None:
-        """Draw only the points of one frame while the camera moves, all points at rest."""
-        self.keep_framed = self.keep_framed and not moving
-        self._moving = moving
-
-    def turn(self, right_deg: float, up_deg: float) -> None:
-        """Rotate the part to the right and up, as with the mouse."""
-        camera = self.renderer.GetActiveCamera()
-        camera.Azimuth(-right_deg)
-        camera.Elevation(-up_deg)
-        camera.OrthogonalizeViewUp()
-        self.keep_framed = False
-
-    def approach(self, times: float) -> None:
-        """Zoom in by a factor."""
-        self.renderer.GetActiveCamera().Dolly(times)
-        self.keep_framed = False
-
-    def begin_picture(self) -> None:
-        """Start a new picture: the next frame clears it and draws as many points as its time allows."""
-        self._set_preserved(False)
-        self._drawn = 0
-        if self.keep_framed:
-            self.reset_camera()
-        self._show_next(self.budget.points)
-        self.renderer.ResetCameraClippingRange(self._all_bounds())
-        if not self._moving:  # during motion labels keep their offsets
-            self._place_labels()
-
-    def go_on(self) -> None:
-        """Continue the picture: the next frame adds points; see `is_complete`."""
-        self._set_preserved(True)
-        self._show_next(self.budget.points)
-
-    @property
-    def is_complete(self) -> bool:
-        """Whether everything is drawn; during motion one frame is sufficient."""
-        return self._moving or self._drawn == len(self._blocks)
-
-    @property
-    def is_presentable(self) -> bool:
-        """Whether the picture covers the part as well as one drawn during motion; until then the former picture is shown."""
-        return self.is_complete or self.picture_points * self._size_px**2 >= self.budget.points * self._moving_size_px() ** 2
-
-    @property
-    def frame_points(self) -> int:
-        """Number of points of the present frame."""
-        before = int(self._ends[self._shown.start - 1]) if self._shown.start else 0
-        return self.picture_points - before
-
-    def _show_next(self, budget: int) -> None:
-        """Make the next blocks visible; surfaces and lines are drawn in the first frame only, whose depth buffer is kept."""
-        first, start = self._drawn == 0, self.picture_points
-        end = min(max(self._drawn + 1, int(np.searchsorted(self._ends, start + budget, side="right"))), len(self._blocks))
-        for block in self._blocks[self._shown]:
-            block.VisibilityOff()
-        self._shown, self._drawn = slice(self._drawn, end), end
-        if first:
-            self._size_px = self._moving_size_px() if self._moving else self._covering_size_px(len(self._cloud))
-        for block in self._blocks[self._shown]:
-            block.VisibilityOn()
-            block.GetProperty().SetPointSize(self._size_px)
-        for prop in (*self._others["surface"], *self._others["lines"]):
-            prop.SetVisibility(first)
-        self.renderer.SetUseFXAA(
-            self.budget.software and not self._blocks
-        )  # with several frames it would smooth the same points repeatedly
-
-    @property
-    def picture_points(self) -> int:
-        """Number of points of the picture, including its earlier frames."""
-        return int(self._ends[self._drawn - 1]) if self._drawn else 0
-
-    def _place_labels(self) -> None:
-        if not self._labels:
+    def set_index(self, index: PointIndex) -> None:
+        """Use what was prepared for the points; ignored if they have changed since."""
+        if index.cloud is not self.cloud:
             return
-        places = self._pixels(np.array([label.point_mm for label in self._labels], float))
-        sizes = [(round(LABEL_PX[0] * (len(label.text) + 1)), LABEL_PX[1]) for label in self._labels]
-        for prop, (right, up) in zip(self._others["labels"], place_labels(places, sizes, self.renderer.GetSize()), strict=True):
-            prop.SetPosition(right, up)
+        self._remove([actor for _, actor in self._levels])
+        self.index, self.choice = index, LevelChoice()
+        actors = self._add([points_actor(level.points_mm, level.colours) for level in index.levels])
+        self._levels = list(zip(index.levels, actors, strict=True))
 
-    def _pixels(self, points_mm: np.ndarray) -> np.ndarray:
-        """Project points (N, 3) in front of the camera to the picture; y from the bottom."""
-        matrix = self._projection()
-        placed = points_mm @ matrix[:, :3].T + matrix[:, 3]
-        return np.asarray((placed[:, :2] / placed[:, 3:] + 1.0) / 2.0 * self.renderer.GetSize())
+    def set_cloud_proxy(self, surface: PreparedSurface | None) -> None:
+        """Draw this surface in place of the points while the camera moves."""
+        self._remove([] if self._cloud_proxy is None else [self._cloud_proxy])
+        part = None if surface is None else _coarse_part(surface)
+        self._cloud_proxy = None if surface is None or part is None else self._add([surface_actor(part, surface.layer)])[0]
 
-    def _moving_size_px(self) -> float:
-        return self._covering_size_px(min(self.budget.points, len(self._cloud)))
-
-    def _covering_size_px(self, points: int) -> float:
-        """Return the point size at which this number of points covers the visible part."""
-        if not points:
-            return 1.0
-        return point_size_px(self._pixels(self._extent["clouds"]), self.renderer.GetSize(), points)
-
-    def _set_preserved(self, preserved: bool) -> None:
-        self.renderer.SetPreserveColorBuffer(preserved)
-        self.renderer.SetPreserveDepthBuffer(preserved)
-
-    def _all_bounds(self) -> list[float]:
-        """Return the bounds of everything, including points not drawn yet, because all frames of a picture share one depth range."""
-        boxes = [prop.GetBounds() for prop in (*self._others["surface"], *self._others["lines"])]
-        corners = [*self._bounds, *(np.array(box[end::2]) for box in boxes for end in (0, 1))]
-        if not corners:
-            return [-1.0, 1.0, -1.0, 1.0, -1.0, 1.0]
-        low, high = np.min(corners, axis=0), np.max(corners, axis=0)
-        return [float(value) for pair in zip(low, high, strict=True) for value in pair]
-
-    def set_surface(self, layer: SurfaceLayer | None) -> None:
+    def set_surface(self, surface: PreparedSurface | None) -> None:
         """Replace the surface."""
-        self._extent["surface"] = np.empty((0, 3)) if layer is None else _subsample(layer.vertices_mm)
-        self._replace("surface", [] if layer is None or not len(layer.triangles) else [surface_actor(layer)])
+        self._remove([*self._parts, *([] if self._surface_proxy is None else [self._surface_proxy])])
+        self._surface, self._parts, self._surface_proxy = surface, [], None
+        self._extent["surface"] = np.empty((0, 3)) if surface is None else _subsample(surface.layer.vertices_mm)
+        if surface is not None:
+            self._parts = self._add([surface_actor(part, surface.layer) for part in surface.parts])
+            if surface.proxy is not None:
+                self._surface_proxy = self._add([surface_actor(surface.proxy, surface.layer)])[0]
+            self.show_surface_as(transparent=self.is_transparent, edges=self.has_edges)
+        self._begin_anew()
 
     def set_lines(self, layers: Sequence[LineLayer]) -> None:
         """Replace the lines."""
         lines = [line for layer in layers for line in layer.lines]
         self._extent["lines"] = np.concatenate([np.empty((0, 3)), *(_subsample(line) for line in lines)])
-        self._replace("lines", [line_actor(layer) for layer in layers if layer.lines])
+        self._remove(self._lines)
+        self._lines = self._add([line_actor(layer) for layer in layers if layer.lines])
 
-    def set_labels(self, labels: Sequence[Label]) -> None:
-        """Replace the labels."""
-        self._labels = tuple(labels)
-        self._replace("labels", [label_actor(label) for label in labels])
+    def show_surface_as(self, *, transparent: bool, edges: bool) -> None:
+        """Draw the surface transparent, or with the edges of its triangles."""
+        self.is_transparent, self.has_edges = transparent, edges
+        for actor in (*self._parts, *([] if self._surface_proxy is None else [self._surface_proxy])):
+            opacity = 1.0 if self._surface is None else self._surface.layer.opacity
+            actor.GetProperty().SetOpacity(min(opacity, TRANSPARENT) if transparent else opacity)
+            actor.GetProperty().SetEdgeVisibility(edges)
 
-    def reset_camera(self) -> None:
-        """Show everything, or what `frame` names, slightly from above."""
-        camera = self.renderer.GetActiveCamera()
-        camera.SetFocalPoint(0.0, 0.0, 0.0)
-        camera.SetPosition(self._opening)
-        camera.SetViewUp(0.0, 0.0, 1.0)
-        bounds = self._all_bounds()
-        self.renderer.ResetCamera(bounds)
-        shown = [points for points in self._extent.values() if len(points)]
-        self._fill_picture(shown if self._framed_mm is None else [self._framed_mm])
-        self.renderer.ResetCameraClippingRange(bounds)
+    def set_clip(self, clip: ClipBox | None) -> None:
+        """Hide what is outside a box; lines are clipped, too."""
+        self.clip = clip
+        for actor in self._all_actors():
+            self._clip_actor(actor)
 
-    def frame(self, points_mm: np.ndarray | None, direction: tuple[float, float, float]) -> None:
-        """Open the camera on these points (N, 3) from a direction; None: on everything."""
-        self._framed_mm, self._opening = points_mm, direction
+    def set_moving(self, moving: bool) -> None:
+        """Draw what one frame has time for while the camera moves, everything at rest."""
+        self._moving = moving
+
+    def begin_picture(self) -> None:
+        """Start a new picture: the next frame clears it and draws as much as its time allows."""
+        self._set_preserved(False)
+        self._drawn = 0
+        bounds = self.bounds_mm()
+        if self.camera.keep_framed:
+            self.camera.reset([points for points in self._extent.values() if len(points)])
+        self.camera.set_clipping_range(bounds)
+        for actor in self._all_actors():
+            actor.VisibilityOff()
+        self._shown = slice(0, 0)
+        if self._moving:
+            self._show_moving()
+        else:
+            self._show_next(self.budget.points)
+        for actor in self._lines:
+            actor.VisibilityOn()
+        self.renderer.SetUseFXAA(False)
+
+    def go_on(self) -> None:
+        """Continue the picture: the next frame adds more; see `is_complete`."""
+        self._set_preserved(True)
+        for actor in self._lines:
+            actor.VisibilityOff()
+        self._show_next(self.budget.points)
+
+    def observe(self, seconds: float) -> None:
+        """Learn from the time that the present frame took."""
+        if not self._moving:
+            self.budget.observe(self.frame_points, seconds)
+        elif self._cloud_proxy is None and self._levels:
+            self.choice.observe(seconds)
+
+    @property
+    def is_complete(self) -> bool:
+        """Whether everything is drawn; during motion one frame is sufficient."""
+        return self._moving or self._drawn >= len(self._pieces())
+
+    @property
+    def is_presentable(self) -> bool:
+        """Whether the picture covers the part as well as one drawn during motion; until then the former picture is shown."""
+        if self.is_complete:
+            return True
+        covers = self.picture_points * self._size_px**2 >= self.budget.points * self._moving_size_px() ** 2
+        return self._drawn >= len(self._parts) and covers
+
+    @property
+    def frame_points(self) -> int:
+        """Cost of the present frame, in points."""
+        if self._moving:
+            return self._moving_cost
+        before = int(self._costs[self._shown.start - 1]) if self._shown.start else 0
+        return (int(self._costs[self._shown.stop - 1]) if self._shown.stop else 0) - before
+
+    @property
+    def picture_points(self) -> int:
+        """Number of points of the picture, including its earlier frames."""
+        blocks = self._drawn - len(self._parts)
+        return int(self._ends[blocks - 1]) if blocks > 0 else 0
+
+    @property
+    def moving_count(self) -> int:
+        """Number of points of the picture of a moving camera; 0 for a surface."""
+        return self._moving_cost if self._cloud_proxy is None and len(self.cloud) else 0
+
+    def bounds_mm(self) -> list[float]:
+        """Return the bounds of everything, including points not drawn yet, because all frames of a picture share one depth range."""
+        boxes = [actor.GetBounds() for actor in (*self._parts, *self._lines)]
+        corners = [*self.cloud.bounds_mm, *(np.array(box[end::2]) for box in boxes for end in (0, 1))]
+        if not corners:
+            return [-1.0, 1.0, -1.0, 1.0, -1.0, 1.0]
+        low, high = np.min(corners, axis=0), np.max(corners, axis=0)
+        return [float(value) for pair in zip(low, high, strict=True) for value in pair]
 
     def look_at(self, points_mm: np.ndarray) -> None:
         """Move the camera to these points (N, 3) without rotation, with a margin of at least `CLOSEST_MM`."""
-        self.keep_framed = False
+        self.camera.keep_framed = False
         corners = np.stack(np.meshgrid(*[[-CLOSEST_MM, CLOSEST_MM]] * 3), axis=-1).reshape(-1, 3)
         middle = points_mm.mean(axis=0)
-        box = np.array(self._all_bounds()).reshape(3, 2)  # a margin beyond everything shown is useless
+        box = np.array(self.bounds_mm()).reshape(3, 2)  # a margin beyond everything shown is useless
         roomy = np.clip(middle + ROOM * (points_mm - middle), box[:, 0], box[:, 1])
-        self._fill_picture([points_mm, roomy, middle + corners])
+        self.camera.fill([points_mm, roomy, middle + corners])
 
-    def pick(self, x_px: float, y_px: float) -> tuple[int, int] | None:
-        """Return layer and index in the layer of the foremost point near a pixel of the picture; y from the bottom."""
-        size = np.array(self.renderer.GetSize(), np.float32)
-        if not len(self._cloud) or not size.all():
-            return None
-        matrix, best, chosen = self._projection().astype(np.float32), np.inf, -1
-        for start in range(0, len(self._cloud), PICK_CHUNK):
-            homogeneous = self._cloud.points_mm[start : start + PICK_CHUNK] @ matrix[:, :3].T + matrix[:, 3]
-            place = homogeneous[:, :3] / homogeneous[:, 3:]
-            gap = (place[:, :2] + 1.0) / 2.0 * size - np.array([x_px, y_px], np.float32)
-            near = np.flatnonzero((np.einsum("nd,nd->n", gap, gap) < PICK_REACH_PX**2) & (np.abs(place[:, 2]) <= 1.0))
-            if len(near) and float(place[near, 2].min()) < best:
-                best, chosen = float(place[near, 2].min()), start + int(near[np.argmin(place[near, 2])])
-        return None if chosen < 0 else self._cloud.origin(chosen)
+    def _pieces(self) -> list[vtkActor]:
+        return [*self._parts, *self._blocks]
 
-    def ray(self, x_px: float, y_px: float) -> tuple[np.ndarray, np.ndarray]:
-        """Return origin and direction (3,) of the ray through a pixel of the picture; y from the bottom."""
-        size = np.maximum(self.renderer.GetSize(), 1)
-        x, y = 2.0 * np.array([x_px, y_px]) / size - 1.0
-        ends = np.array([[x, y, -1.0, 1.0], [x, y, 1.0, 1.0]]) @ np.linalg.inv(self._projection()).T
-        near, far = ends[:, :3] / ends[:, 3:]
-        return near, (far - near) / np.linalg.norm(far - near)
+    def _begin_anew(self) -> None:
+        counts = np.diff(self._ends, prepend=0)
+        triangles = [round(TRIANGLE_COST * actor.GetMapper().GetInput().GetNumberOfPolys()) for actor in self._parts]
+        self._costs = np.cumsum(np.concatenate([np.array(triangles, np.int64), counts]))
+        self._drawn, self._shown = 0, slice(0, 0)
 
-    def _projection(self) -> np.ndarray:
-        camera = self.renderer.GetActiveCamera()
-        matrix = camera.GetCompositeProjectionTransformMatrix(self.renderer.GetTiledAspectRatio(), -1.0, 1.0)
-        return np.array([[matrix.GetElement(line, place) for place in range(4)] for line in range(4)])
+    def _show_moving(self) -> None:
+        """Show the proxies, or the finest subsample that there is time for, or the first blocks of points."""
+        shown = [self._surface_proxy] if self._surface_proxy is not None else self._parts
+        cost = sum(round(TRIANGLE_COST * actor.GetMapper().GetInput().GetNumberOfPolys()) for actor in shown)
+        budget = max(self.budget.points - cost, 1)
+        level = self._levels[self.choice.place(len(self._levels))] if self._levels else None
+        if self._cloud_proxy is not None:
+            shown, points = [*shown, self._cloud_proxy], 0
+        elif level is not None:
+            shown, points = [*shown, level[1]], len(level[0].points_mm)
+            size = float(np.clip(SPLAT * level[0].cell_mm / self.camera.mm_per_px, 2.0, LARGEST_SPLAT_PX))
+            level[1].GetProperty().SetPointSize(size)
+        else:
+            count = max(1, int(np.searchsorted(self._ends, budget, side="right")))
+            self._set_size(self._blocks[:count], self._moving_size_px())
+            shown, points = [*shown, *self._blocks[:count]], int(self._ends[min(count, len(self._ends)) - 1]) if len(self._ends) else 0
+        self._moving_cost = points
+        for actor in shown:
+            actor.VisibilityOn()
 
-    def _fill_picture(self, shown: Sequence[np.ndarray]) -> None:
-        """Move the camera so that these points fill the picture, centred."""
-        width, height = self.renderer.GetSize()
-        if not shown or not width or not height:
-            return
-        camera = self.renderer.GetActiveCamera()
-        focus, forward = np.array(camera.GetFocalPoint()), np.array(camera.GetDirectionOfProjection())
-        right = np.cross(forward, camera.GetViewUp())
-        right /= np.linalg.norm(right)
-        up = np.cross(right, forward)
-        gap = np.concatenate(shown) - focus
-        half = np.tan(np.radians(camera.GetViewAngle()) / 2.0) * FILLED_SHARE
-        x, x_distance = _fit_camera(gap @ right, gap @ forward, half * width / height)
-        y, y_distance = _fit_camera(gap @ up, gap @ forward, half)
-        focus = focus + x * right + y * up
-        camera.SetFocalPoint(*focus)
-        camera.SetPosition(*(focus - max(x_distance, y_distance, 1e-3) * forward))
+    def _show_next(self, budget: int) -> None:
+        """Make the next pieces visible; lines are drawn in the first frame only, whose depth buffer is kept."""
+        pieces, first = self._pieces(), self._drawn == 0
+        start = int(self._costs[self._drawn - 1]) if self._drawn else 0
+        end = min(max(self._drawn + 1, int(np.searchsorted(self._costs, start + budget, side="right"))), len(pieces))
+        for piece in pieces[self._shown]:
+            piece.VisibilityOff()
+        self._shown, self._drawn = slice(self._drawn, end), end
+        if first:
+            self._size_px = self._covering_size_px(len(self.cloud))
+            self._set_size(self._blocks, self._size_px)
+        for piece in pieces[self._shown]:
+            piece.VisibilityOn()
 
-    def _replace(self, kind: str, props: list[vtkProp]) -> None:
-        for prop in self._others[kind]:
-            self.renderer.RemoveViewProp(prop)
-        self._others[kind] = props
-        for prop in props:
-            self.renderer.AddViewProp(prop)
+    def _set_size(self, blocks: Sequence[vtkActor], size_px: float) -> None:
+        self._size_px = size_px
+        for block in blocks:
+            block.GetProperty().SetPointSize(size_px)
+
+    def _moving_size_px(self) -> float:
+        return self._covering_size_px(min(self.budget.points, len(self.cloud)))
+
+    def _covering_size_px(self, points: int) -> float:
+        """Return the point size at which this number of points covers the visible part."""
+        if not points:
+            return 1.0
+        return point_size_px(self.camera.pixels(self._extent["clouds"]), self.camera.size_px, points)
+
+    def _set_preserved(self, preserved: bool) -> None:
+        self.renderer.SetPreserveColorBuffer(preserved)
+        self.renderer.SetPreserveDepthBuffer(preserved)
+
+    def _all_actors(self) -> list[vtkActor]:
+        proxies = [actor for actor in (self._surface_proxy, self._cloud_proxy) if actor is not None]
+        return [*self._parts, *self._blocks, *self._lines, *proxies, *(actor for _, actor in self._levels)]
+
+    def _add(self, actors: list[vtkActor]) -> list[vtkActor]:
+        for actor in actors:
+            actor.VisibilityOff()
+            self._clip_actor(actor)
+            self.renderer.AddActor(actor)
+        return actors
+
+    def _remove(self, actors: Sequence[vtkActor]) -> None:
+        for actor in actors:
+            self.renderer.RemoveActor(actor)
+
+    def _clip_actor(self, actor: vtkActor) -> None:
+        mapper = actor.GetMapper()
+        mapper.RemoveAllClippingPlanes()
+        if self.clip is not None and self.clip.is_on:
+            mapper.SetClippingPlanes(_planes(self.clip))
+
+
+def _planes(clip: ClipBox) -> vtkPlaneCollection:
+    planes = vtkPlaneCollection()
+    for face, middle in enumerate(clip.face_middles()):
+        plane = vtkPlane()
+        plane.SetOrigin(*(float(value) for value in middle))
+        plane.SetNormal(*(float(value) for value in -clip.normal(face)))
+        planes.AddItem(plane)
+    return planes
+
+
+def _coarse_part(surface: PreparedSurface) -> SurfacePart | None:
+    return surface.proxy or (surface.parts[0] if surface.parts else None)
 
 
 def _subsample(points: np.ndarray) -> np.ndarray:
     """Subsample points of which only the extent matters."""
     return np.asarray(points[:: max(1, len(points) // FRAMING_POINTS)], float)
-
-
-def _fit_camera(across: np.ndarray, depth: np.ndarray, slope: float) -> tuple[float, float]:
-    """Return lateral position and distance of the camera at which all points are within a cone of this slope."""
-    high, low = float(np.max(across - slope * depth)), float(np.min(across + slope * depth))
-    return (high + low) / 2.0, (high - low) / (2.0 * slope)

@@ -11,11 +11,11 @@ from ui.viewport.colouring import UNKNOWN
 from ui.viewport.layers import CloudLayer
 
 SEED = 0
-LEAST_BLOCK, LARGEST_BLOCK = 10_000, 200_000  # points; a software renderer draws the largest in the time of a frame
+LEAST_BLOCK, LARGEST_BLOCK = 10_000, 60_000  # points; a busy software renderer draws the largest within 0.1 s
 CHUNK = 1_000_000
 LIGHT = np.array([-1.0, -1.1, 0.85], np.float32) / np.float32(np.linalg.norm([-1.0, -1.1, 0.85]))  # from the initial viewing direction
 AMBIENT, FRONT, BACK = 0.4, 0.62, 0.45  # weights of the light; back faces are lit more weakly, so that they show relief too
-READ_AMBIENT = 0.8  # for colours of a scale
+READ_AMBIENT = 0.88  # for colours of a scale, so that a colour means the same everywhere
 
 
 @dataclass(frozen=True, eq=False)
