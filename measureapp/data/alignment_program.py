@@ -18,6 +18,14 @@ class NoAlignment(Model):
     method: Literal["none"] = "none"
 
 
+class ByCoordinates(Model):
+    """Known coordinates, such as those of a fixture: rotations about x, y and z of the nominal, in this order, then a translation."""
+
+    method: Literal["coordinates"] = "coordinates"
+    rotation_deg: Vector = (0.0, 0.0, 0.0)
+    translation_mm: Vector = Field(default=(0.0, 0.0, 0.0), description="position of the part's origin in the nominal frame")
+
+
 class Region(Model):
     """An axis-aligned region in the nominal frame; an omitted limit does not restrict it."""
 
@@ -74,8 +82,20 @@ class ReferencePoint(Model):
         description="constrained directions; default: the normal of a surface point or plane, all three of a centre",
     )
 
+    lock: str = Field(default="", pattern="^[xyz]{0,3}$", description="constrained axes, such as xz, in place of `along`")
+
+    @property
+    def directions(self) -> tuple[Vector, ...]:
+        """The stated constrained directions; empty for the default."""
+        axes = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
+        return self.along or tuple(axes[letter] for letter in self.lock)
+
     @model_validator(mode="after")
     def _directions_have_length(self) -> ReferencePoint:
+        if self.along and self.lock:
+            raise ValueError("a reference point has `along` or `lock`: remove one of them")
+        if len(set(self.lock)) < len(self.lock):
+            raise ValueError("`lock` names an axis twice")
         if any(sum(value * value for value in direction) < 1e-12 for direction in self.along):
             raise ValueError("a direction of `along` has length 0")
         return self
@@ -95,7 +115,9 @@ class DatumAlignment(Model):
     datums: tuple[str, ...] = Field(min_length=1, max_length=3)
 
 
-AlignmentProgram = Annotated[NoAlignment | BestFit | ThreeTwoOne | ReferencePoints | DatumAlignment, Field(discriminator="method")]
+AlignmentProgram = Annotated[
+    NoAlignment | ByCoordinates | BestFit | ThreeTwoOne | ReferencePoints | DatumAlignment, Field(discriminator="method")
+]
 FORMS = "best-fit, none, local:FEATURE,…, cyclic:COUNT, 3-2-1:PLANE,LINE,POINT, rps:POINT,POINT,POINT,… or datums:A,B,C"
 
 

@@ -46,6 +46,15 @@ class Alignment:
     undetermined: tuple[str, ...] = ()  # motions the points do not determine: "translation along x", "rotation about z"
     residuals_mm: Mapping[str, float] = field(default_factory=dict)  # remaining deviation of each feature used, from its nominal position
     notes: tuple[str, ...] = ()  # further information, in sentences
+    method: str = ""  # as in the program: "best-fit", "datums", …
+    fixed: int = 6  # degrees of freedom that its features fix
+    weakest_mm: float | None = None  # expanded uncertainty (k = 2) of the part's corner that its features locate worst
+    weakest_direction: tuple[float, ...] = ()  # in which it is, unit, in the nominal's frame
+
+    @property
+    def for_comparison_only(self) -> bool:
+        """Whether it minimises the deviations, so that it can hide a defect; it belongs to no datum of a drawing."""
+        return self.method == "best-fit"
 
 
 @dataclass(frozen=True, slots=True, eq=False)

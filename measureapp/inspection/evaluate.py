@@ -103,7 +103,7 @@ def _diameter(feature: Feature) -> Measure:
 
 
 def _radius(feature: Feature) -> Measure:
-    if feature.radius_mm is None:
+    if feature.radius_mm is None or feature.shape == "slot":
         raise InspectionError(f"{feature.name} is a {feature.shape} and has no radius")
     return lambda features: features[0].radius_mm or 0.0
 
@@ -113,6 +113,17 @@ def _cone_angle(feature: Feature) -> Measure:
     if feature.half_angle_rad is None:
         raise InspectionError(f"{feature.name} is a {feature.shape} and has no cone angle")
     return lambda features: float(np.degrees(2 * (features[0].half_angle_rad or 0.0)))
+
+
+def _slot_size(name: str) -> Callable[[Feature], Measure]:
+    def measure(feature: Feature) -> Measure:
+        if feature.shape != "slot":
+            raise InspectionError(f"{feature.name} is a {feature.shape} and has no slot {name}")
+        if name == "width":
+            return lambda features: 2 * (features[0].radius_mm or 0.0)
+        return lambda features: features[0].length_mm or 0.0
+
+    return measure
 
 
 def _distance(first: Feature, second: Feature, settings: InspectionSettings) -> Measure:
@@ -196,7 +207,13 @@ def _off_axis(point_mm: FloatArray, axis: Feature) -> float:
     return float(np.linalg.norm(np.cross(point_mm - axis.point_mm, require_direction(axis))))
 
 
-SIZES: dict[str, Callable[[Feature], Measure]] = {"diameter": _diameter, "radius": _radius, "cone_angle": _cone_angle}
+SIZES: dict[str, Callable[[Feature], Measure]] = {
+    "diameter": _diameter,
+    "radius": _radius,
+    "cone_angle": _cone_angle,
+    "slot_width": _slot_size("width"),
+    "slot_length": _slot_size("length"),
+}
 PAIRS: dict[str, Callable[[Feature, Feature, InspectionSettings], Measure]] = {
     "distance": _distance,
     "thickness": _thickness,

@@ -9,6 +9,7 @@ from measureapp.data.free_form import FreeForm
 from measureapp.data.inspection_program import ConstructedFeature, FeatureProgram, InspectionProgram, copy_names, needed_names
 from measureapp.inspection.blades.find_blades import find_blades
 from measureapp.inspection.features.construct import construct
+from measureapp.inspection.features.edges import find_edges
 from measureapp.inspection.features.found_feature import FoundFeature, find_feature
 from measureapp.inspection.features.free_form import find_free_forms
 from measureapp.inspection.features.grow_features import grow_features
@@ -58,6 +59,8 @@ def find_entry(
         return find_blades(described, points, surface, settings)
     if isinstance(described, FreeForm):
         return find_free_forms(described, points, surface, edges, settings)
+    if described.shape == "edge":
+        return find_edges(described, points, settings)
     if described.grow is not None:
         return simulate_uncertainties(grow_features(described, points, settings), settings)
     return simulate_uncertainties(find_feature(described, points, edges, settings), settings)

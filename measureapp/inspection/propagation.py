@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
 import numpy as np
 
@@ -53,6 +53,16 @@ def _propagate(
             variance += max((value(*side) - base) ** 2 for side in sides)
         variances[source.contribution] = variances.get(source.contribution, 0.0) + variance
     return base, {contribution: float(np.sqrt(variance)) for contribution, variance in variances.items()}
+
+
+def displaced_features(found: Sequence[FoundFeature]) -> Iterator[list[Feature]]:
+    """Return the features displaced by one standard deviation along every principal direction of each error source."""
+    features = [require_feature(one) for one in found]
+    ends = np.cumsum([0, *(6 + len(size_names(feature)) for feature in features)])
+    scale = np.concatenate([_scale(feature) for feature in features])
+    for _, columns in _stack_errors([one.errors for one in found], [int(size) for size in np.diff(ends)]):
+        for change in principal_errors(columns, scale).T:
+            yield [perturb(feature, change[ends[i] : ends[i + 1]]) for i, feature in enumerate(features)]
 
 
 def _stack_errors(

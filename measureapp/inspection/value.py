@@ -14,7 +14,7 @@ from measureapp.inspection.features.found_feature import FoundFeature
 from measureapp.inspection.settings import InspectionSettings
 
 AXES = ("cylinder", "cone", "line")
-CENTRES = ("point", "sphere", "circle", "torus")
+CENTRES = ("point", "sphere", "circle", "torus", "slot")
 
 
 Budget = Mapping[str, float]  # standard uncertainty by each of the `CONTRIBUTIONS`, in the value's unit

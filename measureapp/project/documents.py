@@ -198,7 +198,8 @@ def _alignment_from(document: Mapping[str, Any]) -> Alignment:
     alignment = dict(document)
     alignment["nominal_from_part"] = transform_from(alignment["nominal_from_part"])
     alignment["undetermined"] = tuple(alignment["undetermined"])
-    alignment["notes"] = tuple(alignment.get("notes", ()))
+    for name in ("notes", "weakest_direction"):
+        alignment[name] = tuple(alignment.get(name, ()))
     return Alignment(**alignment)
 
 

@@ -106,9 +106,10 @@ def _match(old: Sequence[Any], new: Sequence[Any]) -> list[tuple[Any, int | None
     """Return each new entry with the index of the old one it comes from: equal, of the same name, or, as the only ones left, renamed."""
     free = dict(enumerate(old))
     found: dict[int, int] = {}
-    for same in (lambda one, other: one == other, lambda one, other: one.name == other.name):
+    for whole in (True, False):
         for number, one in enumerate(new):
-            if number not in found and (match := next((at for at, other in free.items() if same(one, other)), None)) is not None:
+            matches = (at for at, other in free.items() if (one == other if whole else one.name == other.name))
+            if number not in found and (match := next(matches, None)) is not None:
                 found[number] = match
                 del free[match]
     left = [number for number in range(len(new)) if number not in found]

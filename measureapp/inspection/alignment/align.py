@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from measureapp.data.alignment_program import AlignmentProgram, BestFit, DatumAlignment, NoAlignment, ThreeTwoOne
+from dataclasses import replace
+
+from measureapp.data.alignment_program import AlignmentProgram, BestFit, ByCoordinates, NoAlignment
 from measureapp.data.inspection_program import InspectionProgram
 from measureapp.data.measurement import Alignment
 from measureapp.errors import InspectionError
-from measureapp.inspection.alignment.best_fit import best_fit, no_alignment
-from measureapp.inspection.alignment.by_features import datum_alignment, reference_points, three_two_one
+from measureapp.inspection.alignment.best_fit import best_fit, by_coordinates, no_alignment
+from measureapp.inspection.alignment.by_features import align_by_features
 from measureapp.inspection.alignment.cyclic_fit import cyclic_fit
 from measureapp.inspection.alignment.local_fit import local_fit
 from measureapp.inspection.measured_points import MeasuredPoints
@@ -39,7 +41,22 @@ def align(
     InspectionError
         A best fit has no nominal, the points do not match it, or a feature of the alignment was not found.
     """
+    made = _align(points, program, surface, settings, frame, progress, first_fit)
+    return replace(made, method=program.alignment.method)
+
+
+def _align(
+    points: MeasuredPoints,
+    program: InspectionProgram,
+    surface: NominalSurface | None,
+    settings: InspectionSettings,
+    frame: str,
+    progress: Progress,
+    first_fit: Alignment | None,
+) -> Alignment:
     requested: AlignmentProgram = program.alignment
+    if isinstance(requested, ByCoordinates):
+        return by_coordinates(requested, frame)
     if isinstance(requested, NoAlignment):
         return no_alignment(frame)
     if isinstance(requested, BestFit):
@@ -56,8 +73,4 @@ def align(
     start = no_alignment(frame)
     if surface is not None:
         start = first_fit or best_fit(points, surface, settings.alignment, frame, progress)
-    if isinstance(requested, ThreeTwoOne):
-        return three_two_one(points, program, requested, start, surface, settings)
-    if isinstance(requested, DatumAlignment):
-        return datum_alignment(points, program, requested, start, surface, settings)
-    return reference_points(points, program, requested, start, surface, settings)
+    return align_by_features(points, program, start, surface, settings)

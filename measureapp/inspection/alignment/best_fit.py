@@ -8,6 +8,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from measureapp.arrays import FloatArray
+from measureapp.data.alignment_program import ByCoordinates
 from measureapp.data.measurement import Alignment
 from measureapp.data.mesh import Mesh
 from measureapp.errors import InspectionError
@@ -40,6 +41,13 @@ class _Candidate:
 def no_alignment(frame: str = "part") -> Alignment:
     """Return the identity alignment: part and nominal frame coincide."""
     return Alignment("none: part frame taken as nominal frame", RigidTransform.identity("nominal", frame), 0.0)
+
+
+def by_coordinates(requested: ByCoordinates, frame: str = "part") -> Alignment:
+    """Return the alignment by known coordinates."""
+    rotation = Rotation.from_euler("xyz", requested.rotation_deg, degrees=True).as_matrix()
+    placed = RigidTransform.from_parts(rotation, requested.translation_mm, "nominal", frame)
+    return Alignment("coordinates as stated in the program", placed, 0.0)
 
 
 def given_alignment(nominal_from_part: RigidTransform, name: str) -> Alignment:

@@ -8,7 +8,14 @@ from dataclasses import replace
 import numpy as np
 
 from measureapp.arrays import FloatArray
-from measureapp.data.alignment_program import DatumAlignment, ReferencePoint, ReferencePoints, ThreeTwoOne, alignment_features
+from measureapp.data.alignment_program import (
+    AlignmentProgram,
+    DatumAlignment,
+    ReferencePoint,
+    ReferencePoints,
+    ThreeTwoOne,
+    alignment_features,
+)
 from measureapp.data.feature import Feature
 from measureapp.data.inspection_program import InspectionProgram
 from measureapp.data.measurement import Alignment
@@ -17,6 +24,7 @@ from measureapp.geometry.transform import RigidTransform, orthonormalise
 from measureapp.inspection.features.found_feature import FoundFeature
 from measureapp.inspection.find_features import find_features
 from measureapp.inspection.measured_points import MeasuredPoints
+from measureapp.inspection.propagation import displaced_features
 from measureapp.inspection.settings import InspectionSettings
 from measureapp.inspection.surface.nominal import NominalSurface
 from measureapp.inspection.tolerances.datums import (
@@ -28,6 +36,7 @@ from measureapp.inspection.tolerances.datums import (
     require_nominals,
     twist_matrix,
 )
+from measureapp.inspection.uncertainty import COVERAGE_FACTOR
 from measureapp.inspection.value import AXES, CENTRES, require_feature, require_nominal
 
 ROUNDS = 6  # features are searched again at the positions of the previous round
@@ -37,55 +46,61 @@ STEPS = 20
 Step = Callable[[Mapping[str, FoundFeature]], tuple[FloatArray, FloatArray]]  # found features -> motion (4, 4), free motions (6, F)
 
 
-def datum_alignment(
+def align_by_features(
     points: MeasuredPoints,
     program: InspectionProgram,
-    requested: DatumAlignment,
     start: Alignment,
     surface: NominalSurface | None,
     settings: InspectionSettings,
 ) -> Alignment:
-    """Align by a datum system A, B, C (ISO 5459). Raises InspectionError for a datum that is not found or constrains nothing."""
+    """Align by the features of the program's alignment: datum system A, B, C (ISO 5459), 3-2-1, or reference points (RPS).
 
-    def step(found: Mapping[str, FoundFeature]) -> tuple[FloatArray, FloatArray]:
-        datums = [found[name] for name in requested.datums]
-        system = datum_system(require_nominals(datums), [require_feature(one) for one in datums])
-        return system.nominal_from_measured, system.free
+    - datums: each is aligned within the freedom left by the earlier ones;
+    - 3-2-1: a plane to its nominal, then a line or axis, then a point, each within the freedom left by the previous ones;
+    - RPS: least squares of all reference points to their nominals along given directions.
 
-    name = f"datum system {'|'.join(requested.datums)}"
-    return _iterate(name, points, program, start, surface, settings, step)
-
-
-def three_two_one(
-    points: MeasuredPoints,
-    program: InspectionProgram,
-    requested: ThreeTwoOne,
-    start: Alignment,
-    surface: NominalSurface | None,
-    settings: InspectionSettings,
-) -> Alignment:
-    """3-2-1 alignment: a plane to its nominal, then a line or axis, then a point, each within the freedom left by the previous ones.
+    Motions that no feature constrains stay as in ``start`` and are listed.
 
     Raises
     ------
     InspectionError
         A feature is not found or of the wrong shape, constrains nothing new, or a surface point would have to fix a rotation.
     """
+    requested = program.alignment
+    sides: dict[str, FloatArray] = {}
+    if isinstance(requested, DatumAlignment):
+        name = f"datum system {'|'.join(requested.datums)}"
+    elif isinstance(requested, ThreeTwoOne):
+        name = f"3-2-1 (plane {requested.plane}, line {requested.line}, point {requested.point})"
+    else:
+        assert isinstance(requested, ReferencePoints)
+        name = f"RPS ({len(requested.points)} points: {', '.join(one.feature for one in requested.points)})"
+        sides = {one.feature: np.asarray(one.directions, float) for one in requested.points if one.directions}
+    return _iterate(name, points, program, start, surface, settings, lambda found: solve_motion(requested, found), sides)
 
-    def step(found: Mapping[str, FoundFeature]) -> tuple[FloatArray, FloatArray]:
-        trio = [found[name] for name in (requested.plane, requested.line, requested.point)]
-        measured = [require_feature(one) for one in trio]
-        nominals = [require_nominal(one) for one in trio]
-        _require_shapes(measured)
-        if _on_surface(trio[2]):
-            _require_fixed_rotations(nominals, measured)
-            # with all rotations fixed, it constrains the same as a plane through it
-            nominals[2], measured[2] = (replace(one, shape="plane") for one in (nominals[2], measured[2]))
-        system = datum_system(nominals, measured)
-        return system.nominal_from_measured, system.free
 
-    name = f"3-2-1 (plane {requested.plane}, line {requested.line}, point {requested.point})"
-    return _iterate(name, points, program, start, surface, settings, step)
+def solve_motion(requested: AlignmentProgram, found: Mapping[str, FoundFeature]) -> tuple[FloatArray, FloatArray]:
+    """Return the motion (4, 4) that aligns found features to their nominals, and the motions (6, F) that they do not fix."""
+    if isinstance(requested, ReferencePoints):
+        return _least_squares([_reference_rows(found[one.feature], one) for one in requested.points])
+    if isinstance(requested, ThreeTwoOne):
+        return _three_two_one([found[name] for name in (requested.plane, requested.line, requested.point)])
+    assert isinstance(requested, DatumAlignment)
+    datums = [found[name] for name in requested.datums]
+    system = datum_system(require_nominals(datums), [require_feature(one) for one in datums])
+    return system.nominal_from_measured, system.free
+
+
+def _three_two_one(trio: Sequence[FoundFeature]) -> tuple[FloatArray, FloatArray]:
+    measured = [require_feature(one) for one in trio]
+    nominals = [require_nominal(one) for one in trio]
+    _require_shapes(measured)
+    if _on_surface(trio[2]):
+        _require_fixed_rotations(nominals, measured)
+        # with all rotations fixed, it constrains the same as a plane through it
+        nominals[2], measured[2] = (replace(one, shape="plane") for one in (nominals[2], measured[2]))
+    system = datum_system(nominals, measured)
+    return system.nominal_from_measured, system.free
 
 
 def _require_shapes(trio: Sequence[Feature]) -> None:
@@ -109,41 +124,16 @@ def _require_fixed_rotations(nominals: Sequence[Feature], measured: Sequence[Fea
         )
 
 
-def reference_points(
-    points: MeasuredPoints,
-    program: InspectionProgram,
-    requested: ReferencePoints,
-    start: Alignment,
-    surface: NominalSurface | None,
-    settings: InspectionSettings,
-) -> Alignment:
-    """Reference point system (RPS): least-squares alignment of reference points to their nominals along given directions.
-
-    Motions that no point constrains stay as in ``start`` and are listed.
-
-    Raises
-    ------
-    InspectionError
-        A point is not found, or is an axis without directions.
-    """
-
-    def step(found: Mapping[str, FoundFeature]) -> tuple[FloatArray, FloatArray]:
-        held = [_reference_rows(found[one.feature], one) for one in requested.points]
-        return _least_squares(held)
-
-    name = f"RPS ({len(requested.points)} points: {', '.join(one.feature for one in requested.points)})"
-    sides = {one.feature: np.asarray(one.along, float) for one in requested.points if one.along}
-    return _iterate(name, points, program, start, surface, settings, step, sides)
-
-
 def _reference_rows(found: FoundFeature, requested: ReferencePoint) -> tuple[FloatArray, FloatArray, FloatArray]:
     """Return measured position, nominal position, and the constrained directions (K, 3)."""
     measured, nominal = require_feature(found), require_nominal(found)
-    if requested.along:
-        sides = np.asarray(requested.along, float)
+    if requested.directions:
+        sides = np.asarray(requested.directions, float)
         return measured.point_mm, nominal.point_mm, sides / np.linalg.norm(sides, axis=1, keepdims=True)
     if measured.shape in AXES:
-        raise InspectionError(f"{found.name} is a {measured.shape}: as a reference point it needs `along`, its constrained directions")
+        raise InspectionError(
+            f"{found.name} is a {measured.shape}: as a reference point it needs `along` or `lock`, its constrained directions"
+        )
     return measured.point_mm, nominal.point_mm, _location_directions(found)
 
 
@@ -203,7 +193,43 @@ def _iterate(
     residuals = {one: _residual(found[one], (sides or {}).get(one)) for one in needed}
     rms = float(np.sqrt(np.mean(np.square(list(residuals.values())))))
     notes = (f"Motions not fixed by the features: from {start.name}",) if free.shape[1] else ()
-    return Alignment(name, transform, rms, 1.0, describe_free_motions(free), residuals, notes)
+    weakest, direction = weakest_direction(program.alignment, [found[one] for one in needed], points.points_mm, transform)
+    return Alignment(
+        name,
+        transform,
+        rms,
+        1.0,
+        describe_free_motions(free),
+        residuals,
+        notes,
+        fixed=6 - free.shape[1],
+        weakest_mm=weakest,
+        weakest_direction=direction,
+    )
+
+
+def weakest_direction(
+    requested: AlignmentProgram, found: Sequence[FoundFeature], points_mm: FloatArray, transform: RigidTransform
+) -> tuple[float, tuple[float, ...]]:
+    """Return the largest expanded uncertainty (k = 2) of a corner of the part's box by the errors of the features, and its direction."""
+    names = [one.name for one in found]
+    low, high = points_mm.min(axis=0), points_mm.max(axis=0)
+    corners = transform.apply(np.array([[x, y, z] for x in (low[0], high[0]) for y in (low[1], high[1]) for z in (low[2], high[2])]))
+    base, _ = solve_motion(requested, dict(zip(names, found, strict=True)))
+    covariance = np.zeros((len(corners), 3, 3))
+    for features in displaced_features(found):
+        displaced = {name: replace(one, feature=feature) for name, one, feature in zip(names, found, features, strict=True)}
+        try:
+            moved, _ = solve_motion(requested, displaced)
+        except InspectionError:  # at the limit of what fixes the part
+            continue
+        change = (moved - base)[:3]
+        shift = corners @ change[:, :3].T + change[:, 3]
+        covariance += shift[:, :, None] * shift[:, None, :]
+    values, vectors = np.linalg.eigh(covariance)
+    worst = int(values[:, -1].argmax())
+    direction = vectors[worst, :, -1]
+    return COVERAGE_FACTOR * float(np.sqrt(max(values[worst, -1], 0.0))), tuple(float(value) for value in direction)
 
 
 def _find_required(

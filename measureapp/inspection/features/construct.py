@@ -22,8 +22,8 @@ def construct(described: ConstructedFeature, known: Mapping[str, FoundFeature]) 
     for name, parents in zip(copy_names(described.name, described.repeat), parent_sets(described), strict=True):
         maker: Maker = partial(MAKERS[described.shape], name, described.distance_mm or 0.0)
         of = [known[parent] for parent in parents]
-        nominal = _construct_one(maker, name, [_as_nominal(one) for one in of]).feature
-        made[name] = replace(_construct_one(maker, name, of), nominal=nominal)
+        nominal = construct_one(maker, name, [_as_nominal(one) for one in of]).feature
+        made[name] = replace(construct_one(maker, name, of), nominal=nominal)
     return made
 
 
@@ -31,7 +31,8 @@ def _as_nominal(found: FoundFeature) -> FoundFeature:
     return FoundFeature(found.name, found.nominal, f"{found.name} has no nominal position")
 
 
-def _construct_one(make: Maker, name: str, of: Sequence[FoundFeature]) -> FoundFeature:
+def construct_one(make: Maker, name: str, of: Sequence[FoundFeature]) -> FoundFeature:
+    """Construct one feature; without a result where a parent has none."""
     parents = [one.feature for one in of if one.feature is not None]
     if len(parents) < len(of):
         return FoundFeature(name, None, next(one.reason for one in of if one.feature is None))

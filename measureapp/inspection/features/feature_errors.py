@@ -15,6 +15,7 @@ import numpy as np
 from measureapp.arrays import FloatArray
 from measureapp.data.dimension import CONTRIBUTIONS
 from measureapp.data.feature import Feature
+from measureapp.geometry.contours import contour_sensitivities, is_contour
 from measureapp.geometry.fits import point_sensitivities
 from measureapp.inspection.features.shapes import outward_normals
 from measureapp.inspection.measured_points import MeasuredPoints
@@ -53,7 +54,8 @@ def estimate_view_errors(
         return assume_placement_errors(feature, placement_mm / max(views, 1.0) ** 0.5)
     step = max(1, -(-len(used) // MOST_POINTS))
     few = used.where(np.arange(0, len(used), step))
-    follows = point_sensitivities(feature, few.points_mm, None if weights is None else weights[::step])
+    sensitivities = contour_sensitivities if is_contour(feature) else point_sensitivities
+    follows = sensitivities(feature, few.points_mm, None if weights is None else weights[::step])
     return propagate_point_errors(follows, few, outward_normals(feature, few.points_mm))
 
 

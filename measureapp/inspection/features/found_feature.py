@@ -13,6 +13,7 @@ from measureapp.data.feature import Feature
 from measureapp.data.inspection_program import MeasuredFeature
 from measureapp.data.view_errors import ViewErrors
 from measureapp.errors import FitError
+from measureapp.geometry.contours import fit_contour, is_contour
 from measureapp.inspection.features.cut import NominalFeature, cut_points, nominal_features
 from measureapp.inspection.features.feature_errors import (
     NOISE,
@@ -30,7 +31,17 @@ from measureapp.inspection.uncertainty import PLANE, correlation_factor, effecti
 
 MAD_TO_SIGMA = 1.4826
 TRIM_ROUNDS = 3
+CONTOUR = 5  # most unknowns of a contour
+LEAST_KNOWN = 0.1  # relative standard deviation of a radius above which a contour is not determined
 GREATEST_TILT_DEG = 20.0
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class EdgeProfile:
+    """Points of an edge, one for each section along it."""
+
+    points_mm: FloatArray  # (K, 3)
+    noise_mm: FloatArray  # (K,), standard deviation in the least certain direction across the edge
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -48,6 +59,7 @@ class FoundFeature:
     view_contributions: Errors = field(default_factory=dict, kw_only=True)  # errors by its views; of a constructed feature all errors
     view: IntArray | None = field(default=None, kw_only=True)  # (N,), the view of each of its points
     view_errors: ViewErrors | None = field(default=None, kw_only=True)  # of those views; None where not known
+    edge_profile: EdgeProfile | None = field(default=None, kw_only=True)  # points along an edge, for its straightness
     draws: int = field(default=0, kw_only=True)  # Monte Carlo draws of its covariance; 0: law of propagation
 
     @property
@@ -105,8 +117,7 @@ def fit_feature(
     if reason := _implausible(feature, expected):
         return FoundFeature(name, None, f"{name}: {reason}", nominal=nominal)
     used = cut.where(kept)
-    unknowns = QUADRIC if expected.surface_point else PLANE
-    factor = correlation_factor(used.points_mm, residuals, settings.uncertainty.correlation_mm, unknowns)
+    factor = correlation_factor(used.points_mm, residuals, settings.uncertainty.correlation_mm, _unknowns(expected))
     views = effective_views(used.view)
     by_views = _estimate_view_errors(expected, feature, used, settings.uncertainty.placement_mm, views)
     return FoundFeature(
@@ -128,6 +139,12 @@ def _estimate_view_errors(nominal: NominalFeature, feature: Feature, used: Measu
     if nominal.surface_point and used.errors is not None and used.view is not None:
         return propagate_point_errors(*linearise_surface_point(nominal.feature, used))
     return estimate_view_errors(feature, used, _weights(used), placement_mm, views)
+
+
+def _unknowns(expected: NominalFeature) -> int:
+    if expected.surface_point:
+        return QUADRIC
+    return CONTOUR if is_contour(expected.feature) else PLANE
 
 
 def _fit_with_trimming(nominal: NominalFeature, cut: MeasuredPoints, settings: InspectionSettings) -> tuple[Feature, FloatArray, IntArray]:
@@ -152,6 +169,9 @@ def _fit(nominal: NominalFeature, used: MeasuredPoints, all_points_mm: FloatArra
     """Fit the shape to ``used``; return it with the nominal's orientation, and the distances of all points of the cut."""
     if nominal.surface_point:
         return fit_surface_point(nominal.feature, used, all_points_mm)
+    if is_contour(nominal.feature):
+        contour = fit_contour(nominal.feature, used.points_mm, _weights(used))
+        return contour, signed_distances(contour, all_points_mm)
     from measureapp.geometry.fits import fit
 
     feature = fit(nominal.feature.shape, used.points_mm, weights=_weights(used), start=nominal.feature)
@@ -183,6 +203,8 @@ def _implausible(feature: Feature, nominal: NominalFeature) -> str:
         if tilt > GREATEST_TILT_DEG:
             return f"the fitted {expected.shape} is tilted by {tilt:.0f}° against its nominal"
     if feature.radius_mm is not None and expected.radius_mm is not None:
+        if is_contour(feature) and feature.standard_deviations.get("radius_mm", 0.0) > LEAST_KNOWN * feature.radius_mm:
+            return f"its points cover too small a part of the {expected.shape} to determine it at their noise"
         off = feature.radius_mm - expected.radius_mm
         if abs(off) > 2 * nominal.cut.band_mm:
             return f"the fitted radius differs by {off:+.1f} mm from its nominal"

@@ -7,6 +7,7 @@ import numpy as np
 from measureapp.arrays import FloatArray
 from measureapp.data.feature import Feature
 from measureapp.errors import InspectionError
+from measureapp.geometry.contours import contour_distances, is_contour
 
 
 def along_and_off(points_mm: FloatArray, point_mm: FloatArray, direction: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
@@ -19,8 +20,10 @@ def along_and_off(points_mm: FloatArray, point_mm: FloatArray, direction: FloatA
 
 
 def signed_distances(feature: Feature, points_mm: FloatArray) -> FloatArray:
-    """Return the orthogonal distances (N,) of points from a plane, sphere, cylinder or cone, positive outside."""
+    """Return the orthogonal distances (N,) of points from a plane, sphere, cylinder, cone or contour, positive outside."""
     centre, direction = feature.point_mm, feature.direction
+    if is_contour(feature):
+        return contour_distances(feature, points_mm)[0]
     if feature.shape == "sphere" and feature.radius_mm is not None:
         return np.linalg.norm(points_mm - centre, axis=1) - feature.radius_mm
     if direction is None:
@@ -39,6 +42,8 @@ def signed_distances(feature: Feature, points_mm: FloatArray) -> FloatArray:
 def outward_normals(feature: Feature, points_mm: FloatArray) -> FloatArray:
     """Return the unit normals (N, 3) of the shape at each point, away from its axis or centre."""
     centre, direction = feature.point_mm, feature.direction
+    if is_contour(feature):
+        return contour_distances(feature, points_mm)[1]
     if feature.shape == "sphere" or direction is None:
         offset = points_mm - centre
         return offset / np.maximum(np.linalg.norm(offset, axis=1), 1e-12)[:, None]

@@ -13,6 +13,7 @@ import numpy as np
 
 from measureapp.arrays import FloatArray
 from measureapp.data.feature import Feature
+from measureapp.geometry.contours import is_contour
 from measureapp.geometry.fits import LARGEST_RATIO, LEAST_POINTS, Scaled, state_of
 from measureapp.geometry.shapes import MODELS, Model, State
 from measureapp.inspection.features.found_feature import FoundFeature
@@ -37,7 +38,7 @@ def needs_simulation(found: FoundFeature) -> bool:
     true one in 95, 90 and 84 % of cases.
     """
     feature = found.feature
-    if feature is None or feature.radius_mm is None or len(found.points_mm) == 0:
+    if feature is None or feature.radius_mm is None or len(found.points_mm) == 0 or is_contour(feature):
         return False
     return found.radius_sigma > NONLINEAR * feature.radius_mm or found.direction_sigma > TILTED_RAD
 

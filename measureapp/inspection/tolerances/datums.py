@@ -156,7 +156,9 @@ def location_directions(nominal: Feature) -> FloatArray:
     """Return the directions (K, 3) in which a nominal feature has a defined location."""
     if nominal.shape == "plane":
         return require_direction(nominal)[None]
-    return tangents(require_direction(nominal)) if nominal.shape in AXES else np.eye(3)  # a cone counts as its axis
+    if nominal.shape == "slot" and nominal.normal is not None:
+        return tangents(nominal.normal)
+    return tangents(require_direction(nominal)) if nominal.shape in (*AXES, "circle") else np.eye(3)  # a cone counts as its axis
 
 
 def _locations(nominal: Feature, point_mm: FloatArray) -> FloatArray:
@@ -167,6 +169,6 @@ def _locations(nominal: Feature, point_mm: FloatArray) -> FloatArray:
 
 def _orientations(nominal: Feature) -> FloatArray:
     """Return the Jacobian (2, 6) of the feature's direction times `ARM_MM` for a motion; empty for a centre."""
-    if nominal.shape in ("sphere", "point") or nominal.direction is None:
+    if nominal.shape in ("sphere", "point", "circle", "slot") or nominal.direction is None:
         return np.empty((0, 6))
     return np.hstack([np.zeros((2, 3)), np.cross(nominal.direction, tangents(nominal.direction))])

@@ -36,6 +36,8 @@ def evaluate_form(described: DimensionProgram, found: FoundFeature, settings: In
         This form is not defined for the feature, or too little of it was measured.
     """
     feature = require_feature(found)
+    if described.kind == "straightness" and feature.shape == "line":
+        return evaluate_line_form(described.criterion, found, settings)
     cells = extract_cells(found, settings)
     if described.kind == "flatness":
         _require(found, "flatness", "plane")
@@ -61,6 +63,31 @@ def evaluate_form(described: DimensionProgram, found: FoundFeature, settings: In
 def assumed_view_spread(found: FoundFeature, settings: InspectionSettings) -> float:
     """Return the assumed contribution of view positions to the form of a surface measured in several views without error model."""
     return assumed_placement_sigma(found, settings) if found.views > 1 else 0.0
+
+
+def evaluate_line_form(criterion: Criterion, found: FoundFeature, settings: InspectionSettings) -> Value:
+    """Straightness of an edge (cylinder about its points) or of a line on a face (strip about its cell means)."""
+    how = f"{WORDS[criterion]}"
+    if found.edge_profile is not None:
+        points = found.edge_profile.points_mm
+        width = zone_width("line", points, criterion, found.name)
+        made = _remove_noise(
+            [Zone.of("line", points, found.edge_profile.noise_mm, {})], width, criterion, settings, f", {len(points)} sections"
+        )
+    else:
+        if len(found.points_mm) == 0:
+            raise InspectionError(f"{found.name} is a constructed line without a measured surface")
+        feature = require_feature(found)
+        place = (found.points_mm - feature.point_mm) @ require_direction(feature)
+        keys = np.floor((place - place.min()) / settings.form_cell_mm).astype(np.int64)[:, None]
+        cells = cell_means(found, feature, keys)
+        position = (cells.points_mm - feature.point_mm) @ require_direction(feature)
+        width = _line_width(position, cells.deviations_mm, criterion)
+        zone = Zone.of_profile(position, cells.deviations_mm, cells.noises_mm, cells.view_contributions)
+        made = _remove_noise([zone], width, criterion, settings, "")
+        how = f"{filter_words(settings)}, {how}"
+    budget = combine_budgets(made.budget, {STITCHING: assumed_view_spread(found, settings)})
+    return Value(made.value, budget, f"{how}{made.how}; Monte Carlo, {settings.form_trials} draws")
 
 
 def _zone(shape: Shape, cells: Cells, criterion: Criterion, name: str, settings: InspectionSettings) -> Value:

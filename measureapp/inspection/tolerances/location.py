@@ -77,7 +77,10 @@ class _Zone:
 
     def _offsets(self, system: DatumSystem, points_mm: FloatArray) -> FloatArray:
         away = system.apply(points_mm) - self.nominal.point_mm
-        return perpendicular_part(away, require_direction(self.nominal)) if self.nominal.shape in AXES else away
+        if self.nominal.shape in (*AXES, "circle", "slot"):  # circle and slot are located in their plane
+            normal = self.nominal.normal if self.nominal.shape == "slot" else None
+            return perpendicular_part(away, require_direction(self.nominal) if normal is None else normal)
+        return away
 
 
 def _add_material_bonus(
