@@ -167,7 +167,7 @@ def test_a_program_that_is_none_stays_in_its_window_with_the_reason(application,
 
 def test_the_unit_of_a_nominal_in_inches_is_asked_for_and_never_assumed(application, opened, project, qtbot, tmp_path):
     path = ball_mesh(tmp_path / "ball.stl", scale=1 / 25.4)
-    take, dialog_of = application.controllers.programming.set_nominal, opened.program.nominal
+    take, dialog_of = application.controllers.nominal.use, opened.program.nominal
     take(path)
     settled(application, qtbot)
     assert dialog_of.dialog.value() is LengthUnit.INCH and project.nominal is None
@@ -184,7 +184,7 @@ def test_the_unit_of_a_nominal_in_inches_is_asked_for_and_never_assumed(applicat
 
 
 def test_a_nominal_that_replaces_another_can_be_undone(application, opened, project, qtbot, tmp_path):
-    take = application.controllers.programming.set_nominal
+    take = application.controllers.nominal.use
     take(ball_mesh(tmp_path / "first.stl"))
     settled(application, qtbot)
     assert not application.controllers.programming.can_undo  # there was none before
@@ -208,7 +208,7 @@ def test_a_nominal_that_cannot_be_used_is_reported_and_changes_nothing(applicati
         header = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n1 2 3\n"
         path.write_text("" if content == "nothing" else header, encoding="ascii")
     before = application.session.inspection
-    application.controllers.programming.set_nominal(path)
+    application.controllers.nominal.use(path)
     told = settled(application, qtbot)
     assert told.level == "error" and told.text.endswith(".") and told.hint
     assert project.nominal is None and application.session.inspection is before and opened.program.nominal.isEnabled()

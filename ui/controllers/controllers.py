@@ -16,6 +16,7 @@ from ui.controllers.filtering import FilteringController
 from ui.controllers.growing import GrowingController
 from ui.controllers.holes import HolesController
 from ui.controllers.jobs import JobRunner
+from ui.controllers.nominal import NominalController
 from ui.controllers.planning import PlanningController
 from ui.controllers.programming import ProgrammingController
 from ui.controllers.project import ProjectController
@@ -62,6 +63,7 @@ class Controllers(QObject):
         self.filtering = FilteringController(session, self.jobs, self)
         self.growing = GrowingController(session, self.jobs, self)
         self.programming = ProgrammingController(session, self.jobs, self.inspecting, self)
+        self.nominal = NominalController(session, self.jobs, self.programming, self)
         self.planning = PlanningController(session, self.jobs, self.predicting, self)
         self._session, self._calibrating = session, dict[str, CalibratingController]()
         self.recent_calibration = RecentCalibrationController(session, self.background, self)

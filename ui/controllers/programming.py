@@ -9,15 +9,11 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal, Slot
 from PySide6.QtGui import QUndoCommand, QUndoStack
 
-from measureapp.data.length_unit import LengthUnit
 from measureapp.errors import MeasureError
 from ui.controllers.jobs import JobRunner
 from ui.controllers.program_jobs import (
-    ChangedNominal,
     MeasuredProgram,
-    NominalQuestion,
     ProgramState,
-    measure_with_nominal,
     read_state,
     save_copy,
     save_state,
@@ -50,29 +46,10 @@ class EditCommand(QUndoCommand):
         self._use(self._before)
 
 
-class NominalCommand(QUndoCommand):
-    """A change of the nominal, which was measured and stored already."""
-
-    def __init__(self, use: Callable[[Path], None], before: Path, after: Path, words: str) -> None:
-        super().__init__(words)
-        self._use, self._before, self._after, self._is_new = use, before, after, True
-
-    def redo(self) -> None:
-        """Use the nominal again."""
-        if not self._is_new:
-            self._use(self._after)
-        self._is_new = False
-
-    def undo(self) -> None:
-        """Use the former nominal."""
-        self._use(self._before)
-
-
 class ProgrammingController(QObject):
     """Holds the edited program of the open project; views watch it through `changed`."""
 
     changed = Signal()  # program, results or status
-    unitAsked = Signal(object)  # NominalQuestion
 
     def __init__(self, session: Session, runner: JobRunner, measuring: JobRunner, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -238,19 +215,6 @@ class ProgrammingController(QObject):
             self._runner.run(f"Saving {path.name}", lambda _job: save_copy(path, state), self._show_copied)
 
     @Slot(object)
-    def set_nominal(self, path: Path, unit: LengthUnit = LengthUnit.MM) -> None:
-        """Use another nominal; its unit is asked for if it is doubtful."""
-        self._change_nominal(path, unit, self._show_nominal)
-
-    def _change_nominal(self, path: Path, unit: LengthUnit, done: Callable[[ChangedNominal], None]) -> None:
-        folder, measurement, state = self.folder, self._session.measurement, self.state
-        if folder is not None and measurement is not None and state is not None and self.can_change:
-            self._runner.run("Changing the nominal", lambda job: measure_with_nominal(folder, measurement, state, path, unit, job), done)
-
-    def _use_nominal(self, path: Path) -> None:
-        self._change_nominal(path, LengthUnit.MM, self._show_former_nominal)
-
-    @Slot(object)
     def _show_saved(self, found: tuple[ProgramState, Outcome | None]) -> None:
         state, outcome = found
         if state is self.state:
@@ -266,33 +230,16 @@ class ProgrammingController(QObject):
     def _show_copied(self, path: Path) -> None:
         self._session.tell(f"Program saved as {path.name}.", "", "done")
 
-    @Slot(object)
-    def _show_nominal(self, found: ChangedNominal | NominalQuestion) -> None:
-        if isinstance(found, NominalQuestion):
-            self.unitAsked.emit(found)
-            return
-        words = f"Nominal changed to {found.path.name}."
-        if found.former is None:
-            self.stack.clear()
-        else:
-            self.stack.push(NominalCommand(self._use_nominal, found.former, found.path, words))
-        self._keep_nominal(found, words)
-
-    @Slot(object)
-    def _show_former_nominal(self, found: ChangedNominal | NominalQuestion) -> None:
-        if isinstance(found, ChangedNominal):
-            self._keep_nominal(found, "Nominal changed back.")
-
-    def _keep_nominal(self, found: ChangedNominal, words: str) -> None:
-        outcome, self.state = found.outcome, found.state
+    def take_outcome(self, outcome: Outcome, state: ProgramState) -> None:
+        """Use a measurement of another nominal, which was stored with the program."""
+        self.state = state
         self._measuring.forget()
         self._is_own = True
         self._session.set_measurement(outcome.measurement, outcome.files, outcome.filters)
         self._is_own = False
         if outcome.measurement.inspection is not None:
-            self._measured = MeasuredProgram(found.state, outcome.measurement.inspection)
+            self._measured = MeasuredProgram(state, outcome.measurement.inspection)
         self.stack.setClean()
-        self._session.tell(words, "", "done")
         self.changed.emit()
 
     @Slot(object)

@@ -94,7 +94,7 @@ class InspectionPage(ViewportPage):
         self.undo = Button("Undo", look, "undo", "quiet", UNDO)
         self.undo.clicked.connect(self._undo)
         self.hint = label("", "soft")
-        self.program = ProgramTools(look, self.session, self.controllers.programming, self)
+        self.program = ProgramTools(look, self.session, self.controllers, self)
         self.see_report = Button("See the report", look, "report", "primary")
         for widget in (self.hint, self.undo, self.program.text, self.program.nominal, self.see_report):
             self.action_row.addWidget(widget)

@@ -10,8 +10,9 @@ from PySide6.QtCore import QObject, Slot
 from PySide6.QtWidgets import QFileDialog, QWidget
 
 from measureapp.data.length_unit import LengthUnit
+from ui.controllers.controllers import Controllers
+from ui.controllers.nominal import NominalController
 from ui.controllers.program_jobs import NominalQuestion
-from ui.controllers.programming import ProgrammingController
 from ui.look.look import Look
 from ui.look.wording import sentence_case
 from ui.pages.inspection.dimension_bar import DimensionBar
@@ -33,22 +34,22 @@ PROGRAM_TIP = "Edit the inspection program as text: alignment, features, dimensi
 class NominalButton(Button):
     """Asks for a file, and for its unit if it is doubtful."""
 
-    def __init__(self, look: Look, programming: ProgrammingController) -> None:
+    def __init__(self, look: Look, nominal: NominalController) -> None:
         super().__init__("Nominal…", look, "open", "quiet", NOMINAL_TIP)
-        self._look, self._programming, self.dialog = look, programming, None
+        self._look, self._nominal, self.dialog = look, nominal, None
         self.clicked.connect(self._choose)
-        programming.unitAsked.connect(self._ask)
+        nominal.unitAsked.connect(self._ask)
 
     def _choose(self) -> None:
         chosen, _ = QFileDialog.getOpenFileName(self, "Choose the nominal", str(Path.home()), NOMINAL_FILES)
         if chosen:
-            self._programming.set_nominal(Path(chosen))
+            self._nominal.use(Path(chosen))
 
     @Slot(object)
     def _ask(self, asked: NominalQuestion) -> None:
         question = asked.question
         dialog = self.dialog = UnitDialog(self._look, question.what, question.finding, LengthUnit(question.unit), parent=self)
-        dialog.chosen.connect(lambda unit: self._programming.set_nominal(asked.path, unit))
+        dialog.chosen.connect(lambda unit: self._nominal.use(asked.path, unit))
         dialog.finished.connect(dialog.deleteLater)
         dialog.open()
 
@@ -56,10 +57,15 @@ class NominalButton(Button):
 class ProgramTools(QObject):
     """Available to engineers for a measured project on disk."""
 
-    def __init__(self, look: Look, session: Session, programming: ProgrammingController, page: QWidget) -> None:
+    def __init__(self, look: Look, session: Session, controllers: Controllers, page: QWidget) -> None:
         super().__init__(page)
-        self._session, self.programming = session, programming
-        self.bar, self.nominal, self.dialog = DimensionBar(look), NominalButton(look, programming), ProgramDialog(look, programming, page)
+        self._session, self.programming = session, controllers.programming
+        programming = self.programming
+        self.bar, self.nominal, self.dialog = (
+            DimensionBar(look),
+            NominalButton(look, controllers.nominal),
+            ProgramDialog(look, programming, page),
+        )
         self.text = Button("Program…", look, "report", "quiet", PROGRAM_TIP)
         self.text.clicked.connect(self.dialog.show_program)
         self.bar.asked.connect(self._add_dimension)
