@@ -20,6 +20,7 @@ from ui.look.look import Look
 from ui.viewport.cloud_view import CloudView
 from ui.viewport.frame_budget import FRAME_S, LEAST_POINTS
 from ui.viewport.layers import CloudLayer
+from ui.viewport.point_index import index_points
 from ui.viewport.shuffled_cloud import ShuffledCloud, shuffle
 
 LEARNING_FRAMES, FRAMES = 8, 40
@@ -49,7 +50,9 @@ def test_a_large_cloud_turns_smoothly_looks_like_the_part_and_is_complete_when_s
     view.set_clouds((), wavy_ball(LEAST_POINTS))
     drawn_in_full(view)
     least_s, *_ = turned(view)
-    view.set_clouds((), wavy_ball(millions * 1_000_000))
+    cloud = wavy_ball(millions * 1_000_000)
+    view.set_clouds((), cloud)
+    view.set_index(index_points(cloud))
     drawn_in_full(view)
     turning_s, shown, turning = turned(view)
     waits, complete_s = came_to_rest(view)
@@ -72,7 +75,7 @@ def test_a_large_cloud_turns_smoothly_looks_like_the_part_and_is_complete_when_s
 
 def turned(view: CloudView) -> tuple[float, int, QImage]:
     """Turn by the mouse; return the median seconds of a frame until it is on the screen, its points, and the last picture."""
-    inner, scene = view._view, view._scene
+    inner, scene = view._view, view.stage.scene
     seconds, points = [], []
     at = QPoint(200, 480)
     QTest.mousePress(inner, Qt.MouseButton.LeftButton, pos=at)
@@ -91,11 +94,11 @@ def turned(view: CloudView) -> tuple[float, int, QImage]:
 
 def came_to_rest(view: CloudView) -> tuple[list[float], float]:
     """Let the window come to rest; return how long each of its events kept it busy, and the seconds until the cloud was complete."""
-    inner, scene, waits = view._view, view._scene, []
-    while inner._rest.isActive():
+    scene, waits = view.stage.scene, []
+    while not view.stage.is_resting:
         QApplication.processEvents()
     begun = time.perf_counter()
-    while scene.picture_points < len(scene._cloud):
+    while scene.picture_points < len(scene.cloud):
         started = time.perf_counter()
         QApplication.processEvents()
         waits.append(time.perf_counter() - started)
@@ -110,7 +113,7 @@ def send_move(widget, at: QPoint) -> None:
 
 
 def drawn_in_full(view: CloudView) -> QImage:
-    view._scene.set_moving(False)
+    view.stage.scene.set_moving(False)
     view._view.refresh()
     return view.screenshot()
 

@@ -121,15 +121,16 @@ def test_the_picture_turns_comes_closer_and_is_picked_from_by_keys(filled, appli
     page = filled.pages["clouds"]
     qtbot.waitUntil(lambda: not page.is_composing and page.view.is_live, timeout=PATIENCE_MS)
     page.view.screenshot()
-    camera = page.view._scene.renderer.GetActiveCamera()
-    before, distance = camera.GetPosition(), camera.GetDistance()
+    camera = page.view.stage.scene.camera
+    before, scale = camera.vtk.GetPosition(), camera.mm_per_px
+    page.view.setFocus()
     qtbot.keyClick(page.view, Qt.Key.Key_Right)
-    assert camera.GetPosition() != before and camera.GetDistance() == pytest.approx(distance)
+    assert camera.vtk.GetPosition() != before and camera.mm_per_px == pytest.approx(scale)
     qtbot.keyClick(page.view, Qt.Key.Key_Plus)
-    assert camera.GetDistance() == pytest.approx(distance / 1.25)
+    assert camera.mm_per_px == pytest.approx(scale / 1.25)
     page.view.screenshot()
     with qtbot.waitSignal(page.view.pointPicked):
         qtbot.keyClick(page.view, Qt.Key.Key_Return)
     qtbot.keyClick(page.view, Qt.Key.Key_Home)
     page.view.screenshot()
-    assert page.view._scene.keep_framed and camera.GetDistance() > 1.1 * distance / 1.25
+    assert camera.keep_framed and camera.mm_per_px > 1.1 * scale / 1.25

@@ -156,9 +156,9 @@ class Scene:
 
     def observe(self, seconds: float) -> None:
         """Learn from the time that the present frame took."""
-        if not self._moving:
+        if not self._moving or not (self._levels or self._cloud_proxy):
             self.budget.observe(self.frame_points, seconds)
-        elif self._cloud_proxy is None and self._levels:
+        elif self._cloud_proxy is None:
             self.choice.observe(seconds)
 
     @property
