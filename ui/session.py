@@ -27,7 +27,11 @@ if TYPE_CHECKING:
     from measureapp.devices.rig import Rig
     from measureapp.inspection.section_curves import SectionCurves
     from measureapp.inspection.surface.deviation import Deviation
+    from measureapp.inspection.surface.deviation_index import DeviationIndex
+    from measureapp.inspection.surface.deviation_map import DeviationMap
     from measureapp.inspection.surface.nominal import NominalSurface
+    from measureapp.inspection.surface.smoothing import Smoothed
+    from measureapp.inspection.surface.statistics import DeviationStatistics
     from measureapp.register.clouds.filter_chain import FilterChain
 
 Level = Literal["info", "done", "warning", "error"]
@@ -47,6 +51,10 @@ class Comparison:
     unmeasured_normals: np.ndarray  # (M, 3)
     surface: NominalSurface | None = None  # the drawing, ready to be cut
     sections: SectionCurves | None = None  # of the inspection program
+    index: DeviationIndex | None = None  # neighbours of the points, for probes
+    statistics: DeviationStatistics | None = None  # the numbers of legend, window, report and JSON
+    smoothed: Smoothed | None = None  # for the eye only
+    map: DeviationMap | None = None  # on the nominal
 
 
 @dataclass(frozen=True)

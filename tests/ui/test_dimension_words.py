@@ -85,4 +85,4 @@ def test_a_feature_of_the_list_shows_its_fit(application, window, measurement):
     page.side.list.setValue("features")
     page.side.features.select_names(["equator"])
     assert page.properties.title == "Equator"
-    assert page.view._labels == ()
+    assert page.view._flags == ()

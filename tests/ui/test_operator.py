@@ -33,7 +33,7 @@ def test_from_start_to_report_an_operator_clicks_three_times(application, operat
     assert operator.page is inspection and inspection.side.banner.isVisible()
     assert inspection.side.banner.word.text() == "FAIL" and "1 of 4 dimensions fail" in inspection.side.banner.accessibleName()
     assert inspection.side.table.current_row().name == "b"  # the one that fails
-    assert "b 40.131 mm   fail" in [label.text for label in inspection.view._labels]
+    assert ("b", "fail") in [(flag.title, flag.verdict) for flag in inspection.view._flags]
     application.session.set_busy("")
     inspection.see_report.click()
     report.open_pdf.click()

@@ -194,10 +194,11 @@ def test_selecting_a_dimension_labels_it_in_the_viewport(filled):
     page = filled.pages["inspection"]
     filled.show_page("inspection")
     page.side.table.select(0)
-    assert [label.text for label in page.view._labels] == ["a 120.021 mm   pass"]
+    (flag,) = page.view._flags
+    assert (flag.title, plain(flag.value), flag.verdict) == ("a", "120.021 mm", "pass")
     assert len(page.view._lines[-1].lines) == 3
     page.side.table.select(3)
-    assert page.view._labels == ()
+    assert page.view._flags == ()
     assert page.properties.note == "No points lie near the feature."
 
 

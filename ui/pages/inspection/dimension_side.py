@@ -14,6 +14,7 @@ from ui.controllers.programming import ProgrammingController
 from ui.look.look import Look
 from ui.pages.inspection.cell_edits import apply_edit
 from ui.pages.inspection.deviation_card import DeviationCard
+from ui.pages.inspection.deviation_display import DeviationDisplay
 from ui.pages.inspection.dimension_model import Column
 from ui.pages.inspection.dimension_rows import Selection, decision_rule, features_of, rule_name
 from ui.pages.inspection.dimension_table import DimensionTable
@@ -40,12 +41,12 @@ class DimensionSide(QWidget):
     selected = Signal()
     closerAsked = Signal()
 
-    def __init__(self, look: Look, programming: ProgrammingController) -> None:
+    def __init__(self, look: Look, programming: ProgrammingController, display: DeviationDisplay) -> None:
         super().__init__()
         self._look, self._programming = look, programming
         self._inspection: Inspection | None = None
         self._is_filter_offered = True
-        self.banner, self.deviation = VerdictBanner(look), DeviationCard(look)
+        self.banner, self.deviation = VerdictBanner(look), DeviationCard(look, display)
         self.list = Segments(LISTS, name="List")
         self.filter, self.save = FilterBar(look), SaveBar(look, programming)
         self.table = DimensionTable(look, self._edit)
