@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from measureapp.data.mesh import Mesh
     from measureapp.inspection.surface.cutting_surface import CuttingSurface
     from measureapp.inspection.surface.deviation import Deviation
-    from measureapp.inspection.surface.histogram import Histogram
+    from measureapp.inspection.surface.statistics import DeviationStatistics
     from measureapp.project.geometry.files import PlainPoints
 
 SECTION_FILE = Path("sections.csv")
@@ -50,15 +50,17 @@ def register(app: typer.Typer) -> None:
         reach: Annotated[
             float, typer.Option(min=0.001, help="The nominal counts as measured where a point lies closer than this, in mm.")
         ] = 2.0,
+        search: Annotated[
+            float, typer.Option(min=0.001, help="Points farther than this from the nominal are counted, not compared (statistics), in mm.")
+        ] = 2.0,
         unit: UnitOption = LengthUnit.MM,
         nominal_unit: Annotated[LengthUnit, typer.Option("--nominal-unit", help="Unit of the nominal.")] = LengthUnit.MM,
         as_json: JsonOption = False,
     ) -> None:
         """Compare a cloud with its nominal; deviations are positive outside the material."""
         from measureapp.inspection.surface.deviation import compute_deviation
-        from measureapp.inspection.surface.histogram import bin_deviations
         from measureapp.project.geometry.files import read_cloud_or_mesh, read_mesh
-        from measureapp.report.json_document import alignment_document
+        from measureapp.report.json_document import alignment_document, statistics_document
 
         measured, surface = read_cloud_or_mesh(cloud, unit=unit), read_mesh(nominal, unit=nominal_unit)
         found = compute_deviation(measured, surface, _alignment(align, measured, surface), near_mm=reach, progress=TerminalProgress())
@@ -70,10 +72,10 @@ def register(app: typer.Typer) -> None:
             "unmeasured_share": found.unmeasured_share,
         }
         lines = _summary_lines(found, figures)
+        statistics = _statistics(found, surface, measured, tolerance, search)
+        document["statistics"], lines = statistics_document(statistics), [*lines, *_statistics_lines(statistics)]
         if tolerance is not None:
-            bands = bin_deviations(found.distances_mm, *tolerance)
-            document["bands"] = _bands_document(bands)
-            lines.append(f"Points below the tolerance {bands.below:.2%}, within {bands.within:.2%}, above {bands.above:.2%}.")
+            document["bands"] = _bands_document(found, tolerance, lines)
         if section:
             _write_sections(found, surface, section, section_width, section_file)
             document["sections"] = str(section_file)
@@ -83,6 +85,28 @@ def register(app: typer.Typer) -> None:
             document["map"] = str(map_file)
             lines.append(f"Deviation map saved to {map_file}")
         reply(document, "\n".join(lines), as_json)
+
+
+def _statistics(
+    found: Deviation, nominal: Mesh, measured: PlainPoints | Mesh, tolerance: tuple[float, float] | None, search_mm: float
+) -> DeviationStatistics:
+    from measureapp.data.mesh import Mesh
+    from measureapp.inspection.surface.statistics import compute_statistics
+
+    surface = measured.seen_from(found.alignment.nominal_from_part) if isinstance(measured, Mesh) else None
+    return compute_statistics(found, nominal, tolerance_mm=tolerance, search_mm=search_mm, surface=surface)
+
+
+def _statistics_lines(found: DeviationStatistics) -> list[str]:
+    confirmed = [
+        f"{word} {one.value_mm:+.3f} mm at ({', '.join(f'{value:.1f}' for value in one.point_mm)})"
+        for word, one in (("smallest", found.minimum), ("greatest", found.maximum))
+        if one is not None
+    ]
+    lines = [f"Confirmed by neighbours: {', '.join(confirmed)}."] if confirmed else []
+    area = found.no_data
+    lines.append(f"No data: {area.not_seen:.1%} not seen, {area.filled:.1%} filled, {area.too_far:.1%} beyond {found.search_mm:g} mm.")
+    return lines
 
 
 def _summary_lines(found: Deviation, figures: dict[str, float]) -> list[str]:
@@ -119,7 +143,12 @@ def _cyclic(align: str, measured: PlainPoints | Mesh, nominal: Mesh) -> Alignmen
     return cyclic_fit(MeasuredPoints.of(measured), NominalSurface(nominal), BestFit(fold=int(count)), InspectionSettings())
 
 
-def _bands_document(bands: Histogram) -> dict[str, Any]:
+def _bands_document(found: Deviation, tolerance: tuple[float, float], lines: list[str]) -> dict[str, Any]:
+    """Return the histogram over the tolerance, and add its line."""
+    from measureapp.inspection.surface.histogram import bin_deviations
+
+    bands = bin_deviations(found.distances_mm, *tolerance)
+    lines.append(f"Points below the tolerance {bands.below:.2%}, within {bands.within:.2%}, above {bands.above:.2%}.")
     shares = {"below": bands.below, "within": bands.within, "above": bands.above}
     return {**shares, "edges_mm": bands.edges_mm.tolist(), "counts": bands.counts.tolist()}
 

@@ -58,11 +58,13 @@ def register(app: typer.Typer) -> None:
         document = {
             "program": inspection.program,
             "alignment": alignment_document(inspection.alignment),
+            "alignments": {name: alignment_document(further) for name, further in inspection.further.items()},
             "features": [feature_document(feature) for feature in inspection.features],
             "dimensions": [dimension_document(dimension) for dimension in inspection.dimensions],
             "verdict_rule": rule,
         }
         lines = [f"{inspection.program}. {alignment_lines(inspection.alignment)}"]
+        lines += [f"{name}: {alignment_lines(further)}" for name, further in inspection.further.items()]
         reply(document, "\n".join([*lines, *map(dimension_line, inspection.dimensions), rule]), as_json)
         if any(dimension.verdict not in ACCEPTED for dimension in inspection.dimensions):
             raise typer.Exit(OUT_OF_TOLERANCE)

@@ -79,9 +79,11 @@ def dimension_line(dimension: Dimension) -> str:
         return f"{start}not measured: {dimension.reason}"
     shown = dimension.round_uncertainty()
     uncertainty = "" if shown is None else f" ± {shown:.3f}"
+    source = f", {dimension.tolerance_source}" if dimension.tolerance_source else ""
+    warning = f"\n      {dimension.warning}." if dimension.warning else ""
     return (
-        f"{start}{dimension.measured:9.3f}{uncertainty} {dimension.unit} (nominal {dimension.nominal:g}, deviation {dimension.deviation:+.3f})"
-        f"  {dimension.verdict.value}"
+        f"{start}{dimension.measured:9.3f}{uncertainty} {dimension.unit} (nominal {dimension.nominal:g}, deviation {dimension.deviation:+.3f}"
+        f"{source})  {dimension.verdict.value}{warning}"
     )
 
 
@@ -92,4 +94,9 @@ def alignment_lines(alignment: Alignment) -> str:
         lines.append("Residuals: " + ", ".join(f"{name} {off:.4f} mm" for name, off in alignment.residuals_mm.items()) + ".")
     if alignment.undetermined:
         lines.append("Not determined by the points: " + ", ".join(alignment.undetermined) + ".")
+    if alignment.fixed < 6:
+        lines.append(f"Fixed by its features: {alignment.fixed} of 6 degrees of freedom.")
+    if alignment.weakest_mm is not None:
+        direction = ", ".join(f"{value:.2f}" for value in alignment.weakest_direction)
+        lines.append(f"Weakest direction ({direction}): ± {alignment.weakest_mm:.3f} mm (k = 2) at a corner of the part.")
     return "\n".join([*lines, *(f"{note}." for note in alignment.notes)])

@@ -10,6 +10,7 @@ from measureapp.data.calibration import RigCalibration
 from measureapp.data.dimension import Dimension
 from measureapp.data.feature import Feature
 from measureapp.data.measurement import Alignment, Measurement
+from measureapp.inspection.surface.statistics import DeviationStatistics, Extreme
 from measureapp.project.documents import setup_document, validity_document
 from measureapp.report.model import ReportModel, ViewLine
 
@@ -67,7 +68,38 @@ def alignment_document(alignment: Alignment) -> dict[str, Any]:
         "undetermined": list(alignment.undetermined),
         "residuals_mm": dict(alignment.residuals_mm),
         "notes": list(alignment.notes),
+        "method": alignment.method,
+        "for_comparison_only": alignment.for_comparison_only,
+        "fixed": alignment.fixed,
+        "weakest_mm": alignment.weakest_mm,
+        "weakest_direction": list(alignment.weakest_direction),
     }
+
+
+def statistics_document(found: DeviationStatistics) -> dict[str, Any]:
+    """Return the statistics of a deviation as JSON: the numbers of legend, window and report."""
+    return {
+        "points": found.points,
+        "lost": found.lost,
+        "search_mm": found.search_mm,
+        "mean_mm": found.mean_mm,
+        "rms_mm": found.rms_mm,
+        "p95_mm": found.p95_mm,
+        "tolerance_mm": None if found.tolerance_mm is None else list(found.tolerance_mm),
+        "range_mm": list(found.range_mm),
+        "below": found.below,
+        "inside": found.inside,
+        "above": found.above,
+        "no_data": {"not_seen": found.no_data.not_seen, "filled": found.no_data.filled, "too_far": found.no_data.too_far},
+        "minimum": _extreme_document(found.minimum),
+        "maximum": _extreme_document(found.maximum),
+    }
+
+
+def _extreme_document(extreme: Extreme | None) -> dict[str, Any] | None:
+    if extreme is None:
+        return None
+    return {"value_mm": extreme.value_mm, "point_mm": extreme.point_mm.tolist(), "neighbours": extreme.neighbours}
 
 
 def view_document(view: ViewLine) -> dict[str, Any]:

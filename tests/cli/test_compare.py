@@ -164,3 +164,14 @@ def test_a_file_of_our_own_is_in_millimetres_and_nothing_else(tmp_path: Path, ca
     write_cloud(path, PointCloud(points.points_mm, points.normals, *flat, "part", "v"))
     assert main(["compare", str(path), str(NOMINAL), "--unit", "inch"]) == 2
     assert "written by MeasureApp, in millimetres" in capsys.readouterr().err
+
+
+def test_statistics_name_confirmed_extremes_the_range_and_areas_without_data(cloud: Path, capsys) -> None:
+    document = answer(capsys, str(cloud), str(NOMINAL), "--tolerance", "-0.1", "0.1")
+    found = document["statistics"]
+    assert found["range_mm"] == [-0.2, 0.2] and found["tolerance_mm"] == [-0.1, 0.1]
+    assert found["below"] + found["inside"] + found["above"] == pytest.approx(1.0)
+    assert found["no_data"]["filled"] == 0.0 and found["no_data"]["not_seen"] < 0.01
+    assert found["maximum"]["neighbours"] >= 5 and document["deviation_mm"]["min"] <= found["minimum"]["value_mm"] < 0
+    assert main(["compare", str(cloud), str(NOMINAL)]) == 0
+    assert "Confirmed by neighbours" in capsys.readouterr().out

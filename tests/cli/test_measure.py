@@ -137,3 +137,69 @@ def test_a_seed_beside_the_part_leaves_the_dimension_unmeasured_with_the_reason(
     program.write_text(GROWN.replace("[20, 0, 15]", "[0, 0, 15]"))
     assert main(["measure", str(resource("parts/gear/nominal.stl")), str(program)]) == 1
     assert "not measured: bore: no measured surface lies within 2 mm of its seed" in capsys.readouterr().out
+
+
+WORKBENCH = """
+schema_version = 1
+name = "workbench"
+alignment = "none"
+[[alignments]]
+name = "on top"
+alignment = "datums:arm tops"
+[[features]]
+name = "arm tops"
+shape = "plane"
+point_mm = [0, 0, 50]
+direction = [0, 0, 1]
+[[features]]
+name = "end"
+shape = "plane"
+point_mm = [90, 0, 25]
+direction = [1, 0, 0]
+[[features]]
+name = "edge"
+shape = "edge"
+point_mm = [90, 0, 50]
+direction = [0, 1, 0]
+normals = [[0, 0, 1], [1, 0, 0]]
+length_mm = 40
+strip_mm = 8
+[[features]]
+name = "raised"
+shape = "offset"
+of = ["arm tops"]
+distance_mm = 10
+[[dimensions]]
+name = "gap"
+kind = "distance"
+features = ["raised", "arm tops"]
+nominal = 10
+tolerance = ""
+[[dimensions]]
+name = "edge height"
+kind = "distance"
+features = ["edge", "raised"]
+nominal = 10
+tolerance = "2768-c"
+alignment = "on top"
+[[dimensions]]
+name = "flat"
+kind = "flatness"
+features = ["end"]
+tolerance = "max 0.05"
+"""
+
+
+def test_texts_of_tolerances_edges_and_further_alignments_are_measured_from_a_file(clouds, tmp_path, capsys) -> None:
+    (tmp_path / "program.toml").write_text(WORKBENCH, encoding="utf-8")
+    assert main(["measure", str(clouds["good"]), str(tmp_path / "program.toml"), "--json"]) in (0, 1)
+    document = json.loads(capsys.readouterr().out)
+    gap, height, flat = document["dimensions"]
+    assert gap["verdict"] == "no tolerance" and gap["tolerance"] == [None, None] and gap["measured"] == pytest.approx(10)
+    assert height["tolerance_source"] == "2768-c" and height["tolerance"] == [-0.5, 0.5] and height["alignment"] == "on top"
+    assert height["measured"] == pytest.approx(10, abs=0.02)
+    assert flat["tolerance"] == [0.0, 0.05]
+    assert document["alignments"]["on top"]["fixed"] == 3 and document["alignments"]["on top"]["method"] == "datums"
+    assert main(["measure", str(clouds["good"]), str(tmp_path / "program.toml")]) in (0, 1)
+    said = capsys.readouterr().out
+    assert "no tolerance" in said and "2768-c" in said and "3 of 6 degrees of freedom" in said

@@ -66,7 +66,7 @@ def test_the_json_form_of_a_dimension_is_the_one_of_the_command_line(measured) -
     first = dimension_document(measured().inspection.dimensions[0])
     assert set(first) == {
         "name", "nominal", "measured", "error", "relative_error", "uncertainty", "tolerance", "unit", "verdict", "reason", "kind", "datums", "origin",
-        "uncertainty_budget",
+        "uncertainty_budget", "tolerance_source", "warning", "alignment", "group",
     }  # fmt: skip
     assert first["relative_error"] == pytest.approx(0.0123456789 / 80)
     assert first["tolerance"] == [-0.1, 0.1]

@@ -120,6 +120,12 @@ class NominalSurface:
         return _edge_normal_sums(self.triangles, self.normals)
 
     @cached_property
+    def face_neighbours(self) -> tuple[IntArray, FloatArray]:
+        """Pairs (E, 2) of triangles with a common edge, and the cosine (E,) of the angle between their normals."""
+        pairs = _adjacent_triangles(self.triangles)
+        return pairs, np.einsum("nd,nd->n", self.normals[pairs[:, 0]], self.normals[pairs[:, 1]])
+
+    @cached_property
     def sharp_edges(self) -> cKDTree | None:
         """Search tree of points along the edges with a dihedral angle above `SHARP_DEG`; None without such edges."""
         pairs, normal_pairs = _inner_edges(self.triangles, self.normals)
@@ -132,6 +138,16 @@ class NominalSurface:
         step = np.arange(counts.sum()) - np.repeat(np.cumsum(counts) - counts, counts)
         share = (step / (counts[which] - 1))[:, None]
         return cKDTree(start[which] + share * (end[which] - start[which]))
+
+
+def _adjacent_triangles(triangles: IntArray) -> IntArray:
+    """Return the pairs (E, 2) of triangles that share an edge with no third one."""
+    _, number = _sorted_edges(triangles)
+    order = np.argsort(number, kind="stable")
+    counts = np.bincount(number)
+    first = np.cumsum(counts) - counts
+    first = first[counts == 2]
+    return np.stack([order[first] // 3, order[first + 1] // 3], axis=1)
 
 
 def _weld(mesh: Mesh) -> tuple[FloatArray, IntArray]:
