@@ -24,6 +24,7 @@ from measureapp.devices.plugin_loader import load_driver
 from measureapp.devices.rig import Rig
 from measureapp.geometry.transform import RigidTransform, orthonormalise
 from measureapp.inspection.alignment.point_to_plane import register
+from measureapp.inspection.dimensions import inspect
 from measureapp.inspection.measured_points import MeasuredPoints
 from measureapp.inspection.settings import AlignmentSettings
 from measureapp.inspection.surface.deviation import signed_distances
@@ -34,13 +35,15 @@ from measureapp.pipeline.run import Outcome, scan_into_project
 from measureapp.pipeline.sample import SampleScan, sample_request
 from measureapp.progress import Progress
 from measureapp.project.folder import ProjectFolder
-from measureapp.project.geometry.files import write_mesh
+from measureapp.project.geometry.files import read_mesh, write_mesh
+from measureapp.project.program_file import read_program
 from measureapp.register.settings import StitchSettings
 from measureapp.register.stitch import stitch
 from measureapp.simulate.parts import make_part
 from measureapp.simulate.placing import UPRIGHT_DEG, place_part
 from measureapp.simulate.truth import Truth
 from measureapp.simulate.world import World
+from measureapp.simulate.worlds import WORLDS, WorldName
 
 OnEvent = Callable[[Event], None]
 PLUGIN = "virtual_rig"
@@ -62,12 +65,21 @@ class DemoRequest:
     bracket_s: float | None = None  # time budget per viewpoint for exposures chosen by a probe; None: default exposures
     through_drivers: bool = False  # robot, guide and table through their drivers and virtual peers
     part_turn_deg: tuple[float, float, float] = UPRIGHT_DEG  # rotation about x, then y, then z, before it is put on the table
+    conditions: WorldName = "ideal"  # how well rig and part are made
 
     @property
     def sample(self) -> SampleScan:
         """The scan on the virtual rig."""
         return SampleScan(
-            self.part, self.resolution, self.viewpoints, self.seed, self.patterns, self.unit, self.bracket_s, self.part_turn_deg
+            self.part,
+            self.resolution,
+            self.viewpoints,
+            self.seed,
+            self.patterns,
+            self.unit,
+            self.bracket_s,
+            self.part_turn_deg,
+            self.conditions,
         )
 
 
@@ -88,7 +100,7 @@ def run_demo(request: DemoRequest, on_event: OnEvent, progress: Progress, contro
     """
     part = place_part(make_part(request.part, request.unit), request.part_turn_deg)
     scan = sample_request(request.sample, request.folder)
-    world = World(scan.rig, part, request.seed)
+    world = World(scan.rig, part, request.seed, options=WORLDS[request.conditions])
     with _connected(world, request.through_drivers) as rig:
         outcome = scan_into_project(scan, on_event, progress, control, replace(rig, description=scan.rig))
     assert outcome is not None  # the rig was calibrated
@@ -120,6 +132,7 @@ def _add_truth(outcome: Outcome, world: World, project: ProjectFolder) -> Outcom
         **outcome.document,
         "calibration": {**outcome.document["calibration"], "truth": compare_calibration(measurement.calibration, world.truth())},
         "truth_deviation": deviation,
+        "true_dimensions": true_dimensions(measurement, world, project),
         "files": {name: str(file) for name, file in files.items()},
     }
     return replace(outcome, document=document, files=files)
@@ -140,6 +153,32 @@ def truth_deviation(measurement: Measurement, world: World) -> tuple[Mesh, dict[
     _, kinematic_figures, _ = _compare(kinematic, world)
     shift = float(np.linalg.norm(offset.translation_mm))
     return surface, {**figures, "kinematic_only": kinematic_figures, "offset_mm": shift, "offset_deg": float(np.degrees(offset.angle_rad))}
+
+
+def true_dimensions(measurement: Measurement, world: World, project: ProjectFolder) -> list[dict[str, Any]]:
+    """Compare every dimension with its true value: that of the part as it was made, by the same inspection program on its true surface.
+
+    Returns
+    -------
+    list : `name`, `true`, `measured`, `error`, `uncertainty` (k = 2) and whether it `contains_truth`; without what was not measured
+    """
+    if measurement.inspection is None or project.program is None:
+        return []
+    nominal = None if project.nominal is None else read_mesh(project.nominal)
+    found = inspect(world.part.mesh, read_program(project.program), nominal)
+    true = {dimension.name: dimension.measured for dimension in found.dimensions}
+    return [
+        {
+            "name": one.name,
+            "true": value,
+            "measured": one.measured,
+            "error": one.measured - value,
+            "uncertainty": one.uncertainty,
+            "contains_truth": abs(one.measured - value) <= one.uncertainty,
+        }
+        for one in measurement.inspection.dimensions
+        if one.measured is not None and one.uncertainty is not None and (value := true.get(one.name)) is not None
+    ]
 
 
 def _compare(stitched: StitchedCloud, world: World) -> tuple[Mesh, dict[str, float], RigidTransform]:

@@ -19,9 +19,10 @@ from measureapp.errors import MeasureError
 from ui.controllers.controllers import Controllers
 from ui.look.look import Look
 from ui.look.paths import demo_folder
-from ui.look.theme import preferred_shade
+from ui.look.theme import Shade, preferred_shade
 from ui.main_window import MainWindow
 from ui.session import Session
+from ui.settings.settings import Settings, settings_file
 from ui.workers.job import LOG, unexpected
 
 _log = logging.getLogger(__name__)
@@ -33,6 +34,7 @@ LAST_WAIT_MS = 60_000  # for threads still running after the window is closed: c
 class Application:
     """The singletons of the application."""
 
+    settings: Settings
     look: Look
     session: Session
     controllers: Controllers
@@ -41,11 +43,20 @@ class Application:
 
 def build(application: QApplication) -> Application:
     """Build session, controllers and window."""
-    look = Look(preferred_shade(application))
+    settings = Settings(settings_file())
+    look = Look(_shade(application, settings))
     look.apply_theme()
     session = Session()
     controllers = Controllers(session)
-    return Application(look, session, controllers, MainWindow(look, session, controllers))
+    window = MainWindow(look, session, controllers, settings)
+    settings.changed.connect(lambda name: look.set_shade(_shade(application, settings)) if name == "theme" else None)
+    return Application(settings, look, session, controllers, window)
+
+
+def _shade(application: QApplication, settings: Settings) -> Shade:
+    """Return the theme that the user has chosen, or that of the desktop."""
+    chosen = settings.text("theme")
+    return "dark" if chosen == "dark" else "light" if chosen == "light" else preferred_shade(application)
 
 
 def run(project: Path | None = None, demo: bool = False) -> int:

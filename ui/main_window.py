@@ -2,21 +2,19 @@
 
 from __future__ import annotations
 
-import shutil
-from dataclasses import replace
 from pathlib import Path
 
-from PySide6.QtCore import Qt, QTimer
-from PySide6.QtGui import QCloseEvent, QKeySequence, QResizeEvent, QShortcut
-from PySide6.QtWidgets import QFileDialog, QMainWindow, QStackedWidget, QWidget
+from PySide6.QtCore import QDateTime, Qt
+from PySide6.QtGui import QCloseEvent, QResizeEvent, QShortcut
+from PySide6.QtWidgets import QMainWindow, QStackedWidget, QWidget
 
-from measureapp.data.length_unit import LengthUnit
+from ui.actions.actions import Actions
+from ui.actions.palette import CommandPalette
+from ui.actions.shortcut_list import ShortcutList
 from ui.controllers.controllers import Controllers
-from ui.controllers.files import FileQuestion, FilesToMeasure
 from ui.look.look import Look
-from ui.look.wording import part_words, several, storage
+from ui.messages import MOMENT, Message
 from ui.pages.calibration import CalibrationPage
-from ui.pages.calibration_chip import calibration_state
 from ui.pages.clouds.clouds import CloudsPage
 from ui.pages.inspection.inspection import InspectionPage
 from ui.pages.page import Page
@@ -24,7 +22,15 @@ from ui.pages.plan.page import PlanPage
 from ui.pages.report import ReportPage
 from ui.pages.rig.page import RigPage
 from ui.pages.scan.page import ScanPage
-from ui.session import Message, Session
+from ui.session import Session
+from ui.settings.dialogs import choose_new
+from ui.settings.layout import keep_window, remember_splitters, restore_window
+from ui.settings.settings import Settings
+from ui.shell.commands import register_commands
+from ui.shell.drops import DropActions, DropTarget
+from ui.shell.header_state import HeaderState
+from ui.shell.project_menu import ProjectMenu
+from ui.shell.support_log import save_support_log, support_lines
 from ui.widgets.basic import column, row
 from ui.widgets.closing_bar import ClosingBar
 from ui.widgets.header import HeaderBar
@@ -33,28 +39,25 @@ from ui.widgets.job_strip import JobStrip
 from ui.widgets.messages_dialog import MessagesDialog
 from ui.widgets.properties_panel import PropertiesPanel
 from ui.widgets.rail import Rail
-from ui.widgets.unit_dialog import UnitDialog
+from ui.widgets.settings_dialog import SettingsDialog
 
-CLOUDS = "Clouds and meshes (*.ply *.stl *.obj *.pcd *.xyz *.txt *.csv *.asc *.pts)"
-REFERENCES = "Nominals and inspection programs (*.stl *.ply *.obj *.step *.stp *.toml)"
 PAGES = (RigPage, CalibrationPage, PlanPage, ScanPage, CloudsPage, InspectionPage, ReportPage)
 SMALLEST = (1280, 720)
 TITLE_BARS = 72  # height of desktop bars on a screen of the smallest size
-DISK_INTERVAL_MS = 30_000
-DISK_LOW_BYTES = 5e9
 CLOSING_WAIT_MS = 20_000
 ROOMY_WIDTH = 1500
+LANGUAGES_READY = ("en",)
 
 
 class MainWindow(QMainWindow):
     """The main window."""
 
-    def __init__(self, look: Look, session: Session, controllers: Controllers) -> None:
+    def __init__(self, look: Look, session: Session, controllers: Controllers, settings: Settings) -> None:
         super().__init__()
         self.setWindowTitle("MeasureApp")
         self.setMinimumSize(SMALLEST[0], SMALLEST[1] - TITLE_BARS)
         self.resize(*SMALLEST)
-        self.look, self.session, self.controllers = look, session, controllers
+        self.look, self.session, self.controllers, self.settings = look, session, controllers, settings
         self.header = HeaderBar(look)
         self.properties = PropertiesPanel(look)
         self.strip = JobStrip(look)
@@ -67,16 +70,43 @@ class MainWindow(QMainWindow):
             self.stack.addWidget(page)
             page.propertiesChanged.connect(self._show_properties)
             page.propertiesAsked.connect(self._unfold)
-        self.messages, self.help = MessagesDialog(look, self), HelpDialog(look, self)
+        self._add_commands()
         self._lay_out()
         self._connect()
-        self._disk_timer = QTimer(self)
-        self._disk_timer.setInterval(DISK_INTERVAL_MS)
-        self._disk_timer.timeout.connect(self._show_disk)
-        self._disk_timer.start()
-        self._show_project()
-        self._show_calibration()
-        self.show_page("rig")
+        self.header_state = HeaderState(session, self.header, self)
+        restore_window(self, settings)
+        kept = settings.text("page")
+        self.show_page(kept if kept in self.pages else "rig")
+
+    def _add_commands(self) -> None:
+        words = {page.name: page.word for page in self.pages.values()}
+        self.actions_ = Actions(self)
+        self.project_menu = ProjectMenu(self.look, self.session, self.controllers, self.settings, self)
+        self.messages = MessagesDialog(self.look, self.session.messages, self._words_of, self)
+        self.help = HelpDialog(self.look, self)
+        self.settings_dialog = SettingsDialog(self.look, self.settings, LANGUAGES_READY, self)
+        self.palette_ = CommandPalette(self.look, self.actions_, words, self)
+        self.shortcuts = ShortcutList(self.look, self.actions_, words, self)
+        register_commands(self.actions_, self)
+        programming = self.controllers.programming
+        self.drops = DropTarget(
+            self.look,
+            DropActions(
+                open_project=self.controllers.project.open,
+                inspect=self.project_menu.inspect,
+                set_nominal=programming.set_nominal,
+                set_program=lambda path: programming.replace(path.read_text(encoding="utf-8")),
+                open_plan=lambda path: (self.show_page("plan"), self.controllers.planning.open(path)),
+                open_rig=lambda path: (self.show_page("rig"), self.controllers.rig.choose(path)),
+                running=lambda: self.session.busy_with,
+                is_measured=lambda: programming.can_change,
+            ),
+            self,
+        )
+
+    def _words_of(self, id_: str) -> str:
+        action = self.actions_.action(id_)
+        return "" if action is None else action.text
 
     @property
     def page(self) -> Page:
@@ -87,8 +117,10 @@ class MainWindow(QMainWindow):
 
     def show_page(self, name: str) -> None:
         """Show one workspace."""
+        remember_splitters(self.pages[name], self.settings)
         self.stack.setCurrentWidget(self.pages[name])
         self.rail.choose(name)
+        self.settings.set_text("page", name)
         self._give_room()
         self._show_properties()
 
@@ -107,7 +139,9 @@ class MainWindow(QMainWindow):
             self.closing.ask(running.title)
             event.ignore()
             return
-        self._disk_timer.stop()
+        keep_window(self, self.settings)
+        self.settings.save()
+        self.header_state.stop()
         self.hide()  # before waiting for threads
         self.controllers.end(CLOSING_WAIT_MS)
         for page in self.pages.values():
@@ -130,41 +164,40 @@ class MainWindow(QMainWindow):
         centre.setFocus()
 
     def _connect(self) -> None:
-        session, controllers = self.session, self.controllers
+        session, controllers, header = self.session, self.controllers, self.header
         self.rail.chosen.connect(self.show_page)
         self.properties.actionClicked.connect(self._act)
         self.properties.decisionClicked.connect(self._decide)
-        self.header.openClicked.connect(self._choose_project)
-        self.header.recentAsked.connect(lambda: self.header.show_recent(controllers.project.recent()))
-        self.header.recentClicked.connect(controllers.project.open)
-        self.header.fileClicked.connect(self._choose_files)
-        controllers.files.unitAsked.connect(self._ask_unit)
+        header.menu.aboutToShow.connect(lambda: self.project_menu.fill(header.menu, self.actions_))
+        header.fileClicked.connect(self.project_menu.inspect_files)
+        header.helpClicked.connect(self.show_help)
+        header.themeClicked.connect(self.change_theme)
+        header.stopClicked.connect(controllers.rig.stop)
+        header.role.valueChanged.connect(self._change_role)
         controllers.files.measured.connect(lambda: self.show_page("inspection"))
-        self.header.helpClicked.connect(self._show_help)
-        self.header.stopClicked.connect(controllers.rig.stop)
-        self.header.role.valueChanged.connect(self._change_role)
         self.strip.cancelClicked.connect(controllers.jobs.cancel)
-        self.strip.messagesClicked.connect(self._show_messages)
+        self.strip.messagesClicked.connect(self.messages.begin)
+        self.messages.remedyAsked.connect(self.actions_.trigger)
+        self.messages.logAsked.connect(self.save_log)
+        self.actions_.refused.connect(lambda words, reason: session.tell(f"{words}: {reason}", "", "info", cause=MOMENT))
         controllers.jobs.progressed.connect(self._show_progress)
         self.closing.closeClicked.connect(self._stop_and_close)
         session.busyChanged.connect(self._show_busy)
         session.messageAdded.connect(self._show_message)
-        session.projectChanged.connect(self._show_project)
-        session.calibrationChanged.connect(self._show_calibration)
-        session.rigChanged.connect(self._show_devices)
-        session.cellChanged.connect(self._show_devices)
-        scan = self.pages["scan"]
-        assert isinstance(scan, ScanPage)
+        session.messages.changed.connect(self._show_open)
+        session.projectChanged.connect(self._name_window)
+        session.cellChanged.connect(self._allow_escape)
+        scan, inspection = self.pages["scan"], self.pages["inspection"]
+        assert isinstance(scan, ScanPage) and isinstance(inspection, InspectionPage)
         scan.next_step.clicked.connect(self._go_on)
-        inspection = self.pages["inspection"]
-        assert isinstance(inspection, InspectionPage)
         inspection.see_report.clicked.connect(lambda: self.show_page("report"))
         session.reportChanged.connect(self._follow_operator)
-        inspection.measure_file.clicked.connect(self._choose_files)
-        QShortcut(QKeySequence.StandardKey.HelpContents, self, self._show_help)
-        QShortcut(QKeySequence.StandardKey.Open, self, self._choose_project)
+        inspection.measure_file.clicked.connect(self.project_menu.inspect_files)
         self._escape = QShortcut(Qt.Key.Key_Escape, self, controllers.rig.stop)
         self._escape.setEnabled(False)
+
+    def _allow_escape(self) -> None:
+        self._escape.setEnabled(self.session.cell.connected or self.session.moving)
 
     def _go_on(self) -> None:
         self.show_page("inspection" if self.session.role == "operator" else "clouds")
@@ -201,53 +234,41 @@ class MainWindow(QMainWindow):
 
     def _show_message(self, message: Message) -> None:
         self.strip.show_message(message.text, message.hint, message.level)
-        if self.messages.isVisible():
-            self.messages.show_messages(self.session.messages)
 
-    def _show_messages(self) -> None:
-        self.messages.show_messages(self.session.messages)
-        self.messages.show()
-        self.messages.raise_()
+    def _show_open(self) -> None:
+        """Count the open messages; one whose cause has ended gives its place in the strip to the newest that is open."""
+        messages = self.session.messages
+        self.strip.show_open(len(messages.open))
+        shown = messages[-1] if len(messages) else None
+        if shown is not None and shown.level in ("warning", "error") and shown.cause != MOMENT and not messages.is_open(shown):
+            newest = messages.open[-1] if messages.open else Message("")
+            self.strip.show_message(newest.text, newest.hint, newest.level)
 
-    def _show_help(self) -> None:
+    def show_help(self) -> None:
+        """Show the help of the page."""
         self.help.show_page(self.page.name)
 
-    def _show_project(self) -> None:
-        session = self.session
-        self.header.show_project(session.project_name, f"Part: {part_words(session.part)}" if session.part else "")
-        self.setWindowTitle(f"{session.project_name} – MeasureApp" if session.project_name else "MeasureApp")
-        self._show_disk()
+    def change_theme(self) -> None:
+        """Change between the light and the dark theme, and keep the choice."""
+        self.settings.set_text("theme", "light" if self.look.theme.shade == "dark" else "dark")
 
-    def _show_devices(self) -> None:
-        rig, cell = self.session.rig, self.session.cell
-        can_move = cell.connected or self.session.moving
-        self.header.stop.setVisible(can_move)
-        self._escape.setEnabled(can_move)
-        unready = [device.name for device in cell.devices if not device.status.ready]
-        problems = [driver for driver in self.session.drivers if driver.problem and driver.allowed]
-        if rig is None:
-            self.header.devices.show_state("No rig", "verdict_not_proven")
-        elif cell.stopped:
-            self.header.devices.show_state("Stopped", "verdict_fail", cell.stopped)
-        elif unready:
-            self.header.devices.show_state(f"{several(len(unready), 'device')} not ready", "verdict_fail", ", ".join(unready))
-        elif problems:
-            self.header.devices.show_state(f"{several(len(problems), 'driver')} failed", "verdict_fail", problems[0].problem)
-        else:
-            words = "Virtual rig" if rig.driver == "virtual_rig" else rig.name
-            colour = "verdict_pass" if cell.connected or rig.driver == "virtual_rig" else "soft"
-            self.header.devices.show_state(words, colour, f"{rig.name}, {'connected' if cell.connected else 'not connected'}")
+    def save_log(self) -> None:
+        """Save what support needs in one file."""
+        stamp = QDateTime.currentDateTime().toString("yyyy-MM-dd-HHmm")
+        file = choose_new(self, "Save the log for support", f"measureapp-support-{stamp}.zip", "support", self.settings, "*.zip")
+        if file is None:
+            return
+        texts, folder = support_lines(self.settings, self.session.messages), Path.home() / "MeasureApp"
+        self.controllers.background.run(
+            "Saving the log", lambda job: save_support_log(file, texts, folder, job), self._log_saved, quiet=True
+        )
 
-    def _show_calibration(self) -> None:
-        state = calibration_state(self.session.calibration, self.session.rig, self.session.validity)
-        self.header.calibration.show_state(state.words, state.colour, state.tip)
+    def _log_saved(self, file: Path) -> None:
+        self.session.tell(f"The log is saved to {file}.", "Send this file to support.", "done")
 
-    def _show_disk(self) -> None:
-        folder = self.session.folder or Path.home()
-        while not folder.exists():
-            folder = folder.parent
-        free = shutil.disk_usage(folder).free
-        self.header.disk.show_state(f"{storage(free)} free", "verdict_fail" if free < DISK_LOW_BYTES else "soft", f"Free space at {folder}")
+    def _name_window(self) -> None:
+        name = self.session.project_name
+        self.setWindowTitle(f"{name} – MeasureApp" if name else "MeasureApp")
 
     def _change_role(self, role: str) -> None:
         self.session.set_role("operator" if role == "operator" else "engineer")
@@ -256,26 +277,3 @@ class MainWindow(QMainWindow):
             self.rail.buttons[name].setVisible(role == "engineer" or page.for_operator)
         if role == "operator" and not self.page.for_operator:
             self.show_page("scan")
-
-    def _choose_files(self) -> None:
-        cloud, _ = QFileDialog.getOpenFileName(self, "Choose the cloud or mesh to inspect", str(Path.home()), CLOUDS)
-        reference = (
-            QFileDialog.getOpenFileName(self, "Choose its nominal or inspection program", str(Path(cloud).parent), REFERENCES)[0]
-            if cloud
-            else ""
-        )
-        if reference:
-            self.controllers.files.measure(FilesToMeasure(Path(cloud), Path(reference)))
-
-    def _ask_unit(self, asked: FileQuestion) -> None:
-        question, kept = asked.question, "unit" if asked.question.what == "points" else "nominal_unit"
-        self.unit_dialog = UnitDialog(self.look, question.what, question.finding, LengthUnit(question.unit), parent=self)
-        self.unit_dialog.chosen.connect(lambda unit: self.controllers.files.measure(replace(asked.files, **{kept: unit})))
-        self.unit_dialog.finished.connect(self.unit_dialog.deleteLater)
-        self.unit_dialog.open()
-
-    def _choose_project(self) -> None:
-        start = self.session.folder.parent if self.session.folder is not None else Path.home()
-        chosen = QFileDialog.getExistingDirectory(self, "Open a project folder", str(start))
-        if chosen:
-            self.controllers.project.open(Path(chosen))

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
-from datetime import datetime
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
 from PySide6.QtCore import QObject, Signal
 
+from ui.messages import BUSY, CALIBRATION, CANCEL, DEVICES, PROJECT, STOPPED, Level, Message, Messages
 from ui.workers.mailbox import Mailboxes
 
 if TYPE_CHECKING:
@@ -34,7 +34,6 @@ if TYPE_CHECKING:
     from measureapp.inspection.surface.statistics import DeviationStatistics
     from measureapp.register.clouds.filter_chain import FilterChain
 
-Level = Literal["info", "done", "warning", "error"]
 ViewpointStatus = Literal["waiting", "moving", "settling", "capturing", "checking", "storing", "stored", "processed", "skipped", "failed"]
 RunState = Literal["idle", "running", "pausing", "paused"]
 Role = Literal["operator", "engineer"]
@@ -55,16 +54,6 @@ class Comparison:
     statistics: DeviationStatistics | None = None  # the numbers of legend, window, report and JSON
     smoothed: Smoothed | None = None  # for the eye only
     map: DeviationMap | None = None  # on the nominal
-
-
-@dataclass(frozen=True)
-class Message:
-    """A message: what happened, and what to do about it."""
-
-    text: str
-    hint: str = ""
-    level: Level = "info"
-    at: datetime = field(default_factory=datetime.now)
 
 
 @dataclass(frozen=True)
@@ -129,7 +118,8 @@ class Session(QObject):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.images: Mailboxes[ImageTaken] = Mailboxes()  # one for each camera
-        self.messages: list[Message] = []
+        self.messages = Messages(self)
+        self.messages.added.connect(self.messageAdded)
         self.busy_with = ""
         self.role: Role = "engineer"
         self.graphics: GraphicsState = "preparing"
@@ -181,6 +171,7 @@ class Session(QObject):
     def open_project(self, name: str, part: str, folder: Path | None) -> None:
         """Replace the open project; all data of the former one is discarded."""
         self._reset()
+        self.messages.end(PROJECT)
         self.project_name, self.part, self.folder = name, part, folder
         self.projectChanged.emit()
         self.planChanged.emit()
@@ -200,6 +191,10 @@ class Session(QObject):
     def set_cell(self, cell: CellState) -> None:
         """Set what is known of the connected rig."""
         self.cell = cell
+        if not cell.connected or all(device.status.ready for device in cell.devices):
+            self.messages.end(DEVICES)
+        if not cell.stopped:
+            self.messages.end(STOPPED)
         self.cellChanged.emit()
 
     def set_moving(self, moving: bool) -> None:
@@ -217,6 +212,7 @@ class Session(QObject):
 
     def set_calibration(self, calibration: RigCalibration | None) -> None:
         """Set the calibration of the rig, which resets its validity."""
+        self.messages.end(CALIBRATION)
         self.calibration, self.validity = calibration, None
         self.cameras = None if calibration is None else calibration.cameras
         self.calibrationChanged.emit()
@@ -319,7 +315,17 @@ class Session(QObject):
     def set_busy(self, title: str) -> None:
         """Set the title of the running job; empty: none."""
         self.busy_with = title
+        if not title:
+            self.messages.end(BUSY)
         self.busyChanged.emit()
+
+    def refuse_during_job(self) -> bool:
+        """Return whether a job runs; if so, say that it must end first."""
+        if self.busy_with:
+            self.tell(
+                f"{self.busy_with} is still running.", "Wait until it has finished, or cancel it.", "warning", cause=BUSY, remedy=CANCEL
+            )
+        return bool(self.busy_with)
 
     def set_graphics(self, state: GraphicsState, problem: str = "") -> None:
         """Set the state of the 3-D graphics."""
@@ -331,8 +337,10 @@ class Session(QObject):
         self.role = role
         self.appearanceChanged.emit()
 
-    def tell(self, text: str, hint: str = "", level: Level = "info") -> None:
-        """Add a message to the status strip and the list of messages."""
-        message = Message(text, hint, level)
-        self.messages.append(message)
-        self.messageAdded.emit(message)
+    def tell(self, text: str, hint: str = "", level: Level = "info", *, cause: str = PROJECT, remedy: str = "") -> Message:
+        """Add a message to the status strip and the list of messages, and return it.
+
+        A warning or error stays open until its cause ends (`Messages.end`); without a cause, until another project is opened.
+        ``remedy``: the action that helps, by its id.
+        """
+        return self.messages.add(text, hint, level, cause=cause, remedy=remedy)

@@ -19,6 +19,7 @@ from measureapp.devices.projector import PLAIN_LIGHT
 from measureapp.devices.rig import Rig
 from measureapp.errors import LimitError
 from measureapp.geometry.transform import RigidTransform
+from measureapp.planning.collision.build import PartSolid
 from measureapp.planning.collision.cell import Cell
 from measureapp.planning.collision.cell_paths import check_step
 from measureapp.progress import Progress
@@ -31,17 +32,21 @@ LARGEST_STEP_MM, LARGEST_STEP_DEG = 50.0, 10.0
 LIVE = "live"
 
 
-def jog(rig: Rig, axis: Axis, step: float, progress: Progress) -> AxisReadback:
+def jog(rig: Rig, axis: Axis, step: float, progress: Progress, part: PartSolid | None = None) -> AxisReadback:
     """Move one axis by ``step`` (mm, or degrees for rotations and the table) from where it is, and return the read-back.
 
     While a key is held, one step follows the other; releasing it ends the motion with the step under way.
+
+    Parameters
+    ----------
+    part : what stands on the table, such as `pipeline.part_on_table.part_on_table` of the open project; None: it is not known
 
     Raises
     ------
     LimitError
         The step is larger than one by hand may be, or its goal lies outside the limits; nothing moved.
     PlanError
-        Head or arm would come too close to something, or enter a keep-out box; nothing moved. The part on the table is not known here.
+        Head or arm would come too close to something, or enter a keep-out box; nothing moved.
     DeviceError, Cancelled
         As `RigSession`; everything was stopped.
     """
@@ -52,7 +57,7 @@ def jog(rig: Rig, axis: Axis, step: float, progress: Progress) -> AxisReadback:
     with RigSession(rig, progress) as session:
         here = session.readback()
         goal = _goal(here, axis, step)
-        check_step(Cell.of(rig.description, arm_of(rig.description)), here, goal, joints_of(rig))
+        check_step(Cell.of(rig.description, arm_of(rig.description), part), here, goal, joints_of(rig))
         if axis == "guide":
             session.move_guide(goal.guide_mm)
         elif axis == "table":

@@ -20,6 +20,8 @@ from measureapp.acquire.events import (
 )
 from measureapp.acquire.run_states import ACTIVE, CLOSED, ViewpointState
 from measureapp.data.plan import ScanPlan, Viewpoint
+from measureapp.data.rig import RigDescription
+from measureapp.planning.travel import travel_times_s
 
 OVERHEAD_S = 1.0  # of a viewpoint: read-backs, storing
 OVERHEAD_PER_IMAGE_S = 0.06  # switching of the pattern, and read-out
@@ -31,17 +33,6 @@ LEAST_LEFT = 0.1  # of a viewpoint that takes longer than expected
 
 
 @dataclass(frozen=True, slots=True)
-class AxisSpeeds:
-    """Usual speeds of the axes of a rig."""
-
-    robot_mm_s: float = 250.0
-    robot_deg_s: float = 60.0
-    guide_mm_s: float = 100.0
-    table_deg_s: float = 20.0
-    start_s: float = 0.5  # of every axis that moves: acceleration and settling
-
-
-@dataclass(frozen=True, slots=True)
 class TimeLeft:
     """Seconds until a run ends."""
 
@@ -49,28 +40,20 @@ class TimeLeft:
     bound_s: float  # rarely exceeded
 
 
-def planned_seconds(plan: ScanPlan, viewpoints: Sequence[Viewpoint], speeds: AxisSpeeds | None = None) -> dict[str, float]:
-    """Return how long each viewpoint is expected to take with its move from the one before; no more than a beginning for `RunClock`."""
-    speeds = speeds or AxisSpeeds()
-    moves = [0.0, *(_move_s(before, after, speeds) for before, after in pairwise(viewpoints))]
+def planned_seconds(plan: ScanPlan, viewpoints: Sequence[Viewpoint], rig: RigDescription) -> dict[str, float]:
+    """Return how long each viewpoint is expected to take with its move from the one before; no more than a beginning for `RunClock`.
+
+    The robot's moves are those of its flange: no inverse kinematics, which would take longer than the caller may.
+    """
+    moves = [0.0, *(float(travel_times_s(pair, rig, None)[0, 1]) for pair in pairwise(viewpoints))]
+    settles = [plan.settle_of(viewpoint) for viewpoint in viewpoints]
     return {
         viewpoint.id: OVERHEAD_S
         + move_s
-        + (plan.settle_of(viewpoint) or 0.0)
+        + (settle_s or 0.0)
         + plan.patterns.count * sum(exposure_us * 1e-6 + OVERHEAD_PER_IMAGE_S for exposure_us in plan.exposures_of(viewpoint))
-        for viewpoint, move_s in zip(viewpoints, moves, strict=True)
+        for viewpoint, move_s, settle_s in zip(viewpoints, moves, settles, strict=True)
     }
-
-
-def _move_s(before: Viewpoint, after: Viewpoint, speeds: AxisSpeeds) -> float:
-    """Return the duration of a move, one axis after the other."""
-    turned = before.flange.transform().inverse() @ after.flange.transform()
-    steps = (
-        max(float(np.linalg.norm(turned.translation_mm)) / speeds.robot_mm_s, float(np.degrees(turned.angle_rad)) / speeds.robot_deg_s),
-        abs(after.guide_mm - before.guide_mm) / speeds.guide_mm_s,
-        abs(after.table_deg - before.table_deg) / speeds.table_deg_s,
-    )
-    return sum(seconds + speeds.start_s for seconds in steps if seconds > 1e-6)
 
 
 class RunClock:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 import typer
 
@@ -36,6 +36,10 @@ def register(app: typer.Typer) -> None:
             tuple[float, float, float],
             typer.Option("--turn-deg", help="Rotate the part about x, then y, then z, before it is put on the table: a set-up for `join`."),
         ] = (0.0, 0.0, 0.0),
+        rig: Annotated[
+            Literal["ideal", "good", "usual", "bad"],
+            typer.Option("--rig", help="How well rig and part are made; only `ideal` is what the program's model describes exactly."),
+        ] = "ideal",
         unit: Annotated[LengthUnit | None, typer.Option(help=UNIT_HELP)] = None,
         as_json: JsonOption = False,
     ) -> None:
@@ -46,7 +50,7 @@ def register(app: typer.Typer) -> None:
             _ask_unit(Path(part))
         folder = out or Path(f"demo-{Path(part).stem}-{resolution}")
         request = DemoRequest(
-            folder, part, resolution, viewpoints, seed, patterns, unit or LengthUnit.MM, auto_bracket, through_drivers, turn_deg
+            folder, part, resolution, viewpoints, seed, patterns, unit or LengthUnit.MM, auto_bracket, through_drivers, turn_deg, rig
         )
         outcome = run_demo(request, report_event, TerminalProgress())
         deviation = outcome.document["truth_deviation"]
@@ -54,11 +58,21 @@ def register(app: typer.Typer) -> None:
             *measurement_lines(outcome.measurement),
             f"Against the true surface: rms {deviation['rms']:.3f} mm, 95 % within {deviation['p95']:.3f} mm, "
             f"bias {deviation['bias']:+.3f} mm (kinematic positions: rms {deviation['kinematic_only']['rms']:.3f} mm).",
+            *_truth_lines(outcome.document["true_dimensions"]),
             f"Report: {outcome.files['report_pdf']}",
         ]
         reply(outcome.document, "\n".join(lines), as_json)
         if not has_passed(outcome.measurement):
             raise typer.Exit(OUT_OF_TOLERANCE)
+
+
+def _truth_lines(dimensions: list[dict[str, Any]]) -> list[str]:
+    """Return a line about how many uncertainties contain the true values."""
+    if not dimensions:
+        return []
+    outside = [f"{one['name']} ({one['error']:+.3f} mm, U {one['uncertainty']:.3f} mm)" for one in dimensions if not one["contains_truth"]]
+    told = f"True values within U: {len(dimensions) - len(outside)} of {len(dimensions)}"
+    return [f"{told}; outside: {', '.join(outside)}." if outside else f"{told}."]
 
 
 def _ask_unit(mesh: Path) -> None:

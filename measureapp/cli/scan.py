@@ -88,7 +88,7 @@ def _scan(request: ScanRequest, as_json: bool) -> int:
     from measureapp.pipeline import scan_into_project
 
     control = RunControl(attended=sys.stdin is not None and sys.stdin.isatty())
-    log = ScanLog(request.plan, lambda: _wait_for_enter(control))
+    log = ScanLog(request.plan, request.rig, lambda: _wait_for_enter(control))
     with ended_by_signals():
         outcome = scan_into_project(request, log.note, TerminalProgress(), control)
     document = {} if outcome is None else outcome.document

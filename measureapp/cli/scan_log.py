@@ -24,6 +24,7 @@ from measureapp.acquire.time_left import RunClock, planned_seconds
 from measureapp.cli.outcome import exposures_line, report_warnings
 from measureapp.cli.reply import say
 from measureapp.data.plan import ScanPlan
+from measureapp.data.rig import RigDescription
 from measureapp.pipeline.events import Event, ExposuresChosen, ValidityKnown, ViewFailed
 
 STATES = {
@@ -42,9 +43,9 @@ class ScanLog:
     wait : waits until a person wants a paused run to go on, and resumes it
     """
 
-    def __init__(self, plan: ScanPlan, wait: Callable[[], None] = lambda: None) -> None:
+    def __init__(self, plan: ScanPlan, rig: RigDescription, wait: Callable[[], None] = lambda: None) -> None:
         self._wait = wait
-        self._clock = RunClock(planned_seconds(plan, tuple(plan)))
+        self._clock = RunClock(planned_seconds(plan, tuple(plan), rig))
         self.states: dict[str, dict[str, Any]] = {viewpoint.id: {"state": "stored"} for viewpoint in plan}
         self.ended = RunEnded("done")
 

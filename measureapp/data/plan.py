@@ -10,6 +10,7 @@ from pydantic import AfterValidator, Field, field_validator, model_validator
 
 from measureapp.data.fringe import PatternSet
 from measureapp.data.model import Model
+from measureapp.data.part_pose import PartPose
 from measureapp.data.pattern_sets import DEFAULT_PATTERNS, PATTERN_SETS
 from measureapp.geometry.transform import RigidTransform
 
@@ -110,21 +111,23 @@ class ExposureBracket(Model):
 class ScanPlan(Model):
     """Viewpoints, pattern set and exposures of a scan; iterates into its viewpoints, single ones before groups, in scan order.
 
-    Version 2 added groups, and exposures and settling times of single viewpoints; plans of version 1 are read as they are.
+    Version 2 added groups, and exposures and settling times of single viewpoints, version 3 the pose of the part; plans of earlier versions are
+    read as they are.
     """
 
-    schema_version: Literal[2] = 2
+    schema_version: Literal[3] = 3
     name: str
     viewpoints: tuple[Viewpoint, ...] = Field(default=(), description="single ones; iterate over the plan for all")
     groups: tuple[ViewpointGroup, ...] = ()
     patterns: PatternSet = DEFAULT_PATTERNS  # a file may name a predefined set, for a projector of 1024 × 768 px
     bracket: ExposureBracket = ExposureBracket()
     settle_s: Settle | None = Field(default=None, description="wait before images are taken; none: that of the rig")
+    part_pose: PartPose | None = Field(default=None, description="how the part stands; none: in the middle, as its nominal is oriented")
 
     @field_validator("schema_version", mode="before")
     @classmethod
     def _migrate(cls, value: object) -> object:
-        return 2 if value == 1 else value  # what was added has defaults that mean what version 1 did
+        return 3 if value in (1, 2) else value  # what was added has defaults that mean what earlier versions did
 
     @field_validator("patterns", mode="before")
     @classmethod

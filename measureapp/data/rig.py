@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Annotated, Literal
 
-from pydantic import Field, model_validator
+from pydantic import Field, field_validator, model_validator
 from scipy.spatial.transform import Rotation
 
 from measureapp.data.cell import CellDescription, NamedBox
@@ -12,6 +12,9 @@ from measureapp.data.model import Model
 from measureapp.geometry.transform import RigidTransform
 
 Vector = tuple[float, float, float]
+Speed = Annotated[float, Field(gt=0)]
+Share = Annotated[float, Field(gt=0, le=1)]
+JointSpeeds = tuple[Speed, Speed, Speed, Speed, Speed, Speed]
 Resolution = Literal["full", "half", "quarter"]
 NAME = r"^[A-Za-z0-9_][A-Za-z0-9_.-]{0,63}$"
 OTHER_DEVICES = ("projector", "robot", "guide", "table")
@@ -79,6 +82,13 @@ class RobotDescription(Model):
     repeatability_mm: float
     absolute_accuracy_mm: float
     absolute_accuracy_deg: float
+    joint_speeds_deg_s: JointSpeeds | None = Field(
+        default=None, description="largest speeds of the joints; none: those of the kinematic model"
+    )
+    speed_share: Share | None = Field(default=None, description="of the largest joint speeds, at which a scan drives; none: a usual one")
+    speed_mm_s: Speed | None = Field(default=None, description="of the flange; none: a usual one, for arms without a kinematic model")
+    speed_deg_s: Speed | None = Field(default=None, description="of the flange's reorientation, likewise")
+    ramp_s: float | None = Field(default=None, ge=0, le=60, description="to accelerate and brake; none: a usual one")
 
 
 class GuideDescription(Model):
@@ -87,6 +97,8 @@ class GuideDescription(Model):
     model: str
     limits_mm: tuple[float, float]
     repeatability_mm: float
+    speed_mm_s: Speed | None = Field(default=None, description="at which a scan drives; none: a usual one")
+    acceleration_mm_s2: Speed | None = Field(default=None, description="likewise")
 
 
 class TableDescription(Model):
@@ -98,6 +110,8 @@ class TableDescription(Model):
     accuracy_arcsec: float
     repeatability_arcsec: float
     centre_in_guide_mm: Vector
+    speed_deg_s: Speed | None = Field(default=None, description="at which a scan drives; none: a usual one")
+    acceleration_deg_s2: Speed | None = Field(default=None, description="likewise")
 
 
 class CalibrationRules(Model):
@@ -158,10 +172,10 @@ class RigDescription(Model):
     """Nominal description of all devices. The guide frame is the robot base at guide position 0: x towards the table, z up.
 
     Either ``driver`` names one plugin that drives the whole rig, or ``devices`` names one for each device: every camera by its name,
-    "projector", "robot", "guide" and "table".
+    "projector", "robot", "guide" and "table". Version 2 added the speeds of the axes; descriptions of version 1 are read as they are.
     """
 
-    schema_version: Literal[1] = 1
+    schema_version: Literal[2] = 2
     name: str
     driver: str = Field(default="", description="id of the plugin that drives the whole rig")
     driver_settings: dict[str, object] = Field(default_factory=dict)
@@ -180,6 +194,11 @@ class RigDescription(Model):
     standoff_mm: float
     exposures_us: tuple[int, ...] = Field(description="the exposure bracket, long to short")
     calibration_rules: CalibrationRules = CalibrationRules()
+
+    @field_validator("schema_version", mode="before")
+    @classmethod
+    def _migrate(cls, value: object) -> object:
+        return 2 if value == 1 else value  # speeds that are not stated are assumed, as version 1 did
 
     @model_validator(mode="after")
     def _has_drivers(self) -> RigDescription:
@@ -208,6 +227,18 @@ class RigDescription(Model):
     def camera(self, name: str) -> CameraDescription:
         """Return the camera called ``name``; raises KeyError."""
         return {camera.name: camera for camera in self.cameras}[name]
+
+    def without_speeds(self) -> RigDescription:
+        """Return this rig without what was stated about the speeds of its axes, which change no measurement."""
+        robot = dict.fromkeys(("joint_speeds_deg_s", "speed_share", "speed_mm_s", "speed_deg_s", "ramp_s"))
+        guide, table = dict.fromkeys(("speed_mm_s", "acceleration_mm_s2")), dict.fromkeys(("speed_deg_s", "acceleration_deg_s2"))
+        return self.model_copy(
+            update={
+                "robot": self.robot.model_copy(update=robot),
+                "guide": self.guide.model_copy(update=guide),
+                "table": self.table.model_copy(update=table),
+            }
+        )
 
     def at_resolution(self, resolution: Resolution) -> RigDescription:
         """Return this rig with its cameras binned to ``resolution``."""

@@ -13,7 +13,7 @@ from measureapp.compiled.buffer_pool import BufferPool
 from measureapp.data.phase import PhaseMap
 from measureapp.fringe.settings import DecodeSettings
 from measureapp.fringe.streaming import StreamingDecoder
-from measureapp.pipeline.worker import Worker
+from measureapp.pipeline.worker import LEAVE_S, STOPPED_WITHIN_S, Worker
 
 MOST_UNDECODED = 2  # viewpoints whose images are kept in memory until they are decoded
 
@@ -64,7 +64,7 @@ class LiveDecoding:
         return self
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
-        self._worker.close()
+        self._worker.close(LEAVE_S if error is None else STOPPED_WITHIN_S)
 
     def exposure_taken(self, taken: ExposureTaken) -> None:
         """Start to accumulate an exposure and return at once; the first one restarts a viewpoint. Raises DecodeError."""

@@ -3,12 +3,29 @@
 from __future__ import annotations
 
 import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 
+from measureapp.data.mesh import Mesh
 from measureapp.data.part_program import PartProgram
 from measureapp.project.folder import ProjectFolder
 from measureapp.project.geometry.files import read_mesh
 from measureapp.project.program_file import parse_program
+
+
+@contextmanager
+def nominal_of(program: PartProgram) -> Iterator[tuple[Path, Mesh] | None]:
+    """Provide the nominal of a part program as a temporary file and as a mesh in millimetres; None where it has none. Raises InputError."""
+    if program.nominal is None:
+        yield None
+        return
+    ending, content = program.nominal
+    with tempfile.TemporaryDirectory(prefix="measureapp-part-") as folder:
+        source = Path(folder) / f"nominal{ending}"
+        source.write_bytes(content)
+        stated = None if program.inspection is None else parse_program(program.inspection.decode())
+        yield source, read_mesh(source) if stated is None else read_mesh(source, unit=stated.nominal_unit)
 
 
 def store_part_program(project: ProjectFolder, program: PartProgram) -> None:
@@ -21,13 +38,9 @@ def store_part_program(project: ProjectFolder, program: PartProgram) -> None:
     StorageError
         The project cannot be written.
     """
-    if program.nominal is not None:
-        ending, content = program.nominal
-        with tempfile.TemporaryDirectory(prefix="measureapp-part-") as folder:
-            source = Path(folder) / f"nominal{ending}"
-            source.write_bytes(content)
-            stated = None if program.inspection is None else parse_program(program.inspection.decode())
-            project.save_nominal(source, read_mesh(source) if stated is None else read_mesh(source, unit=stated.nominal_unit))
+    with nominal_of(program) as found:
+        if found is not None:
+            project.save_nominal(*found)
     if program.inspection is not None:
         project.save_program(program.inspection.decode())
     if program.report_template is not None:

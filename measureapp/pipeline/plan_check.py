@@ -18,7 +18,7 @@ from measureapp.planning.collision.motion import Placement
 from measureapp.planning.collision.routes import Route, find_route
 from measureapp.planning.order import path_time_s
 from measureapp.planning.reach import limit_violations
-from measureapp.planning.travel import AxisSpeeds, travel_times_s
+from measureapp.planning.travel import speeds_note, travel_times_s
 from measureapp.progress import NoProgress, PartOf, Progress
 
 Kind = Literal["patterns", "part", "limits", "collision", "move"]
@@ -47,6 +47,7 @@ class PlanCheck:
     images_s: float  # least time for all images, and the waiting before them
     bytes: int  # of all images
     moves_s: float | None  # predicted time of all moves; None: too many to predict
+    note: str = ""  # speeds that the time assumes, in a sentence
 
     @property
     def time_s(self) -> float:
@@ -98,7 +99,8 @@ class PlanChecker:
             problems += found
         moves_s = self._moves_s(viewpoints, PartOf(told, CHECKING, TIMING))
         told.report(1, 1)
-        return PlanCheck(tuple(problems), images_time_s(plan, viewpoints, self._rig), stack_bytes_of(plan, viewpoints, self._rig), moves_s)
+        images_s, size = images_time_s(plan, viewpoints, self._rig), stack_bytes_of(plan, viewpoints, self._rig)
+        return PlanCheck(tuple(problems), images_s, size, moves_s, speeds_note(self._rig, self._arm))
 
     def _problems_at(self, viewpoint: Viewpoint) -> tuple[PlanProblem, ...]:
         key = _key(viewpoint)
@@ -132,7 +134,7 @@ class PlanChecker:
         if len(reached) > MOST_TIMED:
             return None
         progress.check()
-        times = travel_times_s(reached, self._rig, self._arm, AxisSpeeds())
+        times = travel_times_s(reached, self._rig, self._arm)
         return path_time_s(range(len(reached)), times) if len(reached) > 1 else 0.0
 
 

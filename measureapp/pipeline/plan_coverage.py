@@ -9,6 +9,7 @@ import numpy as np
 
 from measureapp.arrays import BoolArray, IntArray
 from measureapp.data.mesh import Mesh
+from measureapp.data.part_pose import PartPose
 from measureapp.data.plan import ScanPlan
 from measureapp.data.rig import RigDescription
 from measureapp.planning.coverage.extent import standing
@@ -62,9 +63,9 @@ class PlanCoverage:
         return {words: share for words, share in shares.items() if share > 0.0}
 
 
-def place_on_table(nominal: Mesh) -> Mesh:
-    """Return a nominal in the frame `part`: upright in the middle of the table, as the generator places it."""
-    return nominal.seen_from(standing(nominal))
+def place_on_table(nominal: Mesh, pose: PartPose | None = None) -> Mesh:
+    """Return a nominal in the frame `part`; without a pose upright in the middle of the table, as the generator places it."""
+    return nominal.seen_from(standing(nominal, pose))
 
 
 def predict_coverage(plan: ScanPlan, part: Mesh, rig: RigDescription, blocked: Collection[str], progress: Progress) -> PlanCoverage:

@@ -20,8 +20,8 @@ from measureapp.devices.robot import JointRobot
 from measureapp.errors import DeviceError, LimitError, MeasureError, PlanError
 from measureapp.fringe.patterns.draw import check_determines_phase
 from measureapp.pipeline.measure import check_space, stack_bytes
-from measureapp.pipeline.part_on_table import part_on_table
 from measureapp.pipeline.validity import check_before_scan
+from measureapp.planning.collision.build import PartSolid
 from measureapp.planning.collision.cell import Cell
 from measureapp.planning.collision.cell_paths import placement_of
 from measureapp.planning.collision.check import check_in
@@ -54,26 +54,31 @@ class Preflight:
             raise kind(f"{len(self.problems)} things prevent the scan: {numbered}")
 
 
-def check_plan(plan: ScanPlan, rig: RigDescription, project: ProjectFolder, start: Start | None = None) -> Preflight:
+def check_plan(
+    plan: ScanPlan, rig: RigDescription, project: ProjectFolder, part: PartSolid | None = None, start: Start | None = None
+) -> Preflight:
     """Check what needs no device: ambiguity of the patterns, limits, reach, collisions, disk space.
 
     Parameters
     ----------
+    part : what will stand on the table; None: it is not known, and not checked
     start : where the axes are; None: at the park pose of the rig, else at the first viewpoint
     """
     notes: list[str] = []
     problems = _gather(
         lambda: check_determines_phase(plan.patterns),
         lambda: check_reach(plan, rig, arm_of(rig)),
-        lambda: notes.extend(_check_collisions(plan, rig, project, start)),
+        lambda: notes.extend(_check_collisions(plan, rig, part, start)),
         lambda: check_space(project, rig, plan),
     )
     return Preflight(problems, tuple(notes), sum(stack_bytes(rig, plan, viewpoint) for viewpoint in plan), None)
 
 
-def check_connected(plan: ScanPlan, rig: Rig, project: ProjectFolder, calibration: RigCalibration | None) -> Preflight:
+def check_connected(
+    plan: ScanPlan, rig: Rig, project: ProjectFolder, calibration: RigCalibration | None, part: PartSolid | None = None
+) -> Preflight:
     """Check plan and connected devices: also the state of each, the move from where the axes are, exposures and shutters, the calibration."""
-    offline = check_plan(plan, rig.description, project, _start(rig))
+    offline = check_plan(plan, rig.description, project, part, _start(rig))
     warnings = [*offline.warnings, *(() if isinstance(rig.robot, JointRobot) else (OWN_PATH,))]
 
     def validity() -> None:
@@ -110,11 +115,11 @@ def _start(rig: Rig) -> Start | None:
         return None
 
 
-def _check_collisions(plan: ScanPlan, rig: RigDescription, project: ProjectFolder, start: Start | None) -> tuple[str, ...]:
+def _check_collisions(plan: ScanPlan, rig: RigDescription, part: PartSolid | None, start: Start | None) -> tuple[str, ...]:
     """Refuse collisions of the viewpoints within reach; return what could not be checked."""
     arm = arm_of(rig)
     within = [viewpoint for viewpoint in plan if not limit_violations(viewpoint, rig, arm)]
-    cell = Cell.of(rig, arm, part_on_table(project))
+    cell = Cell.of(rig, arm, part)
     report = check_in(cell, within, None if start is None else placement_of(cell, *start))
     report.refuse()
     return report.notes

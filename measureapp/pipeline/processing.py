@@ -20,7 +20,7 @@ from measureapp.pipeline.live_decoding import LiveDecoding, LiveMaps
 from measureapp.pipeline.measure import compute_cloud
 from measureapp.pipeline.noise import decode_settings_of
 from measureapp.pipeline.watch import Stopwatch
-from measureapp.pipeline.worker import Worker
+from measureapp.pipeline.worker import LEAVE_S, STOPPED_WITHIN_S, Worker
 from measureapp.progress import NoProgress, Progress
 from measureapp.project.folder import ProjectFolder
 from measureapp.reconstruct.rectification.rectifier import Rectifier
@@ -49,6 +49,7 @@ class Processing:
     ) -> None:
         self.views: dict[str, ViewResult] = {}
         self.stored: set[str] = set()
+        self._ended = False  # stopped: what is still computed is of no use to anybody
         self._project, self._calibration, self._on_event, self._watch = project, calibration, on_event, watch
         self._settings, self._registration_cache = decode_settings_of(project), registration_cache
         self._rectifier = None if calibration is None else Rectifier(calibration.cameras)
@@ -62,7 +63,8 @@ class Processing:
         return self
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
-        self._worker.close(0.0 if self._worker.busy_s() > STUCK_S else 30.0)
+        stuck, self._ended = self._worker.busy_s() > STUCK_S, error is not None
+        self._worker.close(0.0 if stuck else LEAVE_S if error is None else STOPPED_WITHIN_S)
         self._live.__exit__(kind, error, trace)
 
     # sink
@@ -115,8 +117,12 @@ class Processing:
             try:
                 view = self._view(viewpoint_id, stack, live)
             except (DecodeError, ReconstructError, StorageError) as error:
+                if self._ended:
+                    return
                 self._on_event(ViewFailed(viewpoint_id, str(error), damaged=isinstance(error, StorageError)))
                 return
+        if self._ended:
+            return
         self.views[viewpoint_id] = view
         if self._registration_cache is not None and view.quality.accepted:
             self._registration_cache.add(view.cloud, view.part_from_camera)

@@ -22,7 +22,8 @@ from measureapp.pipeline.connecting import connected
 from measureapp.pipeline.documents import outcome_document, write_reports
 from measureapp.pipeline.events import CalibrationReady, Event
 from measureapp.pipeline.measure import compute_clouds
-from measureapp.pipeline.part_program import store_part_program
+from measureapp.pipeline.part_on_table import solid_of
+from measureapp.pipeline.part_program import nominal_of, store_part_program
 from measureapp.pipeline.preflight import Preflight, check_connected, check_plan
 from measureapp.pipeline.recording.learn import calibrate_recording
 from measureapp.pipeline.recording.stages import is_recording
@@ -30,8 +31,11 @@ from measureapp.pipeline.rig_calibration import calibrate_rig, solve_calibration
 from measureapp.pipeline.scan import ScanOptions, scan
 from measureapp.pipeline.validity import check_stored_images
 from measureapp.pipeline.watch import Stopwatch
+from measureapp.pipeline.worker import Worker
+from measureapp.planning.collision.build import PartSolid
 from measureapp.progress import PartOf, Progress
 from measureapp.project.folder import DEFAULT_BOARD, ProjectFolder, ProjectSettings
+from measureapp.project.geometry.files import read_mesh
 from measureapp.register.clouds.filter_chain import FilterChain
 from measureapp.register.joint.registration_cache import RegistrationCache
 
@@ -103,19 +107,20 @@ def scan_into_project(
         From the rig.
     """
     project = _project_of(request)
-    check_plan(request.plan, request.rig, project).refuse()
+    part = _part_of(request, project)
+    check_plan(request.plan, request.rig, project, part).refuse()
     calibrated = _calibrated_for(request, project)
     calibration, watch = calibrated.calibration(), Stopwatch()
-    with ExitStack() as locked, watch.stage("total"), RegistrationCache() as registration_cache:
+    with ExitStack() as locked, watch.stage("total"), RegistrationCache(background=Worker("registration-cache")) as registration_cache:
         with connected(request.rig, held) as rig:
-            check_connected(request.plan, rig, project, calibration).refuse()
+            check_connected(request.plan, rig, project, calibration, part).refuse()
             project = ProjectFolder.create(request.folder, project.settings)
             locked.enter_context(project.lock())
             _fill(project, request, calibrated, calibration)
             if calibration is None and request.calibrate:
                 calibration = calibrate_rig(rig, project, on_event, PartOf(progress, 0.0, 0.3), watch).solved.solution.calibration
-            part, options = PartOf(progress, 0.3 if request.calibrate else 0.0, 0.8), request.options(control)
-            views = scan(rig, project, calibration, on_event, part, watch, options, registration_cache)
+            scanning, options = PartOf(progress, 0.3 if request.calibrate else 0.0, 0.8), request.options(control)
+            views = scan(rig, project, calibration, on_event, scanning, watch, options, registration_cache)
         if calibration is None:
             return None
         measurement = assemble(project, calibration, views, on_event, PartOf(progress, 0.8, 1.0), watch, registration_cache)
@@ -139,7 +144,18 @@ def rehearse(request: ScanRequest, held: Rig | None = None) -> Preflight:
     project = _project_of(request)
     calibration = _calibrated_for(request, project).calibration()
     with connected(request.rig, held) as rig:
-        return check_connected(request.plan, rig, project, calibration)
+        return check_connected(request.plan, rig, project, calibration, _part_of(request, project))
+
+
+def _part_of(request: ScanRequest, project: ProjectFolder) -> PartSolid | None:
+    """Return the nominal that the project has, or will have with this scan, as it stands on the table; None without one. Raises InputError."""
+    pose = request.plan.part_pose
+    if request.part_program is not None and request.part_program.nominal is not None:
+        with nominal_of(request.part_program) as found:
+            return None if found is None else solid_of(found[1], pose)
+    chosen = None if request.created is None or project.program is not None else request.created.nominal
+    nominal = project.nominal or chosen
+    return None if nominal is None else solid_of(read_mesh(nominal), pose)
 
 
 def _project_of(request: ScanRequest) -> ProjectFolder:
@@ -150,7 +166,7 @@ def _project_of(request: ScanRequest) -> ProjectFolder:
     if not (request.folder / "project.json").exists():
         return ProjectFolder(request.folder, settings)
     project = ProjectFolder.open(request.folder)
-    if request.created is not None and project.settings != settings:
+    if request.created is not None and not project.settings.same_job(settings):
         raise InputError(f"{request.folder} contains another project ({project.name}).", "Choose another folder, or delete that one first.")
     if project.stored_viewpoints() and not request.resume and not request.retake:
         raise InputError(

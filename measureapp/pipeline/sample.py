@@ -23,6 +23,7 @@ DEFAULT_VIEWPOINTS = {"impeller": 26}
 OTHER_VIEWPOINTS = 8
 EXTENT_DIGITS = 3
 UPRIGHT_DEG = (0.0, 0.0, 0.0)
+IDEAL = "ideal"
 
 
 @dataclass(frozen=True, slots=True)
@@ -37,6 +38,7 @@ class SampleScan:
     unit: LengthUnit = LengthUnit.MM  # of a mesh file
     bracket_s: float | None = None  # time budget per viewpoint for exposures chosen by a probe; None: default exposures
     part_turn_deg: tuple[float, float, float] = UPRIGHT_DEG  # rotation about x, then y, then z, before it is put on the table
+    conditions: str = IDEAL  # how well rig and part are made: ideal, good, usual or bad
 
 
 def sample_request(chosen: SampleScan, folder: Path) -> ScanRequest:
@@ -61,7 +63,8 @@ def sample_request(chosen: SampleScan, folder: Path) -> ScanRequest:
         arm=arm_of(rig),
     )
     turned = "" if chosen.part_turn_deg == UPRIGHT_DEG else f", turned by {'/'.join(f'{angle:g}' for angle in chosen.part_turn_deg)}°"
-    title = f"Demo: {name}{turned}, {chosen.resolution} resolution, {len(plan)} views, seed {chosen.seed}"
+    conditions = "" if chosen.conditions == IDEAL else f", {chosen.conditions} rig"
+    title = f"Demo: {name}{turned}, {chosen.resolution} resolution, {len(plan)} views, seed {chosen.seed}{conditions}"
     return ScanRequest(
         plan,
         rig,
@@ -77,8 +80,9 @@ def virtual_rig(chosen: SampleScan) -> RigDescription:
     """Return the description of the virtual rig with the part on its table."""
     unit = {} if chosen.unit is LengthUnit.MM else {"unit": str(chosen.unit)}
     turn = {} if chosen.part_turn_deg == UPRIGHT_DEG else {"part_turn_deg": chosen.part_turn_deg}
+    conditions = {} if chosen.conditions == IDEAL else {"conditions": chosen.conditions}
     description = read_rig(VIRTUAL_RIG).at_resolution(chosen.resolution)
-    return description.model_copy(update={"driver_settings": {"part": chosen.part, "seed": chosen.seed, **unit, **turn}})
+    return description.model_copy(update={"driver_settings": {"part": chosen.part, "seed": chosen.seed, **unit, **turn, **conditions}})
 
 
 def is_sample(part: str) -> bool:

@@ -14,6 +14,7 @@ from typing import Any, TypeVar
 
 T = TypeVar("T")
 LEAVE_S = 30.0  # for the task under way, when the worker is closed
+STOPPED_WITHIN_S = 0.3  # the same, where a scan was stopped
 NICE = 5  # of its thread, so that images are taken first where processors are scarce
 
 

@@ -32,7 +32,7 @@ from measureapp.planning.coverage.value import Problem
 from measureapp.planning.coverage.visibility import seen_from
 from measureapp.planning.feasibility import Feasibility
 from measureapp.planning.order import path_time_s, shortest_order
-from measureapp.planning.travel import AxisSpeeds, travel_times_s
+from measureapp.planning.travel import speeds_note, travel_times_s
 from measureapp.progress import NoProgress, PartOf, Progress
 
 READOUT_S = 0.069  # of an image of a camera with a rolling shutter
@@ -56,7 +56,6 @@ class GeneratorSettings(Model):
     seed: int = Field(default=1, ge=0)
     patterns: str = DEFAULT_NAME
     limits: VisibilityLimits = VisibilityLimits()
-    speeds: AxisSpeeds = AxisSpeeds()
 
 
 def generate_plan(
@@ -66,6 +65,7 @@ def generate_plan(
     *,
     part_from_nominal: RigidTransform | None = None,
     fixtures: Sequence[Mesh] = (),
+    like: ScanPlan | None = None,
     progress: Progress | None = None,
 ) -> GeneratedPlan:
     """Plan viewpoints that measure a part: the fewest for a share of what is measurable, or the best of a given number.
@@ -80,6 +80,7 @@ def generate_plan(
     nominal : in mm; may have holes and triangles wound the wrong way
     part_from_nominal : pose of the part on the table (frame `part`: `head.part_from_head`); None: upright in the middle
     fixtures : meshes in frame `part` that turn with the table, such as clamps; they hide, but are not to be measured
+    like : plan whose name, patterns, exposures and settling time are kept; None: those of ``settings`` and the rig
     progress : also the cancellation point
 
     Raises
@@ -105,7 +106,7 @@ def generate_plan(
     chosen, problem = _chosen(search, found, PartOf(progress, 0.6, 0.85))
     picked = found.free.subset(np.array(chosen))
     order, moves_s, blocked = _ordered(picked.viewpoints, search)
-    plan = _as_plan([picked.viewpoints[step] for step in order], cell.rig, settings)
+    plan = _as_plan([picked.viewpoints[step] for step in order], cell.rig, settings, like)
     areas = _unreachable(search, found, PartOf(progress, 0.85, 1.0))
     information = np.nansum(1.0 / np.square(found.sigma_mm[chosen].astype(float)), axis=0)
     progress.report(1, 1, f"{len(plan)} viewpoints")
@@ -121,6 +122,7 @@ def generate_plan(
         images_s=images_time_s(plan),
         bytes=image_bytes(plan, cell.rig),
         problems=(*_shortfalls(problem, chosen, settings), *blocked),
+        note=speeds_note(cell.rig, cell.arm),
     )
 
 
@@ -189,7 +191,7 @@ def _chosen(search: _Search, found: _Found, progress: Progress) -> tuple[list[in
 def _ordered(viewpoints: Sequence[Viewpoint], search: _Search) -> tuple[list[int], float, tuple[str, ...]]:
     """Return the order, the time of all moves, and the moves that are not free although others were tried."""
     cell = search.cell
-    times = travel_times_s(viewpoints, cell.rig, cell.arm, search.settings.speeds)
+    times = travel_times_s(viewpoints, cell.rig, cell.arm)
     penalised, blocked = times.copy(), {}
     for _ in range(REROUTES):
         order = shortest_order(viewpoints, penalised)
@@ -211,7 +213,7 @@ def _blocked(
     return {pair: why for pair, why in found.items() if why}
 
 
-def _as_plan(ordered: Sequence[Viewpoint], rig: RigDescription, settings: GeneratorSettings) -> ScanPlan:
+def _as_plan(ordered: Sequence[Viewpoint], rig: RigDescription, settings: GeneratorSettings, like: ScanPlan | None) -> ScanPlan:
     """Return the plan, with one group for every place of robot and guide."""
     sets = make_pattern_sets(rig.projector.width_px, rig.projector.height_px)
     if settings.patterns not in sets:
@@ -225,6 +227,8 @@ def _as_plan(ordered: Sequence[Viewpoint], rig: RigDescription, settings: Genera
     groups = tuple(
         ViewpointGroup(id=f"view{number:02d}", poses=(pose,), table_deg=tuple(angles)) for number, (pose, angles) in enumerate(runs, 1)
     )
+    if like is not None:
+        return like.model_copy(update={"viewpoints": (), "groups": groups})
     bracket = ExposureBracket(exposures_us=tuple(rig.exposures_us))
     return ScanPlan(name=settings.name, groups=groups, patterns=sets[settings.patterns], bracket=bracket)
 

@@ -19,14 +19,14 @@ import shutil
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager, suppress
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, Literal
+from typing import TYPE_CHECKING, Any
 
-from measureapp.data.board import AnyBoard, BoardView, CheckerboardDescription
+from measureapp.data.board import BoardView
 from measureapp.data.calibration import RigCalibration
 from measureapp.data.measurement import Measurement
 from measureapp.data.mesh import Mesh
-from measureapp.data.model import Model
 from measureapp.data.plan import ScanPlan
+from measureapp.data.project_settings import DEFAULT_BOARD, ProjectSettings
 from measureapp.data.rig import RigDescription
 from measureapp.data.validity import CheckRecord
 from measureapp.data.view_choices import ViewChoices
@@ -52,19 +52,9 @@ if TYPE_CHECKING:
     from measureapp.progress import Progress
     from measureapp.register.clouds.filter_chain import FilterChain
 
-DEFAULT_BOARD = CheckerboardDescription(columns=14, rows=11, square_mm=15.0)
+__all__ = ["DEFAULT_BOARD", "ProjectFolder", "ProjectSettings"]
 PROGRAM, NOMINAL, FORMER, REPORT_TEMPLATE = "program.toml", "nominal", "former", "report.typ"
 VIEW_CHOICES = "view_choices.json"
-
-
-class ProjectSettings(Model):
-    """Settings of a project, fixed when it is created."""
-
-    schema_version: Literal[1] = 1
-    name: str
-    part: str
-    rig: RigDescription
-    board: AnyBoard = DEFAULT_BOARD
 
 
 class ProjectFolder:
@@ -90,7 +80,7 @@ class ProjectFolder:
         path = Path(path)
         if (path / "project.json").exists():
             found = cls.open(path)
-            if found.settings != settings:
+            if not found.settings.same_job(settings):
                 raise InputError(f"{path} contains another project ({found.name}).", "Choose another folder, or delete that one first.")
             return found
         if path.exists() and (not path.is_dir() or any(path.iterdir())):

@@ -1,7 +1,5 @@
-"""Compiled loops over pixels.
-
-Every kernel processes the items ``start … stop`` (pixels, rows or blocks of pixels) and releases the interpreter lock, so that
-bands run in parallel threads (`in_bands`).
+"""Compiled loops over pixels. Every kernel processes the items ``start … stop`` (pixels, rows or blocks of pixels) and releases the
+interpreter lock, so that bands run in parallel threads (`in_bands`).
 """
 
 from __future__ import annotations
@@ -22,6 +20,8 @@ UNDISTORT_STEPS = 30
 UNDISTORT_TOLERANCE = 1e-11  # on the plane z = 1
 NOT_LIT = -1e6  # projector column of a point in shadow
 NO_HIT = 0xFFFFFFFF
+LENS_STEP_PX = 16.0  # between the nodes of a lens residual
+PRINT_STEP_MM = 2.0  # between the nodes of a print's errors
 SUPERSAMPLES = 7  # per axis, of a pixel on an edge of the printed pattern
 
 
@@ -60,15 +60,39 @@ def _undistorted(u, v, k, d):  # type: ignore[no-untyped-def]
     return x, y
 
 
+@njit(cache=True)
+def _interpolated(field, x, y, step):  # type: ignore[no-untyped-def]
+    """Two components of a field (rows, columns, 2) with a node every ``step``, bilinearly; zero if it has a single node."""
+    if field.shape[0] == 1:
+        return 0.0, 0.0
+    across = min(max(x / step, 0.0), field.shape[1] - 1.001)
+    down = min(max(y / step, 0.0), field.shape[0] - 1.001)
+    c, r = int(across), int(down)
+    p, q = across - c, down - r
+    a = (1.0 - p) * (1.0 - q)
+    b = p * (1.0 - q)
+    e = (1.0 - p) * q
+    f = p * q
+    return (
+        a * field[r, c, 0] + b * field[r, c + 1, 0] + e * field[r + 1, c, 0] + f * field[r + 1, c + 1, 0],
+        a * field[r, c, 1] + b * field[r, c + 1, 1] + e * field[r + 1, c, 1] + f * field[r + 1, c + 1, 1],
+    )
+
+
 @njit(cache=True, nogil=True)
-def pixel_rays(start: int, stop: int, box: IntArray, k: FloatArray, d: FloatArray, pose: FloatArray, rays: FloatArray) -> None:
+def pixel_rays(
+    start: int, stop: int, box: IntArray, k: FloatArray, d: FloatArray, residual: FloatArray, pose: FloatArray, rays: FloatArray
+) -> None:
     """Fill ``rays`` (n, 6) float32: origin and unit direction of the pixels in ``box``; ``pose`` is scene_from_camera.
 
-    A box is (first row, end row, first column, end column).
+    A box is (first row, end row, first column, end column). ``residual`` (rows, columns, 2) is the distortion in px that the lens
+    parameters lack, with a node every LENS_STEP_PX.
     """
     columns = box[3] - box[2]
     for i in range(start, stop):
-        x, y = _undistorted(float(box[2] + i % columns), float(box[0] + i // columns), k, d)
+        u, v = float(box[2] + i % columns), float(box[0] + i // columns)
+        du, dv = _interpolated(residual, u, v, LENS_STEP_PX)
+        x, y = _undistorted(u + du, v + dv, k, d)
         length = np.sqrt(x * x + y * y + 1.0)
         for a in range(3):
             rays[i, a] = pose[a, 3]
@@ -120,13 +144,15 @@ def light_surface(
     light_d: FloatArray,
     standoff_mm: float,
     offset_mm: float,
+    depth_mm: float,
     out: FloatArray,
     shadow_rays: FloatArray,
 ) -> None:
     """Intersect every ray with the plane of its triangle and compute the illumination there.
 
     ``out`` (n, 4) float32 receives projector column and row, reflected light and albedo; ``shadow_rays`` (n, 6) float32
-    lead from the surface to the projector, with its distance as their length.
+    lead from the surface to the projector, with its distance as their length. The light comes back from ``depth_mm`` below the surface,
+    so that the projector's pixel is the one that lights the point there.
     """
     for i in range(start, stop):
         t = triangle[i]
@@ -156,7 +182,8 @@ def light_surface(
         if reflected <= 0.0:
             continue
         out[i, 2] = reflected
-        u, v = _projector_pixel(point, light_from_scene, light_k, light_d)
+        below = (point[0] - depth_mm * nx, point[1] - depth_mm * ny, point[2] - depth_mm * nz)
+        u, v = _projector_pixel(below, light_from_scene, light_k, light_d)
         out[i, 0] = u
         out[i, 1] = v
         shadow_rays[i, 0] = point[0] + offset_mm * nx
@@ -195,12 +222,16 @@ def _on_board(x, y, pose, bow):  # type: ignore[no-untyped-def]
 
 
 @njit(cache=True)
-def _paint(x, y, layout, cells, colours):  # type: ignore[no-untyped-def]
+def _paint(x, y, layout, cells, colours, shift):  # type: ignore[no-untyped-def]
     """Albedo of the board at a point; 0 beyond its white margin.
 
-    ``layout`` = size of a circle (0: there are squares), square or spacing, columns, rows, side of a marker (0: none);
-    ``cells`` (rows + 1, columns + 1, n, n) are the markers in the squares, see `marker_cells`.
+    ``layout`` = size of a circle (0: there are squares), square or spacing, columns, rows, side of a marker (0: none), and the place of the
+    first node of ``shift`` (rows, columns, 2), the displacement in mm of the print from where the layout has it, with a node every
+    PRINT_STEP_MM; ``cells`` (rows + 1, columns + 1, n, n) are the markers in the squares, see `marker_cells`.
     """
+    dx, dy = _interpolated(shift, x - layout[5], y - layout[6], PRINT_STEP_MM)
+    x -= dx
+    y -= dy
     if layout[0] > 0.0:
         return _paint_circles(x, y, layout, colours)
     i = np.floor(x / layout[1])
@@ -251,6 +282,7 @@ def light_board(
     box: IntArray,
     k: FloatArray,
     d: FloatArray,
+    residual: FloatArray,
     board_from_camera: FloatArray,
     light: FloatArray,
     light_from_board: FloatArray,
@@ -260,6 +292,7 @@ def light_board(
     layout: FloatArray,
     cells: ImageArray,
     colours: FloatArray,
+    shift: FloatArray,
     bow: FloatArray,
     out: FloatArray,
 ) -> None:
@@ -272,26 +305,27 @@ def light_board(
         for column in range(box[2], box[3]):
             out[row, column, 0] = NOT_LIT
             out[row, column, 1:] = 0.0
-            xn, yn = _undistorted(float(column), float(row), k, d)
+            du, dv = _interpolated(residual, float(column), float(row), LENS_STEP_PX)
+            xn, yn = _undistorted(column + du, row + dv, k, d)
             x, y, z = _on_board(xn, yn, board_from_camera, bow)
             if x > 1e8:
                 continue
             xr, yr, _ = _on_board(xn + 0.5 / k[0], yn, board_from_camera, bow)
             xd, yd, _ = _on_board(xn, yn + 0.5 / k[1], board_from_camera, bow)
             ax, ay, bx, by = xr - x, yr - y, xd - x, yd - y
-            albedo = _paint(x, y, layout, cells, colours)
+            albedo = _paint(x, y, layout, cells, colours, shift)
             if (
-                albedo != _paint(x + ax + bx, y + ay + by, layout, cells, colours)
-                or albedo != _paint(x - ax - bx, y - ay - by, layout, cells, colours)
-                or albedo != _paint(x + ax - bx, y + ay - by, layout, cells, colours)
-                or albedo != _paint(x - ax + bx, y - ay + by, layout, cells, colours)
+                albedo != _paint(x + ax + bx, y + ay + by, layout, cells, colours, shift)
+                or albedo != _paint(x - ax - bx, y - ay - by, layout, cells, colours, shift)
+                or albedo != _paint(x + ax - bx, y + ay - by, layout, cells, colours, shift)
+                or albedo != _paint(x - ax + bx, y - ay + by, layout, cells, colours, shift)
             ):
                 total = 0.0
                 for m in range(SUPERSAMPLES):
                     for n in range(SUPERSAMPLES):
                         p = (2 * m + (2 * n + 1.0) / SUPERSAMPLES) / SUPERSAMPLES - 1.0
                         q = (2 * n + (2 * m + 1.0) / SUPERSAMPLES) / SUPERSAMPLES - 1.0
-                        total += _paint(x + p * ax + q * bx, y + p * ay + q * by, layout, cells, colours)
+                        total += _paint(x + p * ax + q * bx, y + p * ay + q * by, layout, cells, colours, shift)
                 albedo = total / (SUPERSAMPLES * SUPERSAMPLES)
             if albedo == 0.0:
                 continue

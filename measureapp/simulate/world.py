@@ -12,11 +12,17 @@ from measureapp.data.board import BoardDescription, CheckerboardDescription
 from measureapp.data.fringe import AxisReadback
 from measureapp.data.mesh import Mesh
 from measureapp.data.rig import RigDescription
+from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.geometry.transform import RigidTransform, rotation_about
-from measureapp.simulate.optics import PrintedBoard, ProjectorLight, Surface, expose, project_images
+from measureapp.simulate.effects.bounce import Bounce
+from measureapp.simulate.effects.effects import draw_effects
+from measureapp.simulate.effects.sharpness import object_depth
+from measureapp.simulate.optics import ProjectorLight, SeeingCamera, expose, project_images
 from measureapp.simulate.options import WorldOptions
 from measureapp.simulate.part import Part
+from measureapp.simulate.printed_board import PrintedBoard
 from measureapp.simulate.sensor import read_out
+from measureapp.simulate.surface import Surface
 from measureapp.simulate.truth import Truth, draw_truth, knock_camera
 
 PAPER_BOARD = CheckerboardDescription(columns=14, rows=11, square_mm=15.0)
@@ -38,7 +44,7 @@ class World:
     Parameters
     ----------
     description : nominal rig
-    part : on the table while `table_holds` is "part"
+    part : nominal of what is on the table while `table_holds` is "part"
     seed : of the rig's errors and all noise
     board : the calibration board
     options : light, sensor and errors
@@ -53,9 +59,10 @@ class World:
         options: WorldOptions | None = None,
     ) -> None:
         self.description = description
-        self.part = part
         self.board = board
         self.options = options or WorldOptions()
+        self._effects = draw_effects(description, part, self.options, seed)
+        self.part = self._effects.part
         self._truth = draw_truth(description, board, self.options.errors, seed)
         for camera, turn_deg in self.options.knocked_deg.items():
             self._truth = knock_camera(self._truth, camera, np.deg2rad(turn_deg))
@@ -63,13 +70,17 @@ class World:
         self._moves = np.random.default_rng([seed, 101])
         self._noise_key = int(np.random.default_rng([seed, 102]).integers(2**31)) << 31
         self._images = 0
-        self._printed = PrintedBoard(board, self.options.board_bow_mm)
+        self._levels = np.random.default_rng([seed, 103])
+        self._level, self._ambient = 1.0, self.options.light.ambient
+        self._printed = PrintedBoard(board, self.options.board_bow_mm, self._effects.board_print)
         self._surface: Surface | None = None
         self._table_holds: TableContent = "empty"
         self._patterns: FloatArray = np.zeros((0, 2, 2), np.float32)
         self._shown = DARK
         self._state = 0
         self._light_maps: dict[str, tuple[int, FloatArray]] = {}
+        self._second: dict[str, Bounce | None] = {}
+        self._depths: dict[str, FloatArray] = {}
         self._commanded = AxisReadback(_home(), 0.0, 0.0)
         self._base_from_flange = self._flange_reached(self._commanded.base_from_flange)
         self._guide_from_base = self._slide_reached(0.0)
@@ -124,12 +135,19 @@ class World:
         self._state += 1
 
     def _flange_reached(self, commanded: RigidTransform) -> RigidTransform:
-        return self._truth.robot.true_pose(commanded, self._moves) if self._truth.robot else commanded
+        reached = self._truth.robot.true_pose(commanded, self._moves) if self._truth.robot else commanded
+        warmth = self._effects.warmth
+        if warmth is None:
+            return reached
+        return reached @ RigidTransform.from_parts(np.eye(3), warmth.flange_mm(self.elapsed_s), "flange", "flange")
 
     def _slide_reached(self, commanded_mm: float) -> RigidTransform:
+        motion = self._effects.guide
         if self._truth.guide:
-            return self._truth.guide.guide_from_base(commanded_mm, self._moves)
-        return self._truth.calibration.guide.guide_from_base(commanded_mm)
+            reached = self._truth.guide.guide_from_base(commanded_mm, self._moves)
+        else:
+            reached = self._truth.calibration.guide.guide_from_base(commanded_mm)
+        return reached if motion is None else reached @ motion.at(commanded_mm)
 
     def _angle_reached(self, commanded_rad: float) -> float:
         return self._truth.table.true_angle_rad(commanded_rad, self._moves) if self._truth.table else commanded_rad
@@ -139,13 +157,15 @@ class World:
     def load_patterns(self, images: ImageArray | FloatArray) -> None:
         """Load the projector's images (n, h, w): uint8, or floats 0…1 for an ideal projector."""
         with self._lock:
-            self._patterns = project_images(images, self.options.light)
+            self._patterns = project_images(images, self.options.light, self.options.projector.vignetting)
             self._shown = DARK
 
     def show(self, index: int) -> None:
         """Show pattern ``index``, PLAIN_LIGHT for the head lamp, DARK for neither."""
         with self._lock:
             self._shown = index
+            self._level = 1.0 + self.options.projector.level_spread * float(self._levels.standard_normal())
+            self._ambient = self.options.light.ambient * (1.0 + self.options.ambient_flicker * float(self._levels.standard_normal()))
 
     @property
     def shown(self) -> int:
@@ -153,6 +173,11 @@ class World:
         return self._shown
 
     # warmth
+
+    @property
+    def elapsed_s(self) -> float:
+        """Time since the world began, as it passes with the images taken."""
+        return self._images / len(self.description.cameras) * self.options.warmth.seconds_per_image
 
     def housing_c(self) -> float:
         """Return the temperature of the camera housings."""
@@ -177,13 +202,23 @@ class World:
         """Return the noise-free image of ``camera`` now, (H, W) float32 relative to full scale, without saturation."""
         with self._lock:
             light = self._light_map(camera)
-            seen = PrintedBoard if self._table_holds == "board" else Surface
-            return expose(light, self._pattern(), exposure_us, self.options.light, seen.width_px)
+            of_board = self._table_holds == "board"
+            settings = self.options.light.model_copy(update={"ambient": self._ambient})
+            mean = expose(
+                light, self._pattern(), exposure_us, settings, (PrintedBoard if of_board else Surface).width_px, self._second.get(camera)
+            )
+            effects = self._effects.cameras[camera]
+            if effects.sharpness is not None:
+                mean = effects.sharpness.blurred(mean, self._depths[camera], of_part=not of_board)
+            return mean if effects.pixels is None else effects.pixels.apply(mean)
 
     def _pattern(self) -> FloatArray | None:
         if self._shown == DARK:
             return np.zeros((2, 2), np.float32)
-        return None if self._shown == PLAIN_LIGHT else self._patterns[self._shown]
+        if self._shown == PLAIN_LIGHT:
+            return None
+        pattern = self._patterns[self._shown]
+        return pattern if self._level == 1.0 else pattern * np.float32(self._level)
 
     def _light_map(self, camera: str) -> FloatArray:
         state, light = self._light_maps.get(camera, (-1, None))
@@ -196,19 +231,36 @@ class World:
         return light
 
     def _fill(self, camera: str, light: FloatArray) -> None:
+        self._second[camera] = None
+        self._depths[camera] = np.array([self.description.standoff_mm, 0.0, 0.0])
         if self._table_holds == "empty":
             light[:] = 0.0
             return
         calibration = self._truth.calibration.cameras.cameras[camera]
         scene_from_reference = self.scene_from_camera()
-        scene_from_projector = scene_from_reference @ self._truth.camera_from_projector
-        projector = ProjectorLight(self._truth.projector, scene_from_projector, self.description.standoff_mm)
+        scene_from_camera = scene_from_reference @ calibration.reference_from_camera
+        seeing = SeeingCamera(self._pinhole(camera), self._effects.cameras[camera].residual_px)
+        projector = self._projector(scene_from_reference @ self._truth.camera_from_projector)
         seen: Surface | PrintedBoard = self._printed if self._table_holds == "board" else self._part_surface()
-        seen.illuminate(calibration.pinhole, scene_from_reference @ calibration.reference_from_camera, projector, light)
+        seen.illuminate(seeing, scene_from_camera, projector, light)
+        self._depths[camera] = object_depth(seeing.pinhole, scene_from_camera.inverse().apply(seen.sample_mm()))
+        if isinstance(seen, Surface) and self.options.part.bounce:
+            self._second[camera] = seen.second_light(seeing, scene_from_camera, projector, light, self.options.part.bounce)
+
+    def _pinhole(self, camera: str) -> PinholeCamera:
+        pinhole = self._truth.calibration.cameras.cameras[camera].pinhole
+        warmth = self._effects.warmth
+        return pinhole if warmth is None else warmth.camera(camera, pinhole, self.elapsed_s)
+
+    def _projector(self, scene_from_projector: RigidTransform) -> ProjectorLight:
+        pinhole, warmth = self._truth.projector, self._effects.warmth
+        if warmth is not None:
+            pinhole = warmth.projector(pinhole, self.elapsed_s)
+        return ProjectorLight(pinhole, scene_from_projector, self.description.standoff_mm)
 
     def _part_surface(self) -> Surface:
         if self._surface is None:
-            self._surface = Surface(self.part)
+            self._surface = Surface(self._effects.seen_part, self.options.part.penetration_mm)
         return self._surface
 
     # ground truth: for demonstrations and tests only
@@ -218,7 +270,7 @@ class World:
         return self._truth
 
     def true_surface(self, frame: str = "table") -> Mesh:
-        """Return the part's surface at table angle 0 in the true table frame, which is then also the part frame."""
+        """Return the surface of the part as it was made, at table angle 0 in the true table frame, which is then also the part frame."""
         mesh = self.part.mesh.seen_from(self._truth.table_from_nominal)
         return mesh.seen_from(RigidTransform.identity(frame, "table"))
 
@@ -241,6 +293,8 @@ class World:
     def scene_from_camera(self) -> RigidTransform:
         """Return the true pose of the reference camera in the frame of the object on the table (`nominal` or `board`)."""
         part_from_table = RigidTransform.from_parts(rotation_about([0, 0, 1], -self._table_rad), np.zeros(3), "table", "table")
+        if self._effects.table is not None:
+            part_from_table = part_from_table @ self._effects.table.at(self._commanded.table_rad).inverse()
         thing = self._truth.table_from_board if self._table_holds == "board" else self._truth.table_from_nominal
         return thing.inverse() @ part_from_table @ self._truth.calibration.table_from_guide @ self.guide_from_camera()
 

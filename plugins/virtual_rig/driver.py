@@ -74,7 +74,7 @@ def _build(description: RigDescription, chosen: VirtualRigSettings) -> Rig:
     if strangers:
         raise DeviceError(f"Virtual rig: setting world.knocked_deg names camera {strangers[0]!r}.", "Name cameras of this rig.")
     part = place_part(make_part(chosen.part, chosen.unit), chosen.part_turn_deg)
-    world = World(description, part, chosen.seed, chosen.board, chosen.world)
+    world = World(description, part, chosen.seed, chosen.board, chosen.options)
     clock = clock_of(chosen.time_scale)
     if not chosen.follows:
         return rig_of(world, clock)

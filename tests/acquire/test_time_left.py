@@ -8,7 +8,8 @@ from acquire.fake_rig import fake_plan
 
 from measureapp.acquire.events import RunEnded, RunPaused, RunResumed, RunStarted, ViewpointEntered, ViewpointStored
 from measureapp.acquire.run_states import ACTIVE, ViewpointState
-from measureapp.acquire.time_left import AxisSpeeds, RunClock, TimeLeft, planned_seconds
+from measureapp.acquire.time_left import RunClock, TimeLeft, planned_seconds
+from measureapp.project.rig_file import read_rig
 
 SLOW_SHARE, SLOW_FACTOR, SPREAD = 0.1, 2.5, 0.08
 
@@ -94,8 +95,12 @@ def test_viewpoints_stored_by_an_earlier_run_do_not_count():
 
 def test_the_plan_gives_the_first_estimate_from_moves_exposures_and_settling():
     plan = fake_plan(2, exposures_us=(100_000,))
-    seconds = planned_seconds(plan, plan.viewpoints, AxisSpeeds(guide_mm_s=5.0, table_deg_s=17.0, start_s=0.0))
+    rig = read_rig("paper")
+    guide = rig.guide.model_copy(update={"speed_mm_s": 5.0, "acceleration_mm_s2": 5.0})
+    table = rig.table.model_copy(update={"speed_deg_s": 17.0, "acceleration_deg_s2": 17.0})
+    seconds = planned_seconds(plan, plan.viewpoints, rig.model_copy(update={"guide": guide, "table": table}))
     images_s = plan.patterns.count * (0.1 + 0.06)
-    assert seconds == pytest.approx({"v0": 1.0 + images_s, "v1": 1.0 + images_s + 10.0 / 5.0 + 1.0})
+    guide_s, table_s, settle_s = 10.0 / 5.0 + 5.0 / 5.0, 17.0 / 17.0 + 17.0 / 17.0, 0.3  # at full speed, and ramps
+    assert seconds == pytest.approx({"v0": 1.0 + images_s, "v1": 1.0 + images_s + guide_s + table_s + 2 * settle_s})
     settled = plan.model_copy(update={"settle_s": 4.0})
-    assert planned_seconds(settled, settled.viewpoints)["v0"] == pytest.approx(5.0 + images_s)
+    assert planned_seconds(settled, settled.viewpoints, rig)["v0"] == pytest.approx(5.0 + images_s)

@@ -11,8 +11,9 @@ from measureapp.arrays import FloatArray, ImageArray, read_only
 from measureapp.data.board import BoardDescription, CharucoDescription, CheckerboardDescription, CirclesDescription
 from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.geometry.transform import RigidTransform, rotation_about
-from measureapp.simulate.optics import PrintedBoard, ProjectorLight, expose
+from measureapp.simulate.optics import ProjectorLight, SeeingCamera, expose
 from measureapp.simulate.options import LightSettings
+from measureapp.simulate.printed_board import PrintedBoard
 from measureapp.simulate.sensor import SensorSettings, read_out
 
 CHECKER = CheckerboardDescription(columns=14, rows=11, square_mm=15.0)
@@ -73,7 +74,9 @@ def photographed(
     lamp = RigidTransform.from_parts(np.eye(3), np.array([-60.0, 0, 0]), "camera", "projector")
     board_from_camera = camera_from_board.inverse()
     light = np.empty((camera.height_px, camera.width_px, 4), np.float32)
-    PrintedBoard(board, 0.0).illuminate(camera, board_from_camera, ProjectorLight(camera, board_from_camera @ lamp, 550.0), light)
+    PrintedBoard(board, 0.0).illuminate(
+        SeeingCamera(camera), board_from_camera, ProjectorLight(camera, board_from_camera @ lamp, 550.0), light
+    )
     return read_only(read_out(expose(light, None, exposure_us, LightSettings()), 8, SensorSettings(noise=noise), key))
 
 

@@ -14,8 +14,9 @@ from measureapp.fringe.patterns.draw import pattern_images
 from measureapp.geometry.transform import RigidTransform, rotation_about
 from measureapp.project.fringes.pattern_files import manifest_skeleton
 from measureapp.project.rig_file import read_rig
-from measureapp.simulate.optics import PrintedBoard, ProjectorLight, expose, project_images
+from measureapp.simulate.optics import ProjectorLight, SeeingCamera, expose, project_images
 from measureapp.simulate.options import LightSettings, RigErrors
+from measureapp.simulate.printed_board import PrintedBoard
 from measureapp.simulate.sensor import SensorSettings, read_out
 from measureapp.simulate.truth import Truth, draw_truth
 from measureapp.simulate.world import PAPER_BOARD
@@ -60,7 +61,7 @@ def write_stacks(folder: Path, truth: Truth, poses: list[RigidTransform], camera
         for name in cameras:
             camera = truth.calibration.cameras.cameras[name]
             light = np.empty((camera.pinhole.height_px, camera.pinhole.width_px, 4), np.float32)
-            printed.illuminate(camera.pinhole, pose.inverse() @ camera.reference_from_camera, lights, light)
+            printed.illuminate(SeeingCamera(camera.pinhole), pose.inverse() @ camera.reference_from_camera, lights, light)
             images = place / name / str(EXPOSURE_US)
             images.mkdir(parents=True)
             for pattern, lit in enumerate(shown):

@@ -122,5 +122,5 @@ def test_a_picture_or_plan_of_another_kind_is_refused(capsys, tmp_path):
 
 
 def test_a_plan_of_a_newer_version_is_refused(capsys, tmp_path):
-    (tmp_path / "new.toml").write_text(SAMPLE.read_text(encoding="utf-8").replace("schema_version = 2", "schema_version = 3"), "utf-8")
-    assert "version 3" in refused(capsys, ["plan", "check", str(tmp_path / "new.toml"), "--rig", "paper"])
+    (tmp_path / "new.toml").write_text(SAMPLE.read_text(encoding="utf-8").replace("schema_version = 2", "schema_version = 4"), "utf-8")
+    assert "version 4" in refused(capsys, ["plan", "check", str(tmp_path / "new.toml"), "--rig", "paper"])

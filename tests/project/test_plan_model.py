@@ -59,7 +59,7 @@ def test_a_plan_of_version_1_is_read_as_it_was_meant(tmp_path) -> None:
         ({"viewpoints": (SINGLE, SINGLE)}, "same id 'top'"),
         ({"viewpoints": (SINGLE.model_copy(update={"id": "ring-02"}),)}, "same id 'ring-02'"),
         ({"settle_s": -1.0}, "settle_s"),
-        ({"schema_version": 3}, "schema_version"),
+        ({"schema_version": 4}, "schema_version"),
         ({"groups": ({**RING.model_dump(), "exposures_us": (10, 20)},)}, "long to short"),
         ({"groups": ({**RING.model_dump(), "table_deg": ()},)}, "table_deg"),
     ],

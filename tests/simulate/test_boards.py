@@ -7,14 +7,15 @@ import numpy as np
 
 from measureapp.data.board import CharucoDescription, CirclesDescription
 from measureapp.simulate.kernels import _paint
-from measureapp.simulate.optics import _print_layout
+from measureapp.simulate.optics import NO_RESIDUAL
+from measureapp.simulate.printed_board import _print_layout
 
 COLOURS = np.array([1.0, 0.5])
 
 
 def painted(board, x_mm, y_mm):
     layout, cells = _print_layout(board)
-    return np.array([[_paint(x, y, layout, cells, COLOURS) for x in x_mm] for y in y_mm])
+    return np.array([[_paint(x, y, layout, cells, COLOURS, NO_RESIDUAL) for x in x_mm] for y in y_mm])
 
 
 def test_a_charuco_board_is_printed_as_opencv_draws_it():

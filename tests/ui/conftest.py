@@ -7,6 +7,7 @@ import os
 os.environ["QT_QPA_PLATFORM"] = "offscreen"
 os.environ.pop("DISPLAY", None)
 
+from collections.abc import Iterator
 from datetime import UTC, datetime
 from pathlib import Path
 
@@ -32,6 +33,7 @@ from measureapp.data.plan import FlangePose, ScanPlan, Viewpoint
 from measureapp.data.rig import RigDescription
 from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.geometry.transform import RigidTransform
+from tests.ui.heartbeat import Heartbeat
 from ui.app import Application, build
 
 VIEWS = 6
@@ -194,3 +196,10 @@ def calibration_page(application: Application, window, rig: RigDescription):
 def window(application: Application):
     application.window.show()
     return application.window
+
+
+@pytest.fixture
+def heartbeat(qapp) -> Iterator[Heartbeat]:
+    """A running heartbeat of the window's thread; the test calls its `check`."""
+    with Heartbeat() as heart:
+        yield heart

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from datetime import datetime, timedelta
 
 import pytest
@@ -10,6 +11,7 @@ from measureapp.data.validity import Drift, Validity
 from measureapp.pipeline.events import ValidityKnown
 from ui.controllers.run_events import RunEvents
 from ui.pages.calibration_chip import calibration_state
+from ui.pages.calibration_rows import added_to_length_mm, contributions
 from ui.session import Session
 
 MOVED = Drift(
@@ -24,8 +26,18 @@ def made(calibration) -> datetime:
 def test_a_good_calibration_shows_age_and_millimetres(calibration, rig):
     good = Validity(drift=Drift("good", "The cameras stand as they were calibrated."))
     state = calibration_state(calibration, rig, good, made(calibration) + timedelta(days=2))
-    assert (state.words, state.colour) == ("Calibrated 2 days ago · 0.213\u00a0mm ✓", "verdict_pass")
+    shares = dict(contributions(calibration, rig))
+    added = added_to_length_mm(calibration, rig)
+    assert 2 * shares["Together"] < added < 4 * shares["Together"] and added != calibration.hand_eye.residual_mm
+    assert (state.words, state.colour) == (f"Calibrated 2 days ago · adds {added:.3f}\u00a0mm (k = 2) ✓", "verdict_pass")
     assert "stand as they were calibrated" in state.tip
+
+
+def test_a_poor_fit_is_said_without_a_number_that_looks_good(calibration, rig):
+    poor = replace(calibration, hand_eye=replace(calibration.hand_eye, residual_mm=9.0))
+    state = calibration_state(poor, rig, None, made(calibration))
+    assert (state.words, state.colour) == ("Calibrated just now · poor fit ✗", "verdict_fail")
+    assert state.tip.startswith("Hand–eye: 9.000\u00a0mm. Residual up to")
 
 
 def test_a_camera_that_moved_comes_first_with_its_millimetres(calibration, rig):

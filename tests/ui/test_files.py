@@ -46,8 +46,8 @@ def test_a_cloud_in_inches_is_asked_about_then_compared_with_its_nominal(applica
     monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (chosen.pop(0), ""))
     window.header.file.click()
     settled(application, qtbot)
-    assert window.unit_dialog.value() is LengthUnit.INCH and application.session.stitched is None
-    window.unit_dialog.accept_button.click()
+    assert window.project_menu.unit_dialog.value() is LengthUnit.INCH and application.session.stitched is None
+    window.project_menu.unit_dialog.accept_button.click()
     assert settled(application, qtbot).level == "done"
     page = window.pages["inspection"]
     assert window.page is page and page.shape.value() == "deviation" and not page.is_empty

@@ -5,6 +5,8 @@ from __future__ import annotations
 import pytest
 from PySide6.QtGui import QImage
 
+from ui.look.wording import millimetres
+from ui.pages.calibration_rows import added_to_length_mm
 from ui.session import DriverRow
 from ui.widgets.properties_panel import Properties
 
@@ -92,7 +94,7 @@ def test_the_calibration_page_judges_every_solution(filled):
     assert [row[0] for row in rows] == ["Camera left", "Camera right", "Camera upper", "Hand–eye", "Linear guide", "Table axis"]
     assert [row[4] for row in rows] == ["Good"] * 6
     assert plain(rows[3][3]) == "0.213 mm"
-    assert plain(page.verdict.text()) == "0.213 mm"
+    assert plain(page.verdict.text()) == plain(millimetres(added_to_length_mm(filled.session.calibration, filled.session.rig)))
     page.table.selectRow(0)
     assert plain(dict(page.properties.groups[0].rows)["Blur of its images"]) == "0.75 px"
     page.table.selectRow(3)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import threading
 from types import SimpleNamespace
 
 import numpy as np
@@ -10,58 +9,17 @@ import pytest
 from PySide6.QtGui import QImage
 
 from measureapp.acquire import events as e
-from measureapp.acquire.control import RunControl
 from measureapp.acquire.run_states import ViewpointState
 from measureapp.errors import PlanError, StorageError
 from measureapp.pipeline import events as p
 from measureapp.pipeline.preflight import Preflight
 from measureapp.project.folder import ProjectFolder, ProjectSettings
+from tests.ui.scan_runs import QuickRun
 from ui.controllers.scan_choices import ScanChoices
 from ui.pages.scan.page import left_words, state_words
 from ui.widgets.pictures import marked_image
 
 PATIENCE_MS = 20_000
-
-
-class QuickRun:
-    """Takes the place of the pipeline: waits at the gate in each viewpoint, and obeys its control like the engine."""
-
-    def __init__(self, view_of) -> None:
-        self.requests, self.helds, self.gate, self.view_of = [], [], threading.Event(), view_of
-        self.error, self.controls = None, []
-
-    def scan_into_project(self, request, on_event, progress, control, held):
-        self.requests.append(request)
-        self.helds.append(held)
-        self.controls.append(control)
-        control.begin(tuple(request.plan))
-        on_event(e.RunStarted(request.plan.name, tuple(viewpoint.id for viewpoint in request.plan)))
-        try:
-            while (viewpoint := control.next_viewpoint()) is not None:
-                self._take(viewpoint.id, on_event, progress, control)
-        finally:
-            control.end()
-            on_event(e.RunEnded("done"))
-        if self.error is not None:
-            raise self.error
-
-    def _take(self, name, on_event, progress, control: RunControl) -> None:
-        for state in ("moving", "confirming", "settling", "capturing"):
-            if state != "moving":
-                control.enter(name, ViewpointState(state))
-            on_event(e.ViewpointEntered(name, ViewpointState(state)))
-        while not self.gate.wait(0.01):
-            progress.check()
-        if control.state == "pausing":
-            cause = control.reach_pause()
-            on_event(e.RunPaused(cause.message, cause.hint))
-            while not control.wait(0.01):
-                progress.check()
-            on_event(e.RunResumed())
-        for state in ("checking", "storing", "stored"):
-            control.enter(name, ViewpointState(state))
-        on_event(e.ViewpointStored(name, 0.1))
-        on_event(p.ViewReady(self.view_of(name)))
 
 
 @pytest.fixture
@@ -167,6 +125,23 @@ def test_pause_says_why_and_resume_goes_on(application, running, quick, idle, qt
     running.bar.resume.click()
     idle()
     assert "Waiting" not in running.tiles.words()
+
+
+def test_a_pause_before_the_scan_begins_is_kept_until_it_does(application, page, quick, idle, tmp_path, qtbot):
+    quick.before.clear()
+    page.empty.button.click()
+    page.setup.setValue(ScanChoices(tmp_path / "scan", part="wheel"))
+    page.setup.start.click()
+    qtbot.waitUntil(lambda: len(quick.controls) == 1, timeout=PATIENCE_MS)
+    page.bar.pause.click()
+    assert page.bar.words.text() == "The scan pauses before its first viewpoint; what comes before it can only be cancelled."
+    assert application.session.messages == [] or "not started" not in application.session.messages[-1].text
+    quick.before.set()
+    qtbot.waitUntil(lambda: application.session.run.cause == "", timeout=PATIENCE_MS)
+    quick.gate.set()
+    qtbot.waitUntil(lambda: application.session.run.state == "paused", timeout=PATIENCE_MS)
+    page.bar.resume.click()
+    idle()
 
 
 def test_a_waiting_viewpoint_is_skipped_and_a_stored_one_taken_again(application, running, quick, idle, qtbot):
@@ -279,36 +254,6 @@ def test_of_many_images_that_arrive_at_once_only_the_newest_is_converted(applica
         application.session.images.put("left", e.ImageTaken("view-01", "left", 80_000, np.full((4, 4), level, np.uint8)))
     page._take_images()
     assert shown == [("left", 49)]
-
-
-@pytest.mark.slow
-def test_from_the_rig_to_clouds_in_the_window(application, window, qtbot, tmp_path):
-    """Choose the virtual rig, calibrate it, plan, scan two viewpoints, and see their clouds."""
-    from measureapp.pipeline.sample import SampleScan, sample_request
-
-    session, controllers = application.session, application.controllers
-    request = sample_request(SampleScan("gypsum", "quarter", 2), tmp_path / "scan")
-    session.set_rig(request.rig)
-    controllers.rig.connect_rig()
-    qtbot.waitUntil(lambda: session.cell.connected, timeout=PATIENCE_MS)
-    session.set_plan(request.plan)
-    window.show_page("calibration")
-    page = window.pages["calibration"]
-    page.open_automatic()
-    page.automatic.folder.setValue(tmp_path / "scan")
-    page.automatic.start.click()
-    qtbot.waitUntil(lambda: session.calibration is not None and not controllers.jobs.queue.busy, timeout=600_000)
-    assert page.automatic.found.items[0].kind == "good"
-    page.automatic.close()
-    window.show_page("scan")
-    scan = window.pages["scan"]
-    scan.set_up()
-    scan.setup.setValue(ScanChoices(tmp_path / "scan"))
-    scan.setup.start.click()
-    qtbot.waitUntil(lambda: session.measurement is not None, timeout=300_000)
-    qtbot.waitUntil(lambda: not controllers.jobs.queue.busy, timeout=PATIENCE_MS)
-    assert [view.viewpoint_id for view in session.views] == ["view01", "view02"]
-    assert scan.tiles.words() == ["Processed"] * 2
 
 
 @pytest.fixture

@@ -209,7 +209,7 @@ def test_a_folder_that_is_no_project_is_refused_in_words(application, window, qt
 
 
 def test_the_name_of_the_project_is_shortened_only_where_it_does_not_fit(application, window, qtbot):
-    name = "Demo: gypsum, half resolution, 8 views, seed 1"
+    name = "Demo: gypsum, half resolution, 8 views, seed 1, three close pitches"
     application.session.open_project(name, "gypsum", None)
     window.resize(1366, 768)
     qtbot.waitUntil(lambda: window.header.project.text().endswith("…"))

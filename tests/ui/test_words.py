@@ -56,13 +56,6 @@ def test_both_themes_have_the_same_tokens_and_verdict_colours():
 
 
 @pytest.mark.parametrize("shade", ["light", "dark"])
-def test_the_style_sheet_leaves_no_token_open(shade):
-    sheet = Theme.load(shade).style_sheet()
-    assert "$" not in sheet
-    assert "border-radius: 6px" in sheet
-
-
-@pytest.mark.parametrize("shade", ["light", "dark"])
 def test_text_stands_out_from_its_ground(shade):
     theme = Theme.load(shade)
 

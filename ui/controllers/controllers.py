@@ -21,6 +21,7 @@ from ui.controllers.planning import PlanningController
 from ui.controllers.programming import ProgrammingController
 from ui.controllers.project import ProjectController
 from ui.controllers.recent_calibration import RecentCalibrationController
+from ui.controllers.repeats import RepeatsController
 from ui.controllers.rig_calibrating import RigCalibratingController
 from ui.controllers.rig_control import RigControl
 from ui.controllers.rig_editing import RigEditing
@@ -50,6 +51,7 @@ class Controllers(QObject):
         self.rig = RigControl(session, self.jobs, self)
         self.rig_editing = RigEditing(session, self.editing, self.rig, self)
         self.scanning = ScanController(session, self.jobs, self.rig, self)
+        self.repeats = RepeatsController(session, self.jobs, self.scanning, self)
         self.extending = ExtendingController(session, self.jobs, self.scanning, self)
         self.rig_calibrating = RigCalibratingController(session, self.jobs, self.rig, self)
         self.demo = DemoController(session, self.jobs, self.rig, self.scanning, self)

@@ -65,8 +65,7 @@ class DemoController(QObject):
     @Slot()
     def run(self) -> None:
         """Choose the virtual rig, calibrate it, scan, stitch, measure and report."""
-        if self._runner.queue.running is not None and not self._runner.queue.running.quiet:
-            self._session.tell(f"{self._session.busy_with} is still running.", "Wait until it has finished, or cancel it.", "warning")
+        if self._session.refuse_during_job():
             return
         settings = self.settings
         folder = next_demo_folder(self.folder or demo_folder(settings))

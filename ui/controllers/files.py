@@ -66,8 +66,7 @@ class FilesController(QObject):
     @Slot(object)
     def measure(self, files: FilesToMeasure) -> None:
         """Read the files, align, inspect and compare."""
-        if self._session.busy_with:
-            self._session.tell(f"{self._session.busy_with} is still running.", "Wait until it has finished, or cancel it.", "warning")
+        if self._session.refuse_during_job():
             return
         self._runner.run(f"Measuring {files.cloud.name}", lambda job: measure_file(files, job), self._show)
 

@@ -8,6 +8,7 @@ from typing import Any
 from PySide6.QtCore import QObject, Signal, Slot
 
 from measureapp.errors import MeasureError
+from ui.messages import MOMENT, PROJECT
 from ui.session import Session
 from ui.workers.job import Job, Work
 from ui.workers.rig_queue import RigQueue
@@ -48,6 +49,7 @@ class JobRunner(QObject):
         if on_event is not None:
             job.happened.connect(on_event)
         job.succeeded.connect(on_done)
+        job.succeeded.connect(self._end_failure)
         if on_stopped is not None:
             job.cancelled.connect(on_stopped)
             job.failed.connect(on_stopped)
@@ -77,8 +79,20 @@ class JobRunner(QObject):
         if job.moves:
             self._session.set_moving(False)
 
+    @Slot(object)
     def _on_failed(self, error: MeasureError) -> None:
-        self._session.tell(error.message, error.hint, "error")
+        self._session.tell(error.message, error.hint, "error", cause=_failure_of(self.sender()))
 
+    @Slot()
+    def _end_failure(self) -> None:
+        """A job that succeeds ends what an earlier one of its kind has told."""
+        self._session.messages.end(_failure_of(self.sender()))
+
+    @Slot()
     def _on_cancelled(self) -> None:
-        self._session.tell("Cancelled.", "Data stored so far is kept.", "warning")
+        self._session.tell("Cancelled.", "Data stored so far is kept.", "warning", cause=MOMENT)
+
+
+def _failure_of(job: QObject | None) -> str:
+    """Return the cause under which the failure of a job is told."""
+    return f"job: {job.title}" if isinstance(job, Job) else PROJECT

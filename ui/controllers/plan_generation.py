@@ -27,35 +27,27 @@ class Wanted:
     coverage: float  # of what the rig can measure
 
 
-def generate(wanted: Wanted, rig: RigDescription, arm: ArmModel | None, part: PreparedPart, job: Job) -> GeneratedPlan:
-    """Generate a plan free of collisions, with the patterns and exposures of the former one."""
-    from dataclasses import replace
-
-    from measureapp.geometry.transform import RigidTransform
-    from measureapp.planning.edit import set_plan
-    from measureapp.planning.feasibility import Feasibility
-    from measureapp.planning.generate import GeneratorSettings, generate_plan
+def generate(wanted: Wanted, rig: RigDescription, part: PreparedPart, job: Job) -> GeneratedPlan:
+    """Generate a plan free of collisions, with patterns, exposures and pose of the part of the former one."""
+    from measureapp.pipeline.plan_making import PlanContext, make_plan
+    from measureapp.planning.generate import GeneratorSettings
+    from measureapp.project.geometry.files import read_mesh
 
     settings = GeneratorSettings(name=part.path.parent.name, viewpoints=wanted.viewpoints, coverage=wanted.coverage)
-    feasible = Feasibility.checked(rig, arm, part.mesh)
-    in_place = RigidTransform.identity("part", part.mesh.frame)
-    made = generate_plan(part.mesh, feasible, settings, part_from_nominal=in_place, progress=job)
     former = wanted.former
-    if former is None:
-        return made
-    kept = {"name": former.name, "patterns": former.patterns, "bracket": former.bracket, "settle_s": former.settle_s}
-    return replace(made, plan=set_plan(made.plan, **kept))
+    context = PlanContext(pose=None if former is None else former.part_pose, like=former)
+    return make_plan(read_mesh(part.path), rig, settings, context, job)
 
 
 def order(plan: ScanPlan, rig: RigDescription, arm: ArmModel | None, job: Job) -> list[str]:
     """Return the names of all viewpoints in the order in which the axes move least. Raises PlanError for too many viewpoints."""
     from measureapp.planning.order import shortest_order
-    from measureapp.planning.travel import AxisSpeeds, travel_times_s
+    from measureapp.planning.travel import travel_times_s
 
     if len(plan) > MOST_ORDERED:
         raise PlanError(f"{len(plan)} viewpoints are too many to be ordered.", f"Up to {MOST_ORDERED} can be.")
     job.report(0, 2, "Times of the moves")
     viewpoints = tuple(plan)
-    times = travel_times_s(viewpoints, rig, arm, AxisSpeeds())
+    times = travel_times_s(viewpoints, rig, arm)
     job.report(1, 2, "Order")
     return [viewpoints[place].id for place in shortest_order(viewpoints, times)]

@@ -53,6 +53,11 @@ class PlanPart(QObject):
         session.projectChanged.connect(self._follow_project)
         session.rigChanged.connect(self._follow)
 
+    @property
+    def path(self) -> Path | None:
+        """The nominal for which is planned; None if there is none."""
+        return self._chosen or nominal_of(self._session)
+
     @Slot(object)
     def choose(self, path: Path) -> None:
         """Read a nominal from a file, also once more."""
@@ -66,12 +71,13 @@ class PlanPart(QObject):
 
     @Slot()
     def _follow_project(self) -> None:
-        self._chosen = None
+        if nominal_of(self._session) is not None:  # a project without one is scanned with the nominal that was chosen
+            self._chosen = None
         self._follow()
 
     @Slot()
     def _follow(self) -> None:
-        path = self._chosen or nominal_of(self._session)
+        path = self.path
         if path is not None and self._is_watched:
             self._read(path)
 

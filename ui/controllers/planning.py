@@ -14,6 +14,7 @@ from ui.controllers.jobs import JobRunner
 from ui.controllers.plan_generation import Wanted, generate, order
 from ui.controllers.plan_part import PlanPart
 from ui.controllers.plan_prediction import PlanPrediction
+from ui.look.wording import percent, several
 from ui.session import Session
 
 if TYPE_CHECKING:
@@ -192,13 +193,14 @@ class PlanningController(QObject):
             self._session.tell(*NO_RIG, "warning")
             return
         asked = Wanted(self.plan, viewpoints, coverage)
-        self._runner.run("Generating a plan", lambda job: generate(asked, rig, self.prediction.arm_model, part, job), self._show_generated)
+        self._runner.run("Generating a plan", lambda job: generate(asked, rig, part, job), self._show_generated)
 
     @Slot(object)
     def _show_generated(self, made: GeneratedPlan) -> None:
         self._push("Generate", made.plan)
         self._session.tell(
-            f"{len(made.plan)} viewpoints measure {made.planned_share:.1%} of the surface, {made.planned_of_allowed:.1%} of what the rig can.",
+            f"{several(len(made.plan), 'viewpoint measures', 'viewpoints measure')} {percent(made.planned_share)} of the surface, "
+            f"{percent(made.planned_of_allowed)} of what the rig can.",
             " ".join(made.problems),
             "warning" if made.problems else "done",
         )

@@ -54,8 +54,41 @@ class ProjectController(QObject):
 
     @Slot(object)
     def open(self, folder: Path) -> None:
-        """Open the project in ``folder``."""
+        """Open the project in ``folder``; refused while a job runs, because its results would go to the wrong project."""
+        if self._session.refuse_during_job():
+            return
         self._runner.run("Opening project", lambda job: read_project(folder, job), self._show)
+
+    @Slot(object, str)
+    def create(self, folder: Path, part: str) -> None:
+        """Make a project of the present rig in ``folder``, and open it."""
+        rig = self._session.rig
+        if rig is None or self._session.refuse_during_job():
+            return
+
+        def work(job: Job) -> ReadProject:
+            from measureapp.project.folder import ProjectFolder, ProjectSettings
+
+            job.report(0, 1, "Making the project")
+            ProjectFolder.create(folder, ProjectSettings(name=folder.name, part=part, rig=rig))
+            return read_project(folder, job)
+
+        self._runner.run("New project", work, self._show)
+
+    @Slot(object)
+    def copy_to(self, folder: Path) -> None:
+        """Copy the open project to ``folder``, and open the copy."""
+        source = self._session.folder
+        if source is None or self._session.refuse_during_job():
+            return
+
+        def work(job: Job) -> ReadProject:
+            from measureapp.project.copying import copy_project
+
+            copy_project(source, folder, job)
+            return read_project(folder, job)
+
+        self._runner.run("Copying the project", work, self._show)
 
     def recent(self) -> tuple[tuple[Path, str], ...]:
         """Return folder and name of the projects that were opened last and are still there."""
@@ -69,6 +102,8 @@ class ProjectController(QObject):
         folder = self._session.folder
         if folder is None:
             self._session.tell("No project is open.", "Open a project or run the demo first.", "warning")
+            return
+        if self._session.refuse_during_job():
             return
         self._runner.run("Recomputing", self._work(folder), self._show_recomputed, on_event=self._events.apply)
 

@@ -61,8 +61,7 @@ class RigCalibratingController(QObject):
         session, rig, held = self._session, self._session.rig, self._session.connection
         if rig is None or self.is_running:
             return
-        if session.busy_with:
-            session.tell(f"{session.busy_with} is still running.", "Wait until it has finished, or cancel it.", "warning")
+        if session.refuse_during_job():
             return
         events, plan = self._events, session.plan
 

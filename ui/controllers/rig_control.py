@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal, Slot
 
 from ui.controllers.jobs import JobRunner
+from ui.messages import DEVICES, STOPPED
 from ui.session import CellState, Session
 from ui.workers.job import Job
 
@@ -74,7 +75,9 @@ class RigControl(QObject):
         self._session.set_cell(cell)
         unready = [device.name for device in cell.devices if not device.status.ready]
         if unready:
-            self._session.tell(f"Connected, but not ready: {', '.join(unready)}.", "See the remedy in the table of devices.", "warning")
+            self._session.tell(
+                f"Connected, but not ready: {', '.join(unready)}.", "See the remedy in the table of devices.", "warning", cause=DEVICES
+            )
         else:
             self._session.tell("All devices are connected and ready.", "", "done")
 
@@ -194,7 +197,9 @@ class RigControl(QObject):
     @Slot(str)
     def _report_stop(self, report: str) -> None:
         self._session.set_cell(replace(self._session.cell, stopped=BY_BUTTON, live=False))
-        self._session.tell(report or "Everything was stopped.", "Reset the stop on the Rig page before anything moves again.", "warning")
+        self._session.tell(
+            report or "Everything was stopped.", "Reset the stop on the Rig page before anything moves again.", "warning", cause=STOPPED
+        )
 
     @Slot()
     def reset(self) -> None:

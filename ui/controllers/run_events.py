@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Slot
 
 from ui.look.wording import percent
+from ui.messages import CALIBRATION
 from ui.session import RunNow, Session, ViewpointStatus
 from ui.workers.job import Job
 
@@ -153,9 +154,9 @@ class RunEvents(QObject):
         drift = event.validity.drift
         if drift is None:
             for warning in event.validity.warnings:
-                self._session.tell(warning, "", "warning")
+                self._session.tell(warning, "", "warning", cause=CALIBRATION)
         elif drift.status in ("watch", "drifted"):
-            self._session.tell(drift.sentence, "", "error" if drift.status == "drifted" else "warning")
+            self._session.tell(drift.sentence, "", "error" if drift.status == "drifted" else "warning", cause=CALIBRATION)
 
     def _report_end(self, event: RunEnded) -> None:
         if event.reason == "failed":

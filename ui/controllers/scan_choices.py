@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 Exposures = Literal["plan", "once", "each"]
 MakeRequest = Callable[["Job"], "ScanRequest"]
 MOST_FOLDERS = 1000
+PROGRAM = "program.toml"
 NO_PLAN = InputError("There is no scan plan.", "Make one on the page Plan, or choose a plan file.")
 
 
@@ -66,21 +67,53 @@ class CheckedScan:
         return () if self.found is None else self.found.problems
 
 
-def suggested_choices(session: Session) -> ScanChoices:
-    """Return the open project if nothing was scanned into it, else a new folder with its part and calibration."""
+def suggested_choices(session: Session, planned: Path | None = None) -> ScanChoices:
+    """Return the open project if it was made for this scan, else a new folder with its part, documents and calibration.
+
+    ``planned`` is the nominal for which the plan was made; an inspection program beside it belongs to it.
+    """
     folder = project_on_disk(session)
     if folder is not None and not session.views and not any((folder / "stacks").glob("*")):
-        return ScanChoices(folder)
-    numbers = range(1, MOST_FOLDERS)
+        chosen = ScanChoices(folder)
+        if chosen.has_documents:
+            return chosen
+        if not _is_calibration_alone(session):
+            return ScanChoices(folder, "", planned, _program_beside(planned))
     home = Path.home() / "MeasureApp"
-    new = next((home / f"scan-{number}" for number in numbers if not (home / f"scan-{number}").exists()), None)
+    new = next((home / f"scan-{number}" for number in range(1, MOST_FOLDERS) if not (home / f"scan-{number}").exists()), None)
     if folder is None:
-        return ScanChoices(new)
-    inspection = folder / "inspection"
-    nominal = next(iter(sorted(inspection.glob("nominal.*"))), None)
-    program = inspection / "program.toml"
+        return ScanChoices(new, session.part or _part_name(planned), planned, _program_beside(planned))
     calibrated = folder if session.calibration is not None else None
-    return ScanChoices(new, session.part, nominal, program if program.is_file() else None, calibrated)
+    nominal, program = documents_of(folder)
+    if nominal is None and program is None:
+        part = _part_name(planned) if _is_calibration_alone(session) else session.part
+        return ScanChoices(new, part, planned, _program_beside(planned), calibrated)
+    return ScanChoices(new, session.part, nominal, program, calibrated)
+
+
+def documents_of(project: Path) -> tuple[Path | None, Path | None]:
+    """Return nominal and inspection program of a project; None for what it does not have."""
+    nominal = next(iter(sorted((project / "inspection").glob("nominal.*"))), None)
+    program = project / "inspection" / PROGRAM
+    return nominal, program if program.is_file() else None
+
+
+def _is_calibration_alone(session: Session) -> bool:
+    """Return whether the open project was made by a calibration, which names no part."""
+    return session.calibration is not None and session.part == session.project_name
+
+
+def _part_name(nominal: Path | None) -> str:
+    """Return the name of a part after its nominal: that of the file, or of its folder where the file is named nominal."""
+    if nominal is None:
+        return ""
+    return nominal.parent.name if nominal.stem == "nominal" else nominal.stem
+
+
+def _program_beside(nominal: Path | None) -> Path | None:
+    """Return the inspection program in the folder of a nominal; None if there is none."""
+    program = None if nominal is None else nominal.parent / PROGRAM
+    return program if program is not None and program.is_file() else None
 
 
 def request_maker(choices: ScanChoices, session: Session) -> MakeRequest:

@@ -22,6 +22,7 @@ from ui.session import RunNow, Session
 if TYPE_CHECKING:
     from measureapp.acquire.control import RunControl
     from measureapp.acquire.time_left import RunClock, TimeLeft
+    from measureapp.data.calibration import RigCalibration
     from measureapp.data.plan import ScanPlan
     from measureapp.data.rig import RigDescription
     from measureapp.pipeline.events import Event
@@ -30,6 +31,7 @@ if TYPE_CHECKING:
 
 NOT_PROCESSED = "The images are stored. They are not processed, because the project has no calibration."
 CALIBRATE_IT = "Calibrate the rig, then press Recompute on the page Scan."
+PAUSES_FIRST = "The scan pauses before its first viewpoint; what comes before it can only be cancelled."
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,12 +41,15 @@ class ScanPrepared:
     request: ScanRequest
     name: str
     part: str
+    calibration: RigCalibration | None = None  # with which is scanned
 
 
 class ScanController(QObject):
     """Runs scans, one at a time, and shows their progress in the session."""
 
     checked = Signal(object)  # CheckedScan
+    completed = Signal(object)  # Outcome, or None for images that are not processed
+    ended = Signal()  # however the scan ended
 
     def __init__(self, session: Session, runner: JobRunner, rig: RigControl, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -52,7 +57,7 @@ class ScanController(QObject):
         self._events = RunEvents(session, self)
         self._control: RunControl | None = None
         self._wanted: ScanChoices | None = None  # started after a check without problems
-        self._passed = False
+        self._passed = self._pauses_first = False
         self._subject = "scan"
         self._clock: RunClock | None = None
 
@@ -60,6 +65,11 @@ class ScanController(QObject):
     def is_running(self) -> bool:
         """Whether a scan runs."""
         return self._session.run.state != "idle"
+
+    @property
+    def is_taking(self) -> bool:
+        """Whether images are still to be taken; afterwards clouds are computed, which can only be cancelled."""
+        return self._control is not None and self._control.state != "ended"
 
     def left(self) -> TimeLeft | None:
         """Return how long the taking of images still takes; None while that is not known."""
@@ -109,7 +119,7 @@ class ScanController(QObject):
             return
         from measureapp.acquire.control import RunControl
 
-        self._subject, control = subject, RunControl()
+        self._subject, self._pauses_first, control = subject, False, RunControl()
         self._control = control
         self._session.set_run(RunNow("running"))
         events, session = self._events, self._session
@@ -127,11 +137,7 @@ class ScanController(QObject):
 
     def _refuse_second(self) -> bool:
         """Say so where something else is running."""
-        running = self._runner.queue.running
-        if running is None or running.quiet:
-            return False
-        self._session.tell(f"{self._session.busy_with} is still running.", "Wait until it has finished, or cancel it.", "warning")
-        return True
+        return self._session.refuse_during_job()
 
     @Slot(object)
     def _apply(self, event: Event | ScanPrepared) -> None:
@@ -147,9 +153,12 @@ class ScanController(QObject):
         from measureapp.acquire.time_left import RunClock, planned_seconds
 
         plan = self._session.plan
-        if isinstance(event, RunStarted) and plan is not None:
+        if isinstance(event, RunStarted) and self._pauses_first:
+            self._pauses_first = False
+            self.pause()
+        if isinstance(event, RunStarted) and plan is not None and self._session.rig is not None:
             wanted = [viewpoint for viewpoint in plan if viewpoint.id in event.viewpoint_ids]
-            self._clock = RunClock(planned_seconds(plan, wanted)) if wanted else None  # all may be stored
+            self._clock = RunClock(planned_seconds(plan, wanted, self._session.rig)) if wanted else None  # all may be stored
         elif isinstance(event, RunEnded):
             self._clock = None
         elif self._clock is not None and isinstance(event, AcquisitionEvent):
@@ -162,9 +171,15 @@ class ScanController(QObject):
         if session.rig != request.rig:
             session.set_rig(request.rig)
         session.set_plan(request.plan)
+        if session.calibration is None and prepared.calibration is not None:
+            session.set_calibration(prepared.calibration)
 
     @Slot(object)
     def _finish(self, outcome: Outcome | None) -> None:
+        self._tell_outcome(outcome)
+        self.completed.emit(outcome)
+
+    def _tell_outcome(self, outcome: Outcome | None) -> None:
         if outcome is None:
             self._session.tell(NOT_PROCESSED, CALIBRATE_IT, "warning")
             return
@@ -179,13 +194,18 @@ class ScanController(QObject):
         self._control = self._clock = None
         self._session.set_run(RunNow())
         self._rig.refresh()  # where it stands, and whether it was stopped
+        self.ended.emit()
 
     # during
 
     @Slot()
     def pause(self) -> None:
-        """Pause as soon as the rig is safe."""
-        if self._control is not None and self._ask(self._control.pause):
+        """Pause as soon as the rig is safe; before the first viewpoint, when the scan begins."""
+        control = self._control
+        if control is not None and control.state == "idle":  # the rig is being connected or calibrated
+            self._pauses_first = True
+            self._session.set_run(RunNow("pausing", PAUSES_FIRST))
+        elif control is not None and self._ask(control.pause):
             self._session.set_run(RunNow("pausing"))
 
     @Slot()
@@ -243,10 +263,12 @@ def _prepared(request: ScanRequest) -> ScanPrepared:
     """Return what the window shows of a scan that begins; runs on a job's thread."""
     from measureapp.project.folder import ProjectFolder
 
+    calibrated = request.calibrated or request.folder
+    calibration = ProjectFolder.open(calibrated).calibration() if (calibrated / "project.json").is_file() else None
     if request.created is not None:
-        return ScanPrepared(request, request.created.name, request.created.part)
+        return ScanPrepared(request, request.created.name, request.created.part, calibration)
     project = ProjectFolder.open(request.folder)
-    return ScanPrepared(request, project.name, project.settings.part)
+    return ScanPrepared(request, project.name, project.settings.part, calibration)
 
 
 def _stored_request(

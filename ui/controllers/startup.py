@@ -18,7 +18,11 @@ if TYPE_CHECKING:
     from measureapp.devices.plugin_loader import PluginRow
     from ui.workers.job import Job
 
-WARM_UP = ("scipy.optimize", "scipy.spatial", "numba", "open3d", "trimesh", "measureapp.pipeline.warm_up", "measureapp.pipeline.sample")
+WARM_UP = (
+    *("scipy.optimize", "scipy.spatial", "numba", "open3d", "trimesh", "measureapp.pipeline.warm_up", "measureapp.pipeline.sample"),
+    *("measureapp.fringe.patterns.check", "measureapp.planning.edit", "measureapp.planning.frusta"),  # the first click on the page Plan
+    *("measureapp.planning.coverage.head", "measureapp.acquire.control", "measureapp.acquire.time_left"),
+)
 IMPORTED_SHARE = 0.3
 IMPORT_TRIALS = 5
 DEFAULT_RIG = "paper"

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from PySide6.QtGui import QColor, QIcon
+from collections.abc import Callable
+
+from PySide6.QtCore import QRect, QSize, Qt
+from PySide6.QtGui import QColor, QIcon, QIconEngine, QPainter, QPixmap
 
 NAMES = {
     "rig": "robot",
@@ -66,11 +69,59 @@ NAMES = {
     "down": "arrow-down",
     "camera": "camera",
 }
+FAINT = QColor(138, 149, 156, 120)  # of a disabled icon, on either theme
 
 
-def icon(name: str, colour: QColor | str) -> QIcon:
-    """Return one icon of the set."""
+class IconSet:
+    """Icons that take their colour from the theme when they are painted; the drawing of each colour and size is kept."""
+
+    def __init__(self, colour_of: Callable[[str], QColor]) -> None:
+        """``colour_of``: returns the present colour of a token."""
+        self._colour_of = colour_of
+        self._icons: dict[tuple[str, str], QIcon] = {}
+        self._drawn: dict[tuple[str, int, int, int], QPixmap] = {}
+
+    def icon(self, name: str, token: str) -> QIcon:
+        """Return one icon of the set in the colour of a token."""
+        found = self._icons.get((name, token))
+        if found is None:
+            found = self._icons[name, token] = QIcon(ThemedIcon(self, NAMES[name], token))
+        return found
+
+    def pixmap(self, glyph: str, token: str, width: int, height: int, *, enabled: bool) -> QPixmap:
+        """Return the drawing of a glyph; sizes in pixels of the device."""
+        colour = self._colour_of(token) if enabled else FAINT
+        key = (glyph, colour.rgba(), width, height)
+        found = self._drawn.get(key)
+        if found is None:
+            found = self._drawn[key] = _drawn(glyph, colour, width, height)
+        return found
+
+
+class ThemedIcon(QIconEngine):
+    """Paints one glyph in the present colour of a token."""
+
+    def __init__(self, icons: IconSet, glyph: str, token: str) -> None:
+        super().__init__()
+        self._icons, self._glyph, self._token = icons, glyph, token
+
+    def paint(self, painter: QPainter, rect: QRect, mode: QIcon.Mode, _state: QIcon.State) -> None:
+        """Paint the icon."""
+        ratio = painter.device().devicePixelRatioF()
+        width, height = round(rect.width() * ratio), round(rect.height() * ratio)
+        painter.drawPixmap(rect, self._icons.pixmap(self._glyph, self._token, width, height, enabled=mode != QIcon.Mode.Disabled))
+
+    def pixmap(self, size: QSize, mode: QIcon.Mode, _state: QIcon.State) -> QPixmap:
+        """Return the icon as a picture."""
+        return self._icons.pixmap(self._glyph, self._token, size.width(), size.height(), enabled=mode != QIcon.Mode.Disabled)
+
+
+def _drawn(glyph: str, colour: QColor, width: int, height: int) -> QPixmap:
     import qtawesome
 
-    glyph = NAMES[name]
-    return qtawesome.icon(f"ph.{glyph}", color=QColor(colour), color_disabled=QColor(138, 149, 156, 120))
+    pixmap = QPixmap(width, height)
+    pixmap.fill(Qt.GlobalColor.transparent)
+    painter = QPainter(pixmap)
+    qtawesome.icon(f"ph.{glyph}", color=colour).paint(painter, QRect(0, 0, width, height))
+    painter.end()
+    return pixmap

@@ -1,4 +1,4 @@
-"""Light and dark theme from one token file; the style sheet is generated from it."""
+"""Light and dark theme from one token file."""
 
 from __future__ import annotations
 
@@ -6,18 +6,16 @@ import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from string import Template
 from typing import Literal
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QColor, QFont, QPalette
+from PySide6.QtGui import QColor, QFont
 from PySide6.QtWidgets import QApplication
 
 from measureapp.resources import resource
 
 Shade = Literal["light", "dark"]
 TOKENS = Path("themes") / "tokens.toml"
-STYLE = Path("themes") / "style.qss"
 FAMILIES = ["Inter", "Segoe UI Variable", "Segoe UI", "SF Pro Text", "Cantarell", "Noto Sans", "Roboto", "DejaVu Sans"]
 
 
@@ -50,34 +48,6 @@ class Theme:
         """Return the colour of the view with this index."""
         return QColor(self.views[index % len(self.views)])
 
-    def style_sheet(self) -> str:
-        """Return the generated style sheet."""
-        sizes = {f"size_{name}": str(value) for name, value in self.sizes.items()}
-        style = resource(STYLE)
-        return Template(style.read_text(encoding="utf-8")).substitute(self.colours, assets=style.parent.as_posix(), **sizes)
-
-    def palette(self) -> QPalette:
-        """Return the palette for elements not covered by the style sheet."""
-        roles = {
-            QPalette.ColorRole.Window: "window",
-            QPalette.ColorRole.Base: "surface",
-            QPalette.ColorRole.AlternateBase: "raised",
-            QPalette.ColorRole.WindowText: "text",
-            QPalette.ColorRole.Text: "text",
-            QPalette.ColorRole.ButtonText: "text",
-            QPalette.ColorRole.Button: "surface",
-            QPalette.ColorRole.PlaceholderText: "faint",
-            QPalette.ColorRole.Highlight: "accent",
-            QPalette.ColorRole.HighlightedText: "accent_on",
-            QPalette.ColorRole.Link: "accent_text",
-            QPalette.ColorRole.ToolTipBase: "raised",
-            QPalette.ColorRole.ToolTipText: "text",
-        }
-        palette = QPalette()
-        for role, name in roles.items():
-            palette.setColor(role, self.colour(name))
-        return palette
-
 
 def font(size_px: int, *, bold: bool = False) -> QFont:
     """Return the application's font with tabular figures."""
@@ -87,17 +57,6 @@ def font(size_px: int, *, bold: bool = False) -> QFont:
     made.setWeight(QFont.Weight.DemiBold if bold else QFont.Weight.Normal)
     made.setFeature(QFont.Tag("tnum"), 1)
     return made
-
-
-def apply(application: QApplication, theme: Theme) -> None:
-    """Apply the theme to the application unless it is active already, because Qt would polish every widget again."""
-    style_sheet = theme.style_sheet()
-    if application.styleSheet() == style_sheet:
-        return
-    application.setStyle("Fusion")
-    application.setFont(font(theme.sizes["body"]))
-    application.setPalette(theme.palette())
-    application.setStyleSheet(style_sheet)
 
 
 def preferred_shade(application: QApplication) -> Shade:

@@ -14,7 +14,7 @@ from PySide6.QtWidgets import QMenu, QWidget
 from ui.controllers.controllers import Controllers
 from ui.look.look import Look
 from ui.look.wording import millimetres, quantity, sentence_case, when
-from ui.pages.calibration_rows import PROJECTOR_ROW, SolutionRow, camera_rows, contributions, solution_rows, worst_residual_mm
+from ui.pages.calibration_rows import PROJECTOR_ROW, SolutionRow, added_to_length_mm, camera_rows, contributions, solution_rows
 from ui.pages.page import Page
 from ui.session import Session
 from ui.widgets.bar_chart import Bar, BarChart
@@ -33,6 +33,7 @@ EMPTY_TEXT = (
     "Fix the calibration board on the table, then calibrate the whole rig in one automatic run. "
     "The cameras alone can be calibrated from recorded images too."
 )
+ADDED_WORDS = "added at most to a length (k = 2)"
 CAMERAS_ONLY = "The cameras are calibrated; hand–eye, linear guide and table axis are not. Calibrate the whole rig next."
 SHARES_TEXT = "Root sum of squares, as for independent solutions. They are solved together, so a part of it cancels."
 
@@ -54,14 +55,18 @@ class CalibrationPage(Page):
         self.table = DataTable(look, ["Solution", "Estimate", "Standard deviation", "Residual (rms)", "Verdict"], numeric=(3,), stretch=1)
         self.table.rowSelected.connect(self._select)
         self.figure = figure = QWidget()
-        figure.setLayout(column(self.verdict, label("Largest residual of hand–eye, guide and axis", "small"), spacing=0))
+        figure.setLayout(column(self.verdict, label(ADDED_WORDS, "small"), spacing=0))
         self.verdict.setAlignment(Qt.AlignmentFlag.AlignRight)
         self.action_row.addWidget(figure)
         self.action_row.addSpacing(16)
         self.action_row.addWidget(self.calibrate)
         self.chart = BarChart(look)
         self.shares = card(
-            label("Contribution to the kinematic position of a point (1 σ)", "heading"), label(SHARES_TEXT, "soft"), 8, self.chart, 0
+            label("Contribution to the kinematic position of a point (1 σ)", "heading"),
+            label(SHARES_TEXT, "soft", wrap=True),
+            8,
+            self.chart,
+            0,
         )
         self.shares.layout().setStretch(self.shares.layout().count() - 2, 1000)  # the chart before the empty end
         layout = column(self.table, self.shares, 0, spacing=16)
@@ -115,8 +120,7 @@ class CalibrationPage(Page):
 
     def open_wizard(self, name: str) -> None:
         """Open the wizard of one kind; it is made when first used."""
-        if self.session.busy_with:
-            self.session.tell(f"{self.session.busy_with} is still running.", "Wait for it, or cancel it first.", "warning")
+        if self.session.refuse_during_job():
             return
         from measureapp.calibrate.kinds.table import find_kind
         from ui.wizards.wizard import CalibrationWizard
@@ -171,9 +175,9 @@ class CalibrationPage(Page):
         self._rows = solution_rows(calibration, self.session.rig)
         bad = [found.name for found in self._rows if not found.good]
         age = when(calibration.provenance.created)
-        judgement = f"Inspect: {', '.join(bad)}." if bad else "All parts are good: scan next."
+        judgement = f"Poor fit: {', '.join(bad)}. Calibrate again." if bad else "All parts fit well: scan next."
         self.state.setText(f"Calibrated {age}. {judgement}" if age else judgement)
-        self.verdict.setText(millimetres(worst_residual_mm(calibration)))
+        self.verdict.setText(millimetres(added_to_length_mm(calibration, self.session.rig)))
         self.table.set_rows([self._cells(found) for found in self._rows])
         self.table.setMaximumHeight(self.table.fitted_height())
         shares = contributions(calibration, self.session.rig)

@@ -1,4 +1,4 @@
-"""State of the calibration in the header: age, residual in millimetres, and warnings."""
+"""State of the calibration in the header: age, what it adds to a length, and warnings."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from datetime import UTC, datetime
 from typing import TYPE_CHECKING
 
 from ui.look.wording import millimetres, when
-from ui.pages.calibration_rows import solution_rows, worst_residual_mm
+from ui.pages.calibration_rows import ADDED_LIMIT_MM, added_to_length_mm, solution_rows
 
 if TYPE_CHECKING:
     from measureapp.data.calibration import RigCalibration
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from measureapp.data.validity import Validity
 
 NONE_TIP = "Calibrate the rig on the Calibrate page"
-RESIDUAL_TIP = "Age of the calibration, and the largest residual of hand–eye, guide and axis in mm."
+ADDED_TIP = "Age of the calibration, and what it adds at most to a length between two views, before registration (k = 2)."
 
 
 @dataclass(frozen=True)
@@ -40,12 +40,17 @@ def calibration_state(
         who = " or ".join(drift.cameras)
         colour, mark = ("verdict_fail", "✗") if drift.status == "drifted" else ("verdict_not_proven", "!")
         return ChipState(f"Camera {who} moved · {millimetres(drift.error_mm)} {mark}", colour, "\n".join(reasons))
-    residual = millimetres(worst_residual_mm(calibration))
     if reasons:
         return ChipState(f"Calibrated {age} · check it !", "verdict_not_proven", "\n".join(reasons))
-    good = all(found.good for found in solution_rows(calibration, rig))
-    tip = RESIDUAL_TIP if drift is None else "\n".join(line for line in (RESIDUAL_TIP, drift.sentence, drift.undetectable) if line)
-    return ChipState(f"Calibrated {age} · {residual} {'✓' if good else '✗'}", "verdict_pass" if good else "verdict_fail", tip)
+    poor = [f"{found.name}: {found.residual}. {found.criterion}." for found in solution_rows(calibration, rig) if not found.good]
+    if poor:
+        return ChipState(f"Calibrated {age} · poor fit ✗", "verdict_fail", "\n".join(poor))
+    added = added_to_length_mm(calibration, rig)
+    good = added <= ADDED_LIMIT_MM
+    tip = ADDED_TIP if drift is None else "\n".join(line for line in (ADDED_TIP, drift.sentence, drift.undetectable) if line)
+    return ChipState(
+        f"Calibrated {age} · adds {millimetres(added)} (k = 2) {'✓' if good else '✗'}", "verdict_pass" if good else "verdict_fail", tip
+    )
 
 
 def _reasons(calibration: RigCalibration, rig: RigDescription | None, validity: Validity | None, now: datetime | None) -> tuple[str, ...]:

@@ -17,6 +17,8 @@ REPROJECTION_LIMIT_PX = 0.3
 PROJECTOR_ROW = "Projector"
 AXIS_LIMIT_MM = 0.1
 ROBOT_LIMIT_MM = 0.5
+ADDED_LIMIT_MM = 0.5  # views that are off by more do not register safely
+COVERAGE_FACTOR = 2.0
 STANDOFF_MM, STROKE_MM, HEIGHT_MM = 550.0, 650.0, 300.0  # where the rig does not say otherwise
 
 
@@ -91,9 +93,15 @@ def _lens_row(name: str, camera: CameraCalibration | ProjectorCalibration) -> So
     )
 
 
-def worst_residual_mm(calibration: RigCalibration) -> float:
-    """Return the largest residual of the solutions evaluated in millimetres."""
-    return max(calibration.hand_eye.residual_mm, calibration.guide.straightness_mm, calibration.axis.residual_mm)
+def added_to_length_mm(calibration: RigCalibration, rig: RigDescription | None) -> float:
+    """Return what the calibration adds at most to a length between two views, in mm (k = 2), before registration.
+
+    Of views from opposite sides the errors of hand–eye and axis point in opposite directions, so each counts twice; those of the guide are
+    stated for its whole stroke and count once. The solutions are taken as independent.
+    """
+    shares = dict(contributions(calibration, rig)[:-1])
+    twice = [value * (1.0 if name.startswith("Guide") else 2.0) for name, value in shares.items()]
+    return COVERAGE_FACTOR * sum(value**2 for value in twice) ** 0.5
 
 
 def _vector(values: Iterable[float], digits: int = 4) -> str:

@@ -14,6 +14,8 @@ from ui.widgets.basic import column, label, row
 from ui.widgets.empty_state import EmptyState
 from ui.widgets.properties_panel import Properties
 
+NOTHING_SELECTED = Properties("Properties", note="Select something to see its properties.")
+
 
 class Page(QWidget):
     """A page; it shows its empty state until it has content."""
@@ -30,15 +32,16 @@ class Page(QWidget):
         self.setObjectName("page")
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self.look, self.session, self.controllers, self.empty = look, session, controllers, empty
-        self.properties = Properties("Properties", note="Select something to see its properties.")
-        self.title, self.state = label(self.word, "title"), label("", "soft")
+        self.properties = NOTHING_SELECTED
+        self.title, self.state = label(self.word, "title"), label("", "soft", wrap=True)
         self.action_row = row(spacing=8)
         self.body = QWidget()
         self._stack = QStackedWidget()
         self._stack.addWidget(empty)
         self._stack.addWidget(self.body)
         names = column(self.title, self.state, spacing=0)
-        top = row(names, 0, self.action_row)
+        top = row(names, 16, self.action_row, spacing=0)
+        top.setStretch(0, 1)
         layout = column(top, self._stack, spacing=16)
         layout.setContentsMargins(24, 16, 24, 16)
         layout.setStretch(1, 1)
@@ -51,7 +54,9 @@ class Page(QWidget):
         return self._stack.currentWidget() is self.empty
 
     def show_filled(self, filled: bool) -> None:
-        """Show the body, or the empty state."""
+        """Show the body, or the empty state; properties never outlive what they describe."""
+        if not filled and self.properties is not NOTHING_SELECTED:
+            self.show_properties(NOTHING_SELECTED)
         self._stack.setCurrentWidget(self.body if filled else self.empty)
         for place in range(self.action_row.count()):
             item = self.action_row.itemAt(place)

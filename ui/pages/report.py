@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QImage, QPixmap, QResizeEvent, QShowEvent
@@ -17,6 +18,9 @@ from ui.session import Session
 from ui.widgets.basic import Button, card, clear, column, label, row
 from ui.widgets.empty_state import EmptyState
 from ui.widgets.properties_panel import Group, Properties
+
+if TYPE_CHECKING:
+    from ui.pages.repeats.dialog import RepeatsDialog
 
 EMPTY = (
     "No report yet",
@@ -60,12 +64,24 @@ class ReportPage(Page):
         self.body.setLayout(layout)
         self.open_pdf = Button("Open PDF", look, "pdf", "primary")
         self.open_pdf.clicked.connect(controllers.documents.open_pdf)
+        self.repeats: RepeatsDialog | None = None
+        repeat = self.repeat = Button("Repeats…", look, "again", "normal", "Mean and spread over several measurements of this part")
+        repeat.clicked.connect(self.open_repeats)
+        self.action_row.addWidget(repeat)
         self.action_row.addWidget(self.open_pdf)
         controllers.documents.pagesReady.connect(self.show_pages)
         controllers.documents.pagesFailed.connect(self._show_no_pages)
         session.reportChanged.connect(self._show)
         session.busyChanged.connect(self._show_busy)
         self._show()
+
+    def open_repeats(self) -> None:
+        """Open the window of repeated measurements; it is made when first used."""
+        from ui.pages.repeats.dialog import RepeatsDialog
+
+        if self.repeats is None:
+            self.repeats = RepeatsDialog(self.look, self.session, self.controllers.repeats, self)
+        self.repeats.begin()
 
     def _export_button(self, kind: str) -> Button:
         made = Button(FORMATS[kind][0] + "…", self.look, "export")

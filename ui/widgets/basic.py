@@ -131,8 +131,9 @@ class Form(QFormLayout):
         self.setContentsMargins(0, 0, 0, 0)
         self.setHorizontalSpacing(16)
         self.setVerticalSpacing(8)
+        self.setRowWrapPolicy(QFormLayout.RowWrapPolicy.WrapLongRows)  # rather than cut a name
 
-    def add(self, name: str | QLabel, editor: QWidget) -> None:
+    def add(self, name: str | QLabel, editor: QWidget | QLayout) -> None:
         """Add an editor; a label as its name can be changed later."""
         named = QLabel(name) if isinstance(name, str) else name
         named.setProperty("role", "field")

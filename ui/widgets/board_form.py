@@ -36,14 +36,12 @@ class BoardForm(QWidget):
         self.columns, self.rows = QSpinBox(), QSpinBox()
         for spin, least in ((self.columns, 2), (self.rows, 3)):
             spin.setRange(least, 200)
-            spin.lineEdit().setTextMargins(6, 0, 0, 0)
         self.lengths = {name: QDoubleSpinBox() for name in WORDS}
         for name, length in self.lengths.items():
             length.setRange(0.01, 1000.0)
             length.setDecimals(3)
             length.setSuffix(" mm")
             length.setValue(START[name])
-            length.lineEdit().setTextMargins(6, 0, 0, 0)
         self.dictionary = QComboBox()
         self.dictionary.addItems(list(DICTIONARIES))
         self.dictionary.setCurrentText("5X5_250")

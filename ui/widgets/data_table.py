@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any, Literal
 
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, QRect, QSize, Qt, Signal
-from PySide6.QtGui import QColor, QFont, QKeyEvent, QPainter
+from PySide6.QtGui import QColor, QFont, QKeyEvent, QPainter, QPalette
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QStyle, QStyledItemDelegate, QStyleOptionViewItem, QTableView, QWidget
 
 from ui.look.look import Look
@@ -27,6 +27,7 @@ class Cell:
     sign: str = ""
     bold: bool = False
     tip: str = ""
+    soft: bool = False  # of less weight than the others
 
 
 def number(text: str) -> Cell:
@@ -84,6 +85,8 @@ class TableModel(QAbstractTableModel):
             return cell.tip or cell.text
         if role == SIGN_ROLE:
             return cell.sign
+        if role == Qt.ItemDataRole.ForegroundRole and cell.soft:
+            return QPalette().brush(QPalette.ColorRole.Dark)
         if role == Qt.ItemDataRole.FontRole and cell.bold:
             font = QFont()
             font.setWeight(QFont.Weight.DemiBold)

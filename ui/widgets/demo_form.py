@@ -44,8 +44,6 @@ class DemoForm(QWidget):
         self._patterns.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         self._patterns.setMinimumContentsLength(16)
         self._viewpoints, self._seed = QSpinBox(), QSpinBox()
-        for spin in (self._viewpoints, self._seed):
-            spin.lineEdit().setTextMargins(6, 0, 0, 0)
         self._viewpoints.setRange(3, 60)
         self._seed.setRange(1, 9999)
         self._seed.setToolTip("The seed determines the hidden errors of robot, guide, table and lenses")

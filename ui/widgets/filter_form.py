@@ -156,7 +156,6 @@ def _length(value: float, least: float, most: float, unit: str) -> QDoubleSpinBo
     made.setSuffix(unit)
     made.setValue(value)
     made.setFixedWidth(FIELD_WIDTH + (16 if unit else 0))
-    made.lineEdit().setTextMargins(6, 0, 0, 0)
     made.setProperty("plain", True)  # without arrows, which a row of six has no room for
     return made
 
@@ -165,7 +164,6 @@ def _count(value: int) -> QSpinBox:
     made = QSpinBox()
     made.setRange(1, 1000)
     made.setFixedWidth(FIELD_WIDTH)
-    made.lineEdit().setTextMargins(6, 0, 0, 0)
     made.setProperty("plain", True)  # without arrows, which a row of six has no room for
     made.setValue(value)
     return made

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from pathlib import Path
-
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QMenu, QWidget
@@ -51,11 +48,9 @@ class Chip(QFrame):
 class HeaderBar(QFrame):
     """Project and part on the left, chips in the middle, role and theme on the right."""
 
-    openClicked = Signal()
-    recentAsked = Signal()
-    recentClicked = Signal(object)  # Path
     fileClicked = Signal()
     helpClicked = Signal()
+    themeClicked = Signal()
     stopClicked = Signal()
 
     def __init__(self, look: Look, parent: QWidget | None = None) -> None:
@@ -69,19 +64,17 @@ class HeaderBar(QFrame):
         self.disk = Chip(look, "disk")
         self.role = Segments({"operator": "Operator", "engineer": "Engineer"})
         self.role.setValue("engineer")
-        self.open = Button("Open project…", look, "open", "quiet", "Open a project folder (Ctrl+O), or one of the last")
-        self._recent = QMenu(self)
-        self._recent.aboutToShow.connect(self.recentAsked)
-        self.open.setMenu(self._recent)
+        self.open = Button("Project", look, "open", "quiet", "New, open, copy or close a project; settings; exit")
+        self.menu = QMenu(self)
+        self.open.setMenu(self.menu)
         self.open.allow_compact()
-        self.show_recent(())
         self.file = Button("", look, "file", "quiet", "Inspect a cloud or mesh from a file, against a nominal or by a program")
         self.file.clicked.connect(self.fileClicked)
         self.stop = Button("Stop", look, "stop", "stop", "Stop all axes, lamps and cameras (Esc). This is no safety function.")
         self.stop.clicked.connect(self.stopClicked)
         self.stop.hide()
         self._shade = Button("", look, "dark", "quiet", "Change between the light and the dark theme")
-        self._shade.clicked.connect(self._other_shade)
+        self._shade.clicked.connect(self.themeClicked)
         self._help = Button("", look, "help", "quiet", "Help for this page (F1)")
         self._help.clicked.connect(self.helpClicked)
         names = column(0, self.project, self.part, 0, spacing=0)
@@ -105,21 +98,6 @@ class HeaderBar(QFrame):
         self.project.set_words(name or "No project open")
         self.part.set_words(part)
         self.part.setVisible(bool(part))
-
-    def show_recent(self, projects: Sequence[tuple[Path, str]]) -> None:
-        """Offer a folder to be chosen, and these projects by folder and name."""
-        self._recent.clear()
-        self._recent.addAction("Choose a folder…", self.openClicked.emit)
-        if projects:
-            self._recent.addSection("Opened last")
-        for folder, name in projects:
-            action = self._recent.addAction(name.replace("&", "&&"))
-            action.setToolTip(str(folder))
-            action.triggered.connect(lambda _=False, chosen=folder: self.recentClicked.emit(chosen))
-        self._recent.setToolTipsVisible(True)
-
-    def _other_shade(self) -> None:
-        self._look.set_shade("light" if self._look.theme.shade == "dark" else "dark")
 
     def _redraw(self) -> None:
         self._shade.set_icon("light" if self._look.theme.shade == "dark" else "dark")

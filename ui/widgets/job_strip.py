@@ -16,10 +16,14 @@ LEVEL_ICONS = {"info": ("info", "soft"), "done": ("pass", "verdict_pass"), "warn
 LEVEL_ICONS["error"] = ("error", "verdict_fail")
 SETTLED_SHARE = 0.03
 SETTLED_S = 2.0
+JOB_SHARE, MESSAGE_SHARE = 3, 2  # of the width while a job runs
 
 
 class JobStrip(QFrame):
-    """Running job with progress, remaining time and Cancel; the last message with its hint."""
+    """Running job with progress, step, remaining time and Cancel; the last message with its hint; how many are open.
+
+    The step is never cut: it is broken into lines, and the strip grows.
+    """
 
     cancelClicked = Signal()
     messagesClicked = Signal()
@@ -27,12 +31,13 @@ class JobStrip(QFrame):
     def __init__(self, look: Look, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("strip")
-        self.setFixedHeight(look.theme.sizes["strip"])
+        self.setMinimumHeight(look.theme.sizes["strip"])
         self._look, self._level, self._started, self.words = look, "info", 0.0, ""
-        self.title, self.note, self.time_left = label("", "strong"), label("", "small"), label("", "small")
+        self.title, self.note, self.time_left = label("", "strong"), label("", "small", wrap=True), label("", "small")
         self.bar = QProgressBar()
         self.bar.setRange(0, 1000)
         self.bar.setTextVisible(False)
+        self.bar.setAccessibleName("Progress of the job")
         self.cancel = Button("Cancel", look, "cancel", "normal", "Stop at the next safe point")
         self.cancel.clicked.connect(self._on_cancel)
         self._job = self._job_area()
@@ -40,28 +45,28 @@ class JobStrip(QFrame):
         self.message = Button("", look, "", "message", "Show all messages")
         self.message.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self.message.clicked.connect(self.messagesClicked)
-        layout = row(self._job, self._icon, self.message)
-        layout.setContentsMargins(24, 0, 16, 0)
-        layout.setStretch(2, 1)
-        self.setLayout(layout)
+        self.all = Button("", look, "messages", "quiet", "Show all messages")
+        self.all.clicked.connect(self.messagesClicked)
+        self._places = row(self._job, self._icon, self.message, self.all)
+        self._places.setContentsMargins(24, 4, 16, 4)
+        self._places.setStretch(2, 1)
+        self.setLayout(self._places)
         self.show_job("")
+        self.show_open(0)
         look.changed.connect(self._redraw)
 
     def _job_area(self) -> QWidget:
         area = QWidget()
-        area.setFixedWidth(480)
-        for small in (self.note, self.time_left):
-            small.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self.time_left.setAlignment(Qt.AlignmentFlag.AlignRight)
-        self.time_left.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
-        words = row(self.title, self.note, self.time_left)
-        words.setStretch(1, 1)
-        area.setLayout(row(column(0, words, self.bar, 0, spacing=4), self.cancel, 16, spacing=16))
+        words = row(self.title, 0, self.time_left)
+        area.setLayout(row(column(0, words, self.bar, self.note, 0, spacing=2), self.cancel, 8, spacing=16))
         return area
 
     def show_job(self, title: str) -> None:
         """Show the running job; an empty title: none."""
         self._job.setVisible(bool(title))
+        self._places.setStretch(0, JOB_SHARE if title else 0)
+        self._places.setStretch(2, MESSAGE_SHARE if title else 1)
         self.title.setText(title)
         self.note.setText("")
         self.time_left.setText("")
@@ -69,27 +74,33 @@ class JobStrip(QFrame):
         self.cancel.setEnabled(True)
         self.cancel.setText("Cancel")
         self._started = time.monotonic()
-        layout = self.layout()
-        if layout is not None:
-            layout.activate()
-            self._fit_message()
+        self._places.activate()
+        self._fit_message()
 
     def show_progress(self, share: float, note: str, *, with_time: bool = True) -> None:
         """Show the progress of the job and the estimated remaining time, unless the page states a better one."""
         self.bar.setValue(round(1000 * share))
-        self.note.setText(note)
-        self.note.setToolTip(note)
+        if note != self.note.text():
+            self.note.setText(note)
         elapsed = time.monotonic() - self._started
         if with_time and share > SETTLED_SHARE and elapsed > SETTLED_S:
             self.time_left.setText(f"{duration(elapsed * (1 - share) / share)} left")
 
     def show_message(self, text: str, hint: str, level: str) -> None:
-        """Show the last message with its hint."""
+        """Show one message with its hint; empty: none."""
         self._level = level
         self.words = f"{text} {hint}".strip()
-        self.message.setToolTip(f"{self.words}\nClick to see all messages.")
+        self.message.setToolTip(f"{self.words}\nClick to see all messages." if self.words else "Show all messages")
+        self.message.setAccessibleName(self.words)
         self._fit_message()
         self._redraw()
+
+    def show_open(self, count: int) -> None:
+        """Show how many warnings and errors are open."""
+        self.all.setText(f"\u2009{count}" if count else "")
+        tip = "1 message is open" if count == 1 else f"{count} messages are open" if count else "Show all messages"
+        self.all.setToolTip(tip)
+        self.all.setAccessibleName(tip)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Elide the message to the new width."""
@@ -106,5 +117,6 @@ class JobStrip(QFrame):
         self.cancelClicked.emit()
 
     def _redraw(self) -> None:
+        self._icon.setVisible(bool(self.words))
         if self.words:
             self._icon.setPixmap(self._look.icon(*LEVEL_ICONS[self._level]).pixmap(QSize(20, 20)))

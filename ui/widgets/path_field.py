@@ -38,6 +38,7 @@ class PathField(QWidget):
     def setValue(self, path: Path | None) -> None:
         """Set the path."""
         self.text.setText("" if path is None else str(path))
+        self.text.setCursorPosition(0)
 
     def _choose(self) -> None:
         start = self.text.text() or str(Path.home())

@@ -49,11 +49,15 @@ class PlanTreeModel(QAbstractItemModel):
         self._states: Mapping[str, RowState] = {}
         self._aims: Aims | None = None
 
-    def set_plan(self, plan: ScanPlan | None, aims: Aims | None) -> None:
-        """Show a plan; ``aims`` returns from where a viewpoint looks."""
-        self.beginResetModel()
+    def set_plan(self, plan: ScanPlan | None, aims: Aims | None) -> bool:
+        """Show a plan; ``aims`` returns from where a viewpoint looks. Returns whether the rows are the same, with other contents."""
+        keeps_rows = plan is not None and self._plan is not None and _has_same_rows(self._plan, plan)
+        if not keeps_rows:
+            self.beginResetModel()
         self._plan, self._aims, self._made, self._places = plan, aims, {}, {}
-        self.endResetModel()
+        if not keeps_rows:
+            self.endResetModel()
+        return keeps_rows
 
     def set_states(self, states: Mapping[str, RowState]) -> None:
         """Set which viewpoints can be scanned; others are not checked yet. The tree paints them again."""
@@ -218,6 +222,15 @@ class PlanTreeModel(QAbstractItemModel):
             return group.id if group is not None else self.viewpoint_at(index).id
         viewpoint = self.viewpoint_at(index)
         return f"{viewpoint.guide_mm:.10g}" if column == GUIDE else f"{viewpoint.table_deg:.10g}"
+
+
+def _has_same_rows(before: ScanPlan, after: ScanPlan) -> bool:
+    """Return whether two plans have the same rows: at most one of them renamed, groups of the same sizes."""
+    sizes = [[(len(group.poses), len(group.table_deg)) for group in plan.groups] for plan in (before, after)]
+    if sizes[0] != sizes[1] or len(before.viewpoints) != len(after.viewpoints):
+        return False
+    tops = zip((*before.viewpoints, *before.groups), (*after.viewpoints, *after.groups), strict=True)
+    return sum(one is not other and one.id != other.id for one, other in tops) <= 1
 
 
 def _exposures(exposures_us: tuple[int, ...] | None) -> str:

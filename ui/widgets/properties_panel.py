@@ -124,9 +124,10 @@ def _grid(group: Group) -> QGridLayout:
         shown.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignTop)
         shown.setWordWrap(True)
         shown.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)
-        named = label(name, "soft")
+        named = label(name, "soft", wrap=True)
         named.setAlignment(Qt.AlignmentFlag.AlignTop)
         grid.addWidget(named, place, 0)
         grid.addWidget(shown, place, 1)
+    grid.setColumnStretch(0, 1)
     grid.setColumnStretch(1, 1)
     return grid

@@ -53,6 +53,10 @@ class Segments(QWidget):
             self._keep_focus_on_chosen()
             self.valueChanged.emit(name)
 
+    def button(self, name: str) -> QPushButton:
+        """Return the button of an option."""
+        return self._buttons[name]
+
     def set_available(self, name: str, available: bool) -> None:
         """Enable or disable an option."""
         self._buttons[name].setEnabled(available)

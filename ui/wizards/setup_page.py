@@ -54,7 +54,6 @@ class SetupPage(QWidget):
         self.resolution = Segments({"quarter": "Quarter", "half": "Half", "full": "Full"})
         self.seed = QSpinBox()
         self.seed.setRange(1, 9999)
-        self.seed.lineEdit().setTextMargins(6, 0, 0, 0)
         self._virtual = True
         self._lay_out(look)
         self._show_source()

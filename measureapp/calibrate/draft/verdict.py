@@ -73,11 +73,13 @@ def evaluate(draft: Draft, limits: Limits | None = None, *, held_back: CrossVali
     if held_back is not None and not held_back.healthy:
         reasons.append(held_back.verdict)
     level: Level = "good" if effect.expanded_mm <= limits.good_mm else "usable" if effect.expanded_mm <= limits.usable_mm else "bad"
-    if level == "good" and reasons:
+    limited = level == "good" and bool(reasons)
+    if limited:
         level = "usable"
     robot = effect.robot_mm
     from_elsewhere = f" Used from other robot poses, robot and hand–eye add {millimetres(robot)} (k = 2)." if robot > 0 else ""
-    sentence = f"{effect.sentence}: {level}.{from_elsewhere}"
+    judged = f"{effect.sentence}. Only usable for another reason: {reasons[0]}" if limited else f"{effect.sentence}: {level}."
+    sentence = f"{judged}{from_elsewhere}"
     return Verdict(level, sentence, effect.expanded_mm, limits, tuple(reasons), effect.cameras_mm, robot)
 
 

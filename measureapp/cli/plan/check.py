@@ -44,7 +44,7 @@ def register(group: typer.Typer) -> None:
         from measureapp.project.rig_file import read_rig
 
         scan_plan, description = read_plan(plan), read_rig(rig)
-        part = None if nominal is None else read_part(nominal, unit)
+        part = None if nominal is None else read_part(nominal, unit, scan_plan.part_pose)
         solid = None if part is None else PartSolid.of_points(part.vertices_mm)
         found = PlanChecker(description, arm_of(description), solid).check(scan_plan, PartOf(TerminalProgress(), 0.0, CHECKED))
         blocked = frozenset(problem.viewpoint_id for problem in found.problems)
@@ -75,6 +75,7 @@ def _document(plan: ScanPlan, found: PlanCheck, coverage: PlanCoverage | None) -
         "time_s": found.time_s,
         "images_s": found.images_s,
         "moves_s": found.moves_s,
+        "note": found.note,
         "bytes": found.bytes,
         "coverage": None
         if coverage is None
@@ -89,6 +90,7 @@ def _document(plan: ScanPlan, found: PlanCheck, coverage: PlanCoverage | None) -
 def _lines(plan: ScanPlan, found: PlanCheck, coverage: PlanCoverage | None) -> list[str]:
     minutes = f"{found.time_s / 60:.0f} min" if found.time_s >= 120 else f"{found.time_s:.0f} s"
     lines = [f"{plan.name}: {len(plan)} viewpoints, at least {minutes}, {found.bytes / 1e9:.2f} GB of images."]
+    lines += [found.note] if found.note else []
     if coverage is not None:
         lines.append(f"Predicted coverage {coverage.predicted:.1%}; {coverage.twice:.1%} are seen twice or more.")
         lines += [f"  not seen, {share:.1%}: {reason}" for reason, share in coverage.unseen().items()]

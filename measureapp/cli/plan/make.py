@@ -6,8 +6,10 @@ from collections import defaultdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
+import numpy as np
 import typer
 
+from measureapp.cli.plan.options import PoseFileOption, TurnOption, UpsideDownOption, pose_of_options
 from measureapp.cli.reply import JsonOption, TerminalProgress, reply
 from measureapp.data.length_unit import LengthUnit, likely_unit
 from measureapp.errors import InputError
@@ -36,10 +38,13 @@ def register(app: typer.Typer) -> None:
             float, typer.Option(min=0.01, max=1.0, help="Required fraction of what the rig can measure of the part.")
         ] = 0.98,
         sigma: Annotated[float | None, typer.Option(min=1e-4, help="Required standard deviation of a point, in mm.")] = None,
-        pose: Annotated[
-            Path | None,
-            typer.Option("--pose", help="4×4 matrix part_from_nominal (text or JSON). Default: upright in the middle of the table."),
-        ] = None,
+        pose: PoseFileOption = None,
+        turn_deg: TurnOption = None,
+        upside_down: UpsideDownOption = False,
+        brightness: Annotated[
+            float,
+            typer.Option(min=0.01, max=20.0, help="Grey level of the part under white light at the longest exposure; 1: just saturated."),
+        ] = 1.0,
         samples: Annotated[int, typer.Option(min=50, max=50_000, help="Number of samples of the surface.")] = 5000,
         candidates: Annotated[
             int, typer.Option(min=24, max=20_000, help="Number of viewpoints to choose from; more take longer and may save one.")
@@ -51,11 +56,9 @@ def register(app: typer.Typer) -> None:
         as_json: JsonOption = False,
     ) -> None:
         """Plan viewpoints by predicted visibility, and state coverage, time, disk space and what cannot be measured."""
-        from measureapp.planning.coverage.extent import extent_on_table, standing
-        from measureapp.planning.feasibility import Feasibility
-        from measureapp.planning.generate import GeneratorSettings, generate_plan
-        from measureapp.project.calibration.matrix_file import read_transform
-        from measureapp.project.geometry.robot_file import arm_of
+        from measureapp.pipeline.plan_making import PlanContext, make_plan
+        from measureapp.pipeline.prediction.light import PartLight
+        from measureapp.planning.generate import GeneratorSettings
         from measureapp.project.plan_file import check_plan_name, write_plan
         from measureapp.project.rig_file import read_rig
 
@@ -65,15 +68,8 @@ def register(app: typer.Typer) -> None:
             name=out.stem, coverage=coverage, viewpoints=viewpoints, sigma_mm=sigma, samples=samples, candidates=candidates, seed=seed
         )
         mesh = _read_nominal(nominal, unit)
-        place = standing(mesh) if pose is None else read_transform(pose, "part", "nominal")
-        extent_on_table(mesh.seen_from(place), description)
-        made = generate_plan(
-            mesh,
-            Feasibility.checked(description, arm_of(description), mesh.seen_from(place)),
-            settings,
-            part_from_nominal=place,
-            progress=TerminalProgress(),
-        )
+        context = PlanContext(pose_of_options(pose, turn_deg, upside_down), light=PartLight(white=brightness))
+        made = make_plan(mesh, description, settings, context, TerminalProgress())
         write_plan(out, made.plan)
         reply({**_document(made), "files": {"plan": out}}, "\n".join([*_lines(made), f"Plan saved to {out}"]), as_json)
 
@@ -110,10 +106,13 @@ def _document(made: GeneratedPlan) -> dict[str, Any]:
             "predicted_of_measurable": made.planned_of_allowed,
             "unreachable": unreachable,
         },
+        "part_pose": None if made.plan.part_pose is None else made.plan.part_pose.model_dump(),
+        "median_sigma_mm": float(np.nanmedian(made.sigma_mm)),
         "time_s": made.time_s,
         "moves_s": made.moves_s,
         "bytes": made.bytes,
         "problems": list(made.problems),
+        "note": made.note,
     }
 
 
@@ -137,11 +136,14 @@ def _lines(made: GeneratedPlan) -> list[str]:
     for area in made.unreachable:
         lost[str(area.cause)] += area.share
     return [
+        *([] if made.plan.part_pose is None else [f"The part stands {made.plan.part_pose.words}."]),
         f"{len(made.plan)} viewpoints from {made.stations} robot poses, chosen of {made.candidates}.",
         f"Predicted coverage: {made.planned_share:.1%} of the surface, {made.planned_of_allowed:.1%} of what this rig can measure.",
         *(f"Not measurable: {share:.1%}, {cause}." for cause, share in sorted(lost.items(), key=lambda entry: -entry[1])),
         *(_area_line(area.cause, area.area_mm2, area.place_mm) for area in made.unreachable[:SHOWN_AREAS]),
+        f"Predicted standard deviation of a point, all views together: {np.nanmedian(made.sigma_mm):.4f} mm (median).",
         f"Time: about {made.time_s / 60.0:.0f} min, of which {made.moves_s / 60.0:.1f} min are moves. Images: {made.bytes / MB:.0f} MB.",
+        *([made.note] if made.note else []),
         *made.problems,
     ]
 

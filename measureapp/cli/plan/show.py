@@ -40,7 +40,7 @@ def register(group: typer.Typer) -> None:
         from measureapp.report.plan_picture import write_plan_picture
 
         scan_plan, description = read_plan(plan), read_rig(rig)
-        part = None if nominal is None else read_part(nominal, unit)
+        part = None if nominal is None else read_part(nominal, unit, scan_plan.part_pose)
         rows = [_row(scan_plan, viewpoint, description) for viewpoint in scan_plan]
         if out is not None:
             solid = None if part is None else PartSolid.of_points(part.vertices_mm)

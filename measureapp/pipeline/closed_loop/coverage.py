@@ -10,6 +10,7 @@ from scipy.spatial import cKDTree
 from measureapp.arrays import BoolArray, FloatArray
 from measureapp.data.measurement import Measurement
 from measureapp.data.mesh import Mesh
+from measureapp.data.part_pose import PartPose
 from measureapp.data.plan import ScanPlan, Viewpoint
 from measureapp.data.rig import RigDescription
 from measureapp.geometry.transform import RigidTransform
@@ -73,7 +74,7 @@ def measure_coverage(
     samples: int = 4000,
     required_mm: float | None = None,
 ) -> MeasuredCoverage:
-    """Compare a scan with the nominal, placed as its inspection found it, else upright in the middle of the table.
+    """Compare a scan with the nominal, placed as its inspection found it, else as the plan states.
 
     A sample counts as measured where the stitched cloud has a point of the same side within two spacings of its points plus 0.5 mm.
 
@@ -84,7 +85,7 @@ def measure_coverage(
     required_mm : standard deviation required of a point; None: that it is measured
     """
     progress.report(0, 3, "samples of the nominal")
-    table_from_part, part = _on_table(measurement, nominal, rig)
+    table_from_part, part = _on_table(measurement, nominal, rig, plan.part_pose)
     scene = PartScene.of(part, rig)
     some = sample_surface(scene, samples)
     progress.report(1, 3, "measured samples")
@@ -138,7 +139,7 @@ def _nearest(samples: SurfaceSamples, points_mm: FloatArray, normals: FloatArray
     return _Nearest(np.asarray(good.any(axis=1)), np.take_along_axis(index, first[:, None], axis=1)[:, 0])
 
 
-def _on_table(measurement: Measurement, nominal: Mesh, rig: RigDescription) -> tuple[RigidTransform, Mesh]:
+def _on_table(measurement: Measurement, nominal: Mesh, rig: RigDescription, pose: PartPose | None) -> tuple[RigidTransform, Mesh]:
     """Return the shift from the calibration's frame `part` to that of planning, and the nominal in its place there.
 
     The calibration does not know the height of the table, the description only to some millimetres: a part that seems to float or sink by
@@ -147,7 +148,7 @@ def _on_table(measurement: Measurement, nominal: Mesh, rig: RigDescription) -> t
     top_mm = measurement.calibration.table_from_guide.apply(np.array(rig.table.centre_in_guide_mm))
     table_from_part = _raised(-float(top_mm[2]))
     if measurement.inspection is None:
-        return table_from_part, nominal.seen_from(standing(nominal))
+        return table_from_part, nominal.seen_from(standing(nominal, pose))
     found = measurement.inspection.alignment.nominal_from_part
     part = nominal.seen_from(table_from_part @ RigidTransform(found.matrix, nominal.frame, "part").inverse())
     low_mm = float(part.vertices_mm[:, 2].min())

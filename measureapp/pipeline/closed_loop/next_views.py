@@ -27,7 +27,7 @@ from measureapp.planning.coverage.head import heads_at
 from measureapp.planning.coverage.visibility import seen_by
 from measureapp.planning.generate import images_time_s
 from measureapp.planning.next_views import Gain, Holes, between_angles, choose_by_gain, free_id, numbered_id
-from measureapp.planning.travel import AxisSpeeds, travel_times_s
+from measureapp.planning.travel import travel_times_s
 from measureapp.progress import NoProgress, PartOf, Progress
 
 Kind = Literal["viewpoint", "exposure"]
@@ -223,7 +223,7 @@ def _as_proposals(
         viewpoint, kind = candidates.viewpoints[one.candidate], candidates.kinds[one.candidate]
         name = numbered_id("next", taken) if kind == "viewpoint" else free_id(viewpoint.id, taken)
         taken.add(name)
-        moves = travel_times_s((viewpoint, *plan), cell.rig, cell.arm, AxisSpeeds())[1:, 0]
+        moves = travel_times_s((viewpoint, *plan), cell.rig, cell.arm)[1:, 0]
         seconds = _images_s(viewpoint, plan) + float(moves.min())
         reason = _reason(candidates.chance[one.candidate] > 0, explained, coverage, kind)
         renamed = viewpoint.model_copy(update={"id": name})

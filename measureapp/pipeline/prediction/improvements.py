@@ -22,7 +22,7 @@ from measureapp.planning.coverage.scene import PartScene
 from measureapp.planning.coverage.visibility import seen_by
 from measureapp.planning.generate import images_time_s
 from measureapp.planning.next_views import between_angles, repeats
-from measureapp.planning.travel import AxisSpeeds, travel_times_s
+from measureapp.planning.travel import travel_times_s
 from measureapp.progress import PartOf, Progress
 from measureapp.project.geometry.robot_file import arm_of
 from measureapp.register.joint.registration_cache import RegistrationCache
@@ -218,5 +218,5 @@ def _seconds(plan: ScanPlan, viewpoint: Viewpoint, scene: PredictedScene) -> flo
     """Return the time that a viewpoint adds: its images, and the shortest move from another one."""
     alone = plan.model_copy(update={"viewpoints": (viewpoint,), "groups": ()})
     rig = scene.rig.description
-    moves = travel_times_s((viewpoint, *plan), rig, arm_of(rig), AxisSpeeds())[1:, 0]
+    moves = travel_times_s((viewpoint, *plan), rig, arm_of(rig))[1:, 0]
     return images_time_s(alone) + float(moves.min())

@@ -17,7 +17,7 @@ from measureapp.pipeline.prediction.measured_light import light_of_views
 from measureapp.pipeline.prediction.rig_model import RigModel
 from measureapp.pipeline.prediction.typical_rig import typical_rig
 from measureapp.pipeline.prediction.uncertainty import Job
-from measureapp.pipeline.prediction.views import PredictedScene
+from measureapp.pipeline.prediction.views import PredictedScene, standing_on_table
 from measureapp.progress import Progress
 from measureapp.project.folder import DEFAULT_BOARD, ProjectFolder
 from measureapp.project.geometry.files import read_mesh
@@ -35,7 +35,7 @@ class PredictionSetup:
 
 
 def setup_of_project(project: ProjectFolder, progress: Progress, light: PartLight | None = None) -> PredictionSetup:
-    """Prepare the prediction of a project's plan; the part stands where the last measurement found it, else in the middle of the table.
+    """Prepare the prediction of a project's plan; the part stands where the last measurement found it, else as the plan states.
 
     Parameters
     ----------
@@ -57,9 +57,12 @@ def setup_of_project(project: ProjectFolder, progress: Progress, light: PartLigh
     rig = rig_of_project(project) or typical_rig(project.rig(), plan, project.settings.board, arm_of(project.rig()), progress)
     measurement = project.measurement()
     place = None if measurement is None else placed_nominal(measurement)
+    surface = NominalSurface(job.nominal)
+    if place is None:
+        place = standing_on_table(surface, rig, plan.part_pose)
     if light is None and measurement is not None:
         light = light_of_views(measurement.views, measurement.calibration, project.rig())
-    return PredictionSetup(plan, PredictedScene.of(rig, NominalSurface(job.nominal), place, light), job)
+    return PredictionSetup(plan, PredictedScene.of(rig, surface, place, light), job)
 
 
 def setup_of_files(
@@ -77,7 +80,7 @@ def setup_of_files(
     Parameters
     ----------
     program : inspection program that names its nominal
-    part_from_nominal : pose on the table, in the calibration's frame `part`; None: upright in the middle
+    part_from_nominal : pose on the table, in the calibration's frame `part`; None: as the plan states
 
     Raises
     ------
@@ -97,7 +100,9 @@ def setup_of_files(
         if _sizes(rig.description) != _sizes(description):
             message = f"{calibrated.path} was calibrated with other cameras than those of {description.name}, or at another resolution."
             raise InputError(message, "Name a project of this rig, or omit the calibration.")
-    return PredictionSetup(plan, PredictedScene.of(rig, NominalSurface(job.nominal), part_from_nominal, light), job)
+    surface = NominalSurface(job.nominal)
+    place = part_from_nominal or standing_on_table(surface, rig, plan.part_pose)
+    return PredictionSetup(plan, PredictedScene.of(rig, surface, place, light), job)
 
 
 def _sizes(rig: RigDescription) -> dict[str, tuple[int, int]]:

@@ -9,6 +9,7 @@ import numpy as np
 
 from measureapp.data.fringe import AxisReadback, PatternSet
 from measureapp.data.measurement import ViewResult
+from measureapp.data.part_pose import PartPose
 from measureapp.data.phase import PhaseMap, PixelState
 from measureapp.data.plan import Viewpoint
 from measureapp.errors import ReconstructError
@@ -116,11 +117,10 @@ class PredictedScene:
         )
 
 
-def standing_on_table(surface: NominalSurface, rig: RigModel) -> RigidTransform:
-    """Return part_from_nominal of a part in the middle of the table's top, as its nominal is oriented."""
-    middle = (surface.low_mm + surface.high_mm) / 2
-    shift = [-middle[0], -middle[1], table_top_mm(rig) - surface.low_mm[2]]
-    return RigidTransform.from_parts(np.eye(3), shift, "part", "nominal")
+def standing_on_table(surface: NominalSurface, rig: RigModel, pose: PartPose | None = None) -> RigidTransform:
+    """Return part_from_nominal of a part on the table's top; without a pose in its middle, as its nominal is oriented."""
+    placed = (pose or PartPose()).transform(surface.vertices_mm[np.unique(surface.triangles)])
+    return RigidTransform.from_parts(placed.rotation, placed.translation_mm + np.array([0.0, 0.0, table_top_mm(rig)]), "part", "nominal")
 
 
 def table_top_mm(rig: RigModel) -> float:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from measureapp.data.mesh import Mesh
+from measureapp.data.part_pose import PartPose
 from measureapp.data.rig import RigDescription
 from measureapp.errors import PlanError
 from measureapp.geometry.transform import RigidTransform
@@ -25,11 +26,9 @@ class Extent:
     high_mm: float
 
 
-def standing(nominal: Mesh) -> RigidTransform:
-    """Return ``part_from_nominal`` of a part that stands in the middle of the table as its nominal is oriented."""
-    low, high = nominal.vertices_mm.min(axis=0), nominal.vertices_mm.max(axis=0)
-    centre = [(low[0] + high[0]) / 2.0, (low[1] + high[1]) / 2.0, low[2]]
-    return RigidTransform.from_parts(np.eye(3), -np.array(centre), "part", nominal.frame)
+def standing(nominal: Mesh, pose: PartPose | None = None) -> RigidTransform:
+    """Return ``part_from_nominal`` of a part; without a pose it stands in the middle of the table as its nominal is oriented."""
+    return (pose or PartPose()).transform(nominal.vertices_mm[np.unique(nominal.triangles)], nominal.frame)
 
 
 def extent_on_table(part: Mesh, rig: RigDescription) -> Extent:

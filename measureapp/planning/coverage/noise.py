@@ -8,16 +8,17 @@ from measureapp.arrays import BoolArray, FloatArray
 from measureapp.planning.coverage.head import Eye, Head
 from measureapp.planning.coverage.limits import VisibilityLimits
 
+BETWEEN_PIXELS = (2 / 3) ** 2  # mean variance of a value interpolated between four pixels, over that of one
 LEAST_SLOPE = 1e-6  # columns per mm; a pair with less sees no change of phase with depth
 
 
 def sigma_along_ray(points_mm: FloatArray, normals: FloatArray, cameras: BoolArray, head: Head, limits: VisibilityLimits) -> FloatArray:
     """Return the standard deviation of points along the ray of a camera.
 
-    Camera j finds the phase that camera i measured at a pixel. If the point moves by dt along the ray of i, the ray of j meets the tangent
-    plane at ``(d_i - d_j (n·d_i) / (n·d_j)) dt``; with the gradient g of the projector column there, the phase changes by
-    ``2π / pitch · g · (…) dt``. Both phases have the noise ``phase_sigma_rad``, divided by the square root of the light: cosine of the
-    incidence over the squared distance (shot noise). C cameras have C - 1 independent pairs; the mean information of all pairs counts.
+    If the point moves by dt along the ray of camera i, the ray of j meets the tangent plane at ``(d_i - d_j (n·d_i) / (n·d_j)) dt``; with the
+    gradient g of the projector column there, its phase changes by ``s_ij dt = 2π / pitch · g · (…) dt``. Cameras of weights w (inverse
+    variances of their phases) determine the point and its phase by least squares: ``σ² = Σ w / Σ_{i<j} w_i w_j s_ij²``, as
+    reconstruction does. The first camera reads its own pixel, the others between four pixels, whose noise averages.
 
     Parameters
     ----------
@@ -29,23 +30,30 @@ def sigma_along_ray(points_mm: FloatArray, normals: FloatArray, cameras: BoolArr
     (N,) float
     """
     rays = np.stack([_rays(camera, points_mm) for camera in head.cameras])  # (C, N, 3)
-    gradient, light = _column_gradient(head.projector, points_mm), _light(head, points_mm, normals)
-    per_mm = 2.0 * np.pi / limits.pitch_px
-    facing = np.einsum("cni,ni->cn", rays, normals)
+    gradient = _column_gradient(head.projector, points_mm)
+    sigma_rad = limits.fringes.sigma_at(_light(head, points_mm, normals))
+    per_mm = 2.0 * np.pi / limits.fringes.pitch_px
     count = len(head.cameras)
     if count == 1:
         slope = np.abs(np.einsum("ni,ni->n", gradient, rays[0])) * per_mm
-        return limits.phase_sigma_rad / np.sqrt(light) / np.maximum(slope, LEAST_SLOPE)
-    information, pairs = np.zeros(len(points_mm)), np.zeros(len(points_mm))
+        return sigma_rad / np.maximum(slope, LEAST_SLOPE)
+    facing = np.einsum("cni,ni->cn", rays, normals)
+    weights = _weights(cameras)
+    spread = np.zeros(len(points_mm))
     for i in range(count):
         for j in range(i + 1, count):
             shift = rays[i] - rays[j] * (facing[i] / facing[j])[:, None]
             slope = np.einsum("ni,ni->n", gradient, shift) * per_mm
-            both = cameras[:, i] & cameras[:, j]
-            information += np.where(both, slope**2 * light / (2.0 * limits.phase_sigma_rad**2), 0.0)
-            pairs += both
-    independent = np.maximum(cameras.sum(axis=1) - 1.0, 1.0)
-    return 1.0 / np.sqrt(np.maximum(information / np.maximum(pairs, 1.0) * independent, LEAST_SLOPE**2))
+            spread += weights[:, i] * weights[:, j] * slope**2
+    return np.asarray(sigma_rad * np.sqrt(weights.sum(axis=1) / np.maximum(spread, LEAST_SLOPE**2)))
+
+
+def _weights(cameras: BoolArray) -> FloatArray:
+    """Return the inverse variances (N, C) of the phases that cameras contribute, relative to that of a pixel; 0 for those that see nothing."""
+    first = np.argmax(cameras, axis=1)
+    weights = np.where(cameras, 1.0 / BETWEEN_PIXELS, 0.0)
+    weights[np.arange(len(cameras)), first] = cameras.any(axis=1)
+    return weights
 
 
 def _rays(eye: Eye, points_mm: FloatArray) -> FloatArray:

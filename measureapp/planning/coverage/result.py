@@ -27,6 +27,7 @@ class GeneratedPlan:
     images_s: float  # least time of all images
     bytes: int  # of all images
     problems: tuple[str, ...]  # that a person should know before the scan
+    note: str = ""  # speeds that the time assumes, in a sentence
 
     @property
     def planned(self) -> BoolArray:

@@ -6,8 +6,9 @@ import os
 from collections.abc import Callable, Hashable, Iterable
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass, replace
+from functools import partial
 from types import TracebackType
-from typing import Any, TypeVar, cast
+from typing import Any, Protocol, TypeVar, cast
 
 import numpy as np
 
@@ -24,6 +25,7 @@ VOXEL_PER_SPACING = 2.2
 LEAST_VOXEL_MM = 0.7  # finer voxels take longer without better registration
 VOXEL_STEPS = 4  # per factor of two; quantised so that an additional view rarely changes the voxel
 CELL_PER_VOXEL = 5.0
+STOPPED_WITHIN_S, ENDED_WITHIN_S = 0.3, 30.0  # for the registration under way, when a scan is stopped, and at its end
 T = TypeVar("T")
 A = TypeVar("A")
 
@@ -36,29 +38,58 @@ class PlacedCloud:
     kinematic: RigidTransform  # part_from_camera
 
 
+class Background(Protocol):
+    """Does tasks in their order, on a thread that never keeps the program from ending."""
+
+    def submit(self, task: Callable[[], T]) -> Future[T]:
+        """Queue a task and return at once."""
+
+    def close(self, within_s: float) -> None:
+        """Cancel what has not begun, wait so long for the task under way, then leave it behind."""
+
+
+class _AtOnce:
+    """Does tasks where they are submitted."""
+
+    def submit(self, task: Callable[[], T]) -> Future[T]:
+        future: Future[T] = Future()
+        try:
+            future.set_result(task())
+        except Exception as error:  # passed on by `RegistrationCache.finish`
+            future.set_exception(error)
+        return future
+
+    def close(self, within_s: float) -> None:
+        """Nothing is under way."""
+
+
 class RegistrationCache:
-    """Cache of prepared clouds and pair registrations; views added during a scan are processed by a worker thread, ended by the context.
+    """Cache of prepared clouds and pair registrations; views added during a scan are prepared in the background, which the context closes.
 
     The result of stitching is the same with and without it: an entry is used only where stitching would compute the same.
+
+    Parameters
+    ----------
+    background : where views are prepared; None: at once, by the caller
     """
 
-    def __init__(self, settings: StitchSettings | None = None) -> None:
+    def __init__(self, settings: StitchSettings | None = None, background: Background | None = None) -> None:
         self.settings = settings or StitchSettings()
         self._entries: dict[Hashable, Any] = {}
         self._clouds: dict[int, PointCloud] = {}  # keeps clouds alive, whose identities are part of the keys of `_entries`
         self._added: list[PlacedCloud] = []
-        self._worker = ThreadPoolExecutor(1, "registration-cache")
+        self._worker = background or _AtOnce()
         self._futures: list[Future[None]] = []
 
     def __enter__(self) -> RegistrationCache:
         return self
 
     def __exit__(self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None) -> None:
-        self._worker.shutdown(wait=True, cancel_futures=True)
+        self._worker.close(STOPPED_WITHIN_S if error is not None else ENDED_WITHIN_S)
 
     def add(self, cloud: PointCloud, kinematic: RigidTransform) -> None:
         """Prepare a view and register it with the earlier ones in the background; returns immediately."""
-        self._futures.append(self._worker.submit(self._prepare_view, PlacedCloud(cloud, kinematic)))
+        self._futures.append(self._worker.submit(partial(self._prepare_view, PlacedCloud(cloud, kinematic))))
 
     def finish(self) -> None:
         """Wait for the background tasks; raises their exceptions."""

@@ -178,7 +178,7 @@ def test_the_predicted_standard_deviation_is_the_scatter_of_points_matched_by_no
     """Two cameras on a plane: phases with noise, the match found along the ray, then the scatter of the triangulated points."""
     rig = RIG.model_copy(update={"cameras": RIG.cameras[:2]})
     head = Head.of(rig)
-    point, sigma_phase = np.array([20.0, -15.0, 560.0]), LIMITS.phase_sigma_rad
+    point = np.array([20.0, -15.0, 560.0])
     turn = cv2.Rodrigues(np.deg2rad([about_x_deg, 0.0, 0.0]))[0] @ cv2.Rodrigues(np.deg2rad([0.0, about_y_deg, 0.0]))[0]
     normal = turn @ np.array([0.0, 0.0, -1.0])
     empty = PartScene.of(table_top(RIG), RIG)
@@ -188,7 +188,7 @@ def test_the_predicted_standard_deviation_is_the_scatter_of_points_matched_by_no
     predicted = float(seen_from(pose[None], lifted, head, empty, MATT).sigma_mm[0, 0])
 
     def phase(where: np.ndarray) -> np.ndarray:
-        return 2 * np.pi / LIMITS.pitch_px * RIG.projector.focal_px * where[..., 0] / where[..., 2]
+        return 2 * np.pi / LIMITS.fringes.pitch_px * RIG.projector.focal_px * where[..., 0] / where[..., 2]
 
     first, second = (camera.position_mm for camera in head.cameras)
     ray = (point - first) / np.linalg.norm(point - first)
@@ -196,7 +196,8 @@ def test_the_predicted_standard_deviation_is_the_scatter_of_points_matched_by_no
     aimed = point + along[:, None] * ray - second
     met = second + aimed * ((point - second) @ normal / (aimed @ normal))[:, None]
     light = -normal @ point / np.linalg.norm(point) * (RIG.standoff_mm / np.linalg.norm(point)) ** 2
-    noise = np.random.default_rng(3).normal(0.0, sigma_phase / np.sqrt(light), (20_000, 2))
+    sigma_phase = float(LIMITS.fringes.sigma_at(np.array([light]))[0])
+    noise = np.random.default_rng(3).normal(0.0, sigma_phase, (20_000, 2)) * [1.0, 2.0 / 3.0]  # the second is read between four pixels
     slope = np.sign(phase(met)[-1] - phase(met)[0])
     found = np.interp(slope * (phase(point) + noise[:, 0] - noise[:, 1]), slope * phase(met), along)
     assert predicted == pytest.approx(found.std(), rel=0.03)

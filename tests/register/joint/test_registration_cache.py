@@ -1,9 +1,13 @@
 from __future__ import annotations
 
+import threading
+from concurrent.futures import Future
+
 import numpy as np
 import pytest
 
 from measureapp.data.cloud import StitchedCloud
+from measureapp.progress import Cancelled
 from measureapp.register.joint import registration_cache as module
 from measureapp.register.joint.registration_cache import RegistrationCache, map_in_parallel
 from measureapp.register.settings import StitchSettings
@@ -74,6 +78,28 @@ def test_a_failure_during_preparation_is_reported_with_the_result(scan, monkeypa
         registration_cache.add(scan.clouds[1], scan.kinematic[1])
         with pytest.raises(MemoryError, match="too little memory"):
             registration_cache.finish()
+
+
+def test_a_registration_under_way_is_left_behind_when_a_scan_is_stopped(scan):
+    begun, released = threading.Event(), threading.Event()
+
+    class Stuck:
+        closed_within_s = -1.0
+
+        def submit(self, task):
+            threading.Thread(target=lambda: (begun.set(), released.wait()), daemon=True).start()
+            return Future()
+
+        def close(self, within_s):
+            self.closed_within_s = within_s
+
+    background = Stuck()
+    with pytest.raises(Cancelled), RegistrationCache(background=background) as cache:
+        cache.add(scan.clouds[0], scan.kinematic[0])
+        begun.wait(5.0)
+        raise Cancelled
+    released.set()
+    assert 0.0 <= background.closed_within_s < 1.0
 
 
 def test_the_first_failure_of_parallel_work_ends_it():

@@ -46,7 +46,6 @@ class DeviationCard(QFrame):
         self.tolerance.setDecimals(3)
         self.tolerance.setSingleStep(0.01)
         self.tolerance.setSuffix(" mm")
-        self.tolerance.lineEdit().setTextMargins(6, 0, 0, 0)
         self.tolerance.setFixedWidth(120)
         self.tolerance.setAccessibleName(TOLERANCE)
         self.tolerance.setToolTip(TOLERANCE)

@@ -158,7 +158,6 @@ def _number(words: str) -> QDoubleSpinBox:
     made = QDoubleSpinBox()
     made.setDecimals(3)
     made.setFixedWidth(128)
-    made.lineEdit().setTextMargins(6, 0, 0, 0)
     made.setProperty("plain", True)
     made.setAccessibleName(words)
     made.setToolTip(words)

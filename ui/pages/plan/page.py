@@ -123,7 +123,7 @@ class PlanPage(ViewportPage):
         session.busyChanged.connect(self._show_actions)
         session.busyChanged.connect(self._show_busy)
         session.cellChanged.connect(self.tools.show_state)
-        keys = ((QKeySequence.StandardKey.Redo, planning.redo), (QKeySequence.StandardKey.Open, self._choose_file))
+        keys = ((QKeySequence.StandardKey.Redo, planning.redo), (QKeySequence("Ctrl+Shift+O"), self._choose_file))
         for key, action in keys:
             QShortcut(key, self, action, context=Qt.ShortcutContext.WidgetWithChildrenShortcut)
 

@@ -36,6 +36,7 @@ EMPTY = (
     "Nothing scanned yet",
     "A scan moves the rig from viewpoint to viewpoint, projects fringes and takes images. Choose a project and a plan, or run the demo.",
 )
+COMPUTING = "All images are taken. The clouds are computed and stitched; Cancel keeps the images."
 HAVE_IMAGES = {"stored", "processed"}
 PICTURES_WIDTH = 240
 
@@ -125,7 +126,7 @@ class ScanPage(ViewportPage):
         """Show what a scan needs."""
         self._wants_setup = True
         if self.setup.value() == ScanChoices():
-            self.setup.setValue(suggested_choices(self.session))
+            self.setup.setValue(suggested_choices(self.session, self.controllers.planning.part.path))
         self.setup.refresh()
         self._show()
 
@@ -189,7 +190,8 @@ class ScanPage(ViewportPage):
         on_disk = project_on_disk(self.session) is not None
         has_run = bool(points) and (busy or on_disk or bool(self.session.views) or self.session.run.state != "idle")
         setting_up = self._wants_setup and self.session.run.state == "idle"
-        self.show_filled(has_run or setting_up)
+        if self.is_empty == (has_run or setting_up):  # to show and hide all buttons for every event would lay the page out again
+            self.show_filled(has_run or setting_up)
         self._places.setCurrentIndex(0 if setting_up or not has_run else 1)
         missing = () if busy else self.controllers.scanning.missing
         idle_run = has_run and not setting_up and not busy
@@ -220,9 +222,16 @@ class ScanPage(ViewportPage):
         running = run.state != "idle"
         closed = chosen is not None and chosen.status in {"stored", "processed", "failed", "skipped"}
         can_retake = closed and (running or (not self.session.busy_with and project_on_disk(self.session) is not None))
-        words = left_words(self.controllers.scanning.left()) if running else f"{chosen.id} is chosen." if chosen is not None else ""
+        taking = self.controllers.scanning.is_taking
+        words = (
+            (left_words(self.controllers.scanning.left()) if taking else COMPUTING)
+            if running
+            else f"{chosen.id} is chosen."
+            if chosen is not None
+            else ""
+        )
         self.bar.setVisible(running or can_retake)
-        self.bar.show_run(run, words, can_retake=can_retake)
+        self.bar.show_run(run, words, can_retake=can_retake and (taking or not running), is_taking=taking)
 
     def _show_summary(self) -> None:
         points = self.session.viewpoints.values()

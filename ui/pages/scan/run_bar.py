@@ -38,15 +38,14 @@ class RunBar(QWidget):
         layout.setStretch(0, 1)
         self.setLayout(layout)
 
-    def show_run(self, run: RunNow, words: str, *, can_retake: bool) -> None:
-        """Show the state of the run; ``words`` while nothing has paused it."""
-        running = run.state != "idle"
-        self.pause.setVisible(run.state in ("running", "pausing"))
+    def show_run(self, run: RunNow, words: str, *, can_retake: bool, is_taking: bool) -> None:
+        """Show the state of the run; ``words`` while nothing has paused it. What is taken can be paused and skipped."""
+        running = run.state != "idle" and is_taking
+        self.pause.setVisible(is_taking and run.state in ("running", "pausing"))
         self.pause.setEnabled(run.state == "running")
         self.resume.setVisible(run.state == "paused")
         self.skip.setVisible(running)
         self.retake.setVisible(can_retake)
         paused = f"{run.cause} {run.remedy}".strip() or "Paused."
-        self.words.setText(
-            "Pausing: the rig comes to a safe stop…" if run.state == "pausing" else paused if run.state == "paused" else words
-        )
+        pausing = run.cause or "Pausing: the rig comes to a safe stop…"
+        self.words.setText(pausing if run.state == "pausing" else paused if run.state == "paused" else words)

@@ -56,7 +56,6 @@ class ScanSetup(QWidget):
         self.seconds.setRange(0.1, 600.0)
         self.seconds.setDecimals(1)
         self.seconds.setValue(ScanChoices().seconds)
-        self.seconds.lineEdit().setTextMargins(6, 0, 0, 0)
         self.seconds.setSuffix("\u00a0s")
         self.seconds.setToolTip("Time for the exposures of one viewpoint")
         self.rig, self.what = label("", "body", wrap=True), label("", "small", wrap=True)

@@ -1,0 +1,97 @@
+"""Every action is registered once, found by a few letters, and says why it cannot be used."""
+
+from __future__ import annotations
+
+import pytest
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QKeySequence
+from PySide6.QtWidgets import QWidget
+
+from ui.actions.actions import Action, Actions
+from ui.actions.search import score
+
+
+@pytest.fixture
+def actions(qtbot):
+    window = QWidget()
+    qtbot.addWidget(window)
+    return Actions(window)
+
+
+def test_an_id_or_a_shortcut_is_taken_once(actions):
+    actions.register(Action("a", "A", list, shortcut="Ctrl+A"), Action("page", "P", list, context="plan", shortcut="Ctrl+D", bound=False))
+    for double in (
+        Action("a", "B", list),
+        Action("b", "B", list, shortcut="Ctrl+A"),
+        Action("c", "C", list, context="clouds", shortcut="Ctrl+A"),
+        Action("d", "D", list, shortcut="Ctrl+D"),
+    ):
+        with pytest.raises(ValueError, match=r"registered twice|same shortcut"):
+            actions.register(double)
+    actions.register(Action("other", "O", list, context="clouds", shortcut="Ctrl+D", bound=False))
+
+
+@pytest.mark.parametrize(
+    ("typed", "first"),
+    [("op", "Open project…"), ("oprj", "Open project…"), ("dark", "Change the theme"), ("stop", "Stop all axes"), ("", "Open project…")],
+)
+def test_a_few_letters_find_the_action_that_is_meant(actions, typed, first):
+    actions.register(
+        Action("open", "Open project…", list, "folder"),
+        Action("theme", "Change the theme", list, "dark light"),
+        Action("stop", "Stop all axes", list),
+        Action("copy", "Copy the top", list),
+    )
+    assert actions.find(typed)[0].text == first
+    assert score("xyz", "Open project") is None
+
+
+def test_what_cannot_be_used_comes_last_and_says_why(actions, qtbot):
+    ran = []
+    actions.register(
+        Action("close", "Close project", lambda: ran.append("close"), why_not=lambda: "No project is open."),
+        Action("log", "Close the log", lambda: ran.append("log")),
+    )
+    assert [action.id for action in actions.find("close")] == ["log", "close"]
+    with qtbot.waitSignal(actions.refused) as refused:
+        assert not actions.trigger("close")
+    assert refused.args == ["Close project", "No project is open."] and actions.trigger("log") and ran == ["log"]
+
+
+def test_the_palette_runs_what_was_typed_and_refuses_with_a_reason(application, window, qtbot):
+    palette = window.palette_
+    window.actions_.trigger("palette")
+    assert palette.isVisible() and len(palette.table.texts()) == len(window.actions_.all())
+    qtbot.keyClicks(palette.line, "go clou")
+    assert palette.table.texts()[0][0] == "Go to Clouds"
+    qtbot.keyClick(palette.line, Qt.Key.Key_Return)
+    assert not palette.isVisible() and window.page.name == "clouds"
+    window.actions_.trigger("palette")
+    qtbot.keyClicks(palette.line, "save a copy")
+    qtbot.keyClick(palette.line, Qt.Key.Key_Return)
+    assert palette.isVisible() and palette.hint.text() == "No project is open."
+    palette.line.clear()
+    qtbot.keyClick(palette.line, Qt.Key.Key_Down)
+    assert palette.table.currentIndex().row() == 1
+    qtbot.keyClicks(palette.line, "qqqq")
+    assert palette.table.texts() == [] and "Nothing fits" in palette.hint.text()
+    palette.reject()
+
+
+def test_every_shortcut_is_listed_and_every_action_has_words(window):
+    window.actions_.trigger("keys")
+    listed = {row[0] for row in window.shortcuts.table.texts()}
+    assert {"Ctrl+K", "F1", "Ctrl+N", "Ctrl+O", "?", "Esc", "Ctrl+1", "Ctrl+7"} <= listed
+    for action in window.actions_.all():
+        assert action.text and action.text[0].isupper() and not action.text.endswith(".")
+        assert not action.shortcut or not QKeySequence(action.shortcut).isEmpty()
+    window.shortcuts.close()
+
+
+def test_the_menu_of_the_header_offers_projects_settings_and_exit(window):
+    window.header.menu.aboutToShow.emit()
+    words = [entry.text().partition("\t")[0] for entry in window.header.menu.actions() if not entry.isSeparator()]
+    for expected in ("New project…", "Open project…", "Open recent", "Save a copy as…", "Close project", "Settings…", "Exit"):
+        assert expected in words
+    copy = next(entry for entry in window.header.menu.actions() if entry.text().startswith("Save a copy"))
+    assert not copy.isEnabled() and copy.toolTip() == "No project is open."

@@ -1,0 +1,43 @@
+"""The panel on the right never describes what is gone."""
+
+from __future__ import annotations
+
+import pytest
+
+from ui.pages.page import NOTHING_SELECTED
+from ui.session import DriverRow
+
+PAGES = ("calibration", "scan", "clouds", "inspection")  # the Plan page keeps its draft
+
+
+@pytest.fixture
+def filled(application, window, rig, plan, measurement, monkeypatch):
+    monkeypatch.setattr(application.controllers.documents, "preview", lambda: None)
+    session = application.session
+    session.open_project("demo-gypsum", "gypsum", None)
+    session.set_rig(rig, (DriverRow("virtual_rig", "rig", "1.0"),))
+    session.set_plan(plan)
+    session.set_measurement(measurement, {})
+    return window
+
+
+@pytest.mark.parametrize("name", PAGES)
+def test_properties_end_with_the_project(application, filled, name):
+    filled.show_page(name)
+    assert filled.properties.shown is filled.page.properties
+    application.session.open_project("another", "gear", None)
+    assert filled.page.properties is NOTHING_SELECTED or name == "scan"  # it describes the scan, which has no viewpoints now
+    assert filled.properties.shown is filled.page.properties
+    assert "view-0" not in str(filled.properties.shown) and "left" not in str(filled.properties.shown)
+
+
+def test_properties_of_a_viewpoint_end_when_it_is_deleted_and_come_back_with_undo(application, filled, qtbot):
+    filled.show_page("plan")
+    page = filled.page
+    page.tree.select(("view-02",))
+    assert "view-02" in str(filled.properties.shown)
+    page.tools.remove.click()
+    assert "view-02" not in str(filled.properties.shown)
+    page.undo_last()
+    page.tree.select(("view-02",))
+    assert "view-02" in str(filled.properties.shown)

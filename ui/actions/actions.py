@@ -1,0 +1,93 @@
+"""The list of actions: each is registered once, with its words, its shortcut, and the reason when it cannot be used."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from PySide6.QtCore import QObject, Signal
+from PySide6.QtGui import QKeySequence, QShortcut
+from PySide6.QtWidgets import QWidget
+
+from ui.actions.search import score
+
+EVERYWHERE = ""
+UNUSABLE = 1.0  # points less for what cannot be used at the moment
+
+
+def always() -> str:
+    """Return no reason: the action can be used at any time."""
+    return ""
+
+
+@dataclass(frozen=True)
+class Action:
+    """One action.
+
+    ``why_not`` returns the reason why it cannot be used at the moment, empty if it can; ``context`` is the name of the page to which it
+    belongs, or `EVERYWHERE`; ``bound``: the shortcut is made here, else the page makes it and it is only listed.
+    """
+
+    id: str
+    text: str
+    run: Callable[[], object]
+    keywords: str = ""
+    context: str = EVERYWHERE
+    shortcut: str = ""
+    why_not: Callable[[], str] = always
+    icon: str = ""
+    bound: bool = True
+
+
+class Actions(QObject):
+    """Registers actions, finds them by what a user types, and runs them."""
+
+    refused = Signal(str, str)  # words of the action, reason
+
+    def __init__(self, window: QWidget) -> None:
+        """``window``: in which the shortcuts work."""
+        super().__init__(window)
+        self._window = window
+        self._actions: dict[str, Action] = {}
+
+    def register(self, *actions: Action) -> None:
+        """Add actions. Raises ValueError for an id or a shortcut that is taken."""
+        for action in actions:
+            if action.id in self._actions:
+                raise ValueError(f"the action {action.id} is registered twice")
+            if action.shortcut:
+                self._claim(action)
+            self._actions[action.id] = action
+
+    def _claim(self, action: Action) -> None:
+        keys = QKeySequence(action.shortcut)
+        for other in self._actions.values():
+            shared = EVERYWHERE in (other.context, action.context) or other.context == action.context
+            if shared and other.shortcut and QKeySequence(other.shortcut) == keys:
+                raise ValueError(f"{action.id} and {other.id} have the same shortcut {action.shortcut}")
+        if action.bound:
+            QShortcut(keys, self._window).activated.connect(lambda: self.trigger(action.id))
+
+    def all(self) -> tuple[Action, ...]:
+        """Return all actions in the order in which they were registered."""
+        return tuple(self._actions.values())
+
+    def action(self, id_: str) -> Action | None:
+        """Return one action; None if there is none of this id."""
+        return self._actions.get(id_)
+
+    def find(self, typed: str) -> tuple[Action, ...]:
+        """Return the actions that fit what was typed, the best first; of equals those that can be used."""
+        scored = [(score(typed, action.text, action.keywords), place, action) for place, action in enumerate(self._actions.values())]
+        found = [(UNUSABLE * bool(action.why_not()) - points, place, action) for points, place, action in scored if points is not None]
+        return tuple(action for *_, action in sorted(found, key=lambda entry: entry[:2]))
+
+    def trigger(self, id_: str) -> bool:
+        """Run an action, or say why it cannot be used; return whether it ran."""
+        action = self._actions[id_]
+        reason = action.why_not()
+        if reason:
+            self.refused.emit(action.text, reason)
+            return False
+        action.run()
+        return True

@@ -1,0 +1,155 @@
+"""The commands of the window, as entries of the list of actions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Protocol
+
+from ui.actions.actions import Action, Actions
+from ui.controllers.controllers import Controllers
+from ui.messages import CANCEL
+from ui.pages.page import Page
+from ui.pages.plan.page import PlanPage
+from ui.session import Session
+from ui.shell.project_menu import ProjectMenu
+from ui.widgets.properties_panel import PropertiesPanel
+
+
+class Begins(Protocol):
+    """A dialog."""
+
+    def begin(self) -> None:
+        """Show it in its present state."""
+
+
+class CommandedWindow(Protocol):
+    """What the commands need of the main window."""
+
+    session: Session
+    controllers: Controllers
+    pages: dict[str, Page]
+    project_menu: ProjectMenu
+    properties: PropertiesPanel
+    messages: Begins
+    settings_dialog: Begins
+    shortcuts: Begins
+    palette_: Begins
+
+    @property
+    def page(self) -> Page:
+        """The workspace shown."""
+
+    def show_page(self, name: str) -> None:
+        """Show one workspace."""
+
+    def show_help(self) -> None:
+        """Show the help of the page."""
+
+    def change_theme(self) -> None:
+        """Change between light and dark."""
+
+    def save_log(self) -> None:
+        """Save what support needs."""
+
+    def close(self) -> bool:
+        """End the program."""
+
+
+def register_commands(actions: Actions, window: CommandedWindow) -> None:
+    """Register everything that the window itself can do."""
+    session = window.session
+    _register_project(actions, window)
+    actions.register(
+        Action(
+            CANCEL,
+            "Cancel the running job",
+            window.controllers.jobs.cancel,
+            "stop abort",
+            why_not=lambda: "" if session.busy_with else NO_JOB,
+        ),
+        Action("rig.stop", "Stop all axes, lamps and cameras", window.controllers.rig.stop, "halt emergency", shortcut="Esc", bound=False),
+        Action("messages", "Messages", window.messages.begin, "warnings errors log", shortcut="Ctrl+M"),
+        Action("log", "Save log for support…", window.save_log, "support zip versions"),
+        Action("settings", "Settings…", window.settings_dialog.begin, "theme language preferences options", shortcut="Ctrl+,"),
+        Action("theme", "Change between light and dark", window.change_theme, "theme night colours"),
+        Action("properties", "Show or hide the properties", window.properties.toggle, "panel side", shortcut="Ctrl+P"),
+        Action("help", "Help for this page", window.show_help, "manual documentation", shortcut="F1"),
+        Action("keys", "Shortcuts", window.shortcuts.begin, "keyboard keys list", shortcut="?"),
+        Action("palette", "Commands…", window.palette_.begin, "search find palette", shortcut="Ctrl+K"),
+        Action("exit", "Exit", window.close, "quit end", shortcut="Ctrl+Q"),
+    )
+    for place, (name, page) in enumerate(window.pages.items()):
+        actions.register(_page_action(window, name, page.word, place))
+    actions.register(
+        Action("demo", "Run the demo", window.controllers.demo.run, "virtual rig sample example", "rig", why_not=_no_job(session))
+    )
+    actions.register(*_plan_keys(window))
+
+
+NO_JOB = "No job is running."
+
+
+def _no_job(session: Session) -> Callable[[], str]:
+    def reason() -> str:
+        return f"{session.busy_with} is still running." if session.busy_with else ""
+
+    return reason
+
+
+def _open_project(session: Session) -> Callable[[], str]:
+    busy = _no_job(session)
+
+    def reason() -> str:
+        return "No project is open." if session.folder is None else busy()
+
+    return reason
+
+
+def _register_project(actions: Actions, window: CommandedWindow) -> None:
+    session, menu = window.session, window.project_menu
+    busy, project = _no_job(session), _open_project(session)
+    actions.register(
+        Action("project.new", "New project…", menu.new, "create make folder", shortcut="Ctrl+N", why_not=busy, icon="add"),
+        Action("project.open", "Open project…", menu.open, "folder load", shortcut="Ctrl+O", why_not=busy, icon="open"),
+        Action("project.copy", "Save a copy as…", menu.copy, "save as duplicate", shortcut="Ctrl+Shift+S", why_not=project),
+        Action("project.close", "Close project", menu.close, "end", shortcut="Ctrl+W", why_not=project),
+        Action("project.compute", "Recompute from the stored images", window.controllers.project.process, "process again", why_not=project),
+        Action(
+            "file.inspect",
+            "Inspect a cloud or mesh…",
+            menu.inspect_files,
+            "ply stl file compare",
+            shortcut="Ctrl+I",
+            why_not=busy,
+            icon="file",
+        ),
+    )
+
+
+def _page_action(window: CommandedWindow, name: str, word: str, place: int) -> Action:
+    def reason() -> str:
+        shown = window.session.role == "engineer" or window.pages[name].for_operator
+        return "" if shown else "This page belongs to the engineer's role."
+
+    return Action(
+        f"page.{name}", f"Go to {word}", lambda: window.show_page(name), "page", shortcut=f"Ctrl+{place + 1}", why_not=reason, bound=False
+    )
+
+
+def _plan_keys(window: CommandedWindow) -> tuple[Action, ...]:
+    """Return what the Plan page does by keys of its own."""
+    planning, page = window.controllers.planning, window.pages["plan"]
+    assert isinstance(page, PlanPage)
+    listed = (
+        ("undo", "Undo the change of the plan", page.undo_last, "Ctrl+Z"),
+        ("redo", "Redo the change of the plan", planning.redo, "Ctrl+Shift+Z"),
+        ("open", "Open a scan plan…", page.open_file.click, "Ctrl+Shift+O"),
+        ("copy", "Duplicate the viewpoints", page.tools.copy.click, "Ctrl+D"),
+        ("up", "Move the viewpoints up", page.tools.up.click, "Alt+Up"),
+        ("down", "Move the viewpoints down", page.tools.down.click, "Alt+Down"),
+    )
+
+    def reason() -> str:
+        return "" if window.page is page else "Go to the page Plan first."
+
+    return tuple(Action(f"plan.{name}", words, run, "viewpoint", "plan", keys, reason, bound=False) for name, words, run, keys in listed)
