@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
@@ -114,6 +114,7 @@ class Session(QObject):
     messageAdded = Signal(object)
     graphicsChanged = Signal()
     appearanceChanged = Signal()
+    unsavedAsked = Signal(object)  # what goes on when edits are saved or discarded
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -121,6 +122,7 @@ class Session(QObject):
         self.messages = Messages(self)
         self.messages.added.connect(self.messageAdded)
         self.busy_with = ""
+        self.unsaved = ""  # what would be lost with the open project, in a sentence
         self.role: Role = "engineer"
         self.graphics: GraphicsState = "preparing"
         self.graphics_problem = ""
@@ -326,6 +328,12 @@ class Session(QObject):
                 f"{self.busy_with} is still running.", "Wait until it has finished, or cancel it.", "warning", cause=BUSY, remedy=CANCEL
             )
         return bool(self.busy_with)
+
+    def ask_about_unsaved(self, go_on: Callable[[], object]) -> bool:
+        """Return whether edits would be lost; if so, ask, and ``go_on`` when they are saved or discarded."""
+        if self.unsaved:
+            self.unsavedAsked.emit(go_on)
+        return bool(self.unsaved)
 
     def set_graphics(self, state: GraphicsState, problem: str = "") -> None:
         """Set the state of the 3-D graphics."""

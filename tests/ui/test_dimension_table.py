@@ -139,7 +139,7 @@ def test_a_tolerance_is_one_text_and_what_is_none_turns_red(application, page, q
     texts = page.side.table.texts()
     assert texts[0][2].endswith("H7")
     type_in(page, qtbot, "flat", Column.TOLERANCE, "±0.1")
-    assert row_named(page, "flat").limits == (0.0, 0.1) and application.session.messages[-1].level == "warning"
+    assert row_named(page, "flat").limits == (0.0, 0.1) and application.session.messages[-1].level == "error"
 
 
 def test_escape_leaves_the_value_and_no_tolerance_is_no_verdict(application, page, qtbot):
@@ -227,3 +227,42 @@ def test_what_an_edit_affects_follows_from_the_program():
     assert changed_names(program, moved) == {"flat"}
     assert changed_names(None, program) == {"size", "half", "flat"}
     assert carry_ids(["a", "b"], [4, 2], ["b", "c", "a"]) == (2, 5, 4)
+
+
+def test_a_window_with_unsaved_edits_asks_before_it_closes_and_a_project_before_another_is_opened(
+    application, window, page, qtbot, project
+):
+    type_in(page, qtbot, "half", Column.NOMINAL, "60")
+    settled(application, qtbot)
+    bar = window.unsaved.bar
+    assert not window.close() and bar.isVisible() and window.isVisible()
+    bar.buttons["Stay here"].click()
+    application.controllers.project.open(project.path)
+    assert bar.isVisible() and not application.controllers.jobs.queue.busy
+    bar.buttons["Save"].click()
+    qtbot.waitUntil(lambda: application.session.messages[-1].text == "ball is open.", timeout=PATIENCE_MS)
+    settled(application, qtbot)
+    assert row_named(page, "half").nominal == 60 and not application.controllers.programming.is_modified
+    type_in(page, qtbot, "half", Column.NOMINAL, "61")
+    settled(application, qtbot)
+    application.controllers.project.open(project.path)
+    bar.buttons["Discard the edits"].click()
+    qtbot.waitUntil(lambda: row_named(page, "half").nominal == 60, timeout=PATIENCE_MS)
+    settled(application, qtbot)
+
+
+def test_selected_features_propose_a_dimension_and_constructions_that_fit(application, page, qtbot):
+    page.side.list.setValue("features")
+    page.side.features.select_names(["ball", "plate"])
+    bar = page.side.create
+    assert bar.choice.currentText().replace("\u00a0", " ") == "Distance 50.000 mm"
+    bar.accept()
+    settled(application, qtbot)
+    new = page.side.table.current_row()
+    assert new.found.measured == pytest.approx(50.0, abs=1e-3) and new.is_linked and new.status == "current"
+    page.side.list.setValue("features")
+    page.side.features.select_names(["plate"])
+    assert [action.text() for action in bar.menu.actions()] == ["Offset plane"]
+    bar.menu.actions()[0].trigger()
+    settled(application, qtbot)
+    assert page.side.features.names() == ("offset 1",) and "offset 1" in [one.name for one in application.session.inspection.features]

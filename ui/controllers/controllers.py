@@ -8,6 +8,7 @@ from PySide6.QtCore import QElapsedTimer, QObject
 
 from ui.controllers.calibrating import CalibratingController
 from ui.controllers.comparison import ComparisonController
+from ui.controllers.creating import CreatingController
 from ui.controllers.demo import DemoController
 from ui.controllers.documents import DocumentsController
 from ui.controllers.extending import ExtendingController
@@ -66,6 +67,7 @@ class Controllers(QObject):
         self.growing = GrowingController(session, self.jobs, self)
         self.programming = ProgrammingController(session, self.jobs, self.inspecting, self)
         self.nominal = NominalController(session, self.jobs, self.programming, self)
+        self.creating = CreatingController(session, self.drawing, self.programming, self)
         self.planning = PlanningController(session, self.jobs, self.predicting, self)
         self._session, self._calibrating = session, dict[str, CalibratingController]()
         self.recent_calibration = RecentCalibrationController(session, self.background, self)

@@ -6,6 +6,8 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from ui.controllers.program_jobs import MeasuredProgram, ProgramState
 from ui.controllers.program_rows import changed_names
 
@@ -14,6 +16,8 @@ if TYPE_CHECKING:
     from measureapp.data.measurement import Alignment, Inspection, Measurement
     from measureapp.inspection.session.session import InspectionSession
     from measureapp.progress import Progress
+
+SAME = 1e-9  # mm, and of the elements of the rotation: what rounding in a file may change
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,7 +73,8 @@ def program_of(program: InspectionProgram, names: set[str], *, known: Inspection
 
 def is_same_alignment(one: Alignment, other: Alignment) -> bool:
     """Return whether two alignments place the part equally."""
-    return one.name == other.name and bool((one.nominal_from_part.matrix == other.nominal_from_part.matrix).all())
+    matrices = one.nominal_from_part.matrix, other.nominal_from_part.matrix
+    return one.name == other.name and float(np.abs(matrices[0] - matrices[1]).max()) < SAME
 
 
 def _join(state: ProgramState, found: Inspection, former: MeasuredProgram) -> Inspection:

@@ -30,6 +30,9 @@ if TYPE_CHECKING:
     Edit = Callable[[InspectionProgram], InspectionProgram]
 
 
+UNSAVED = "The inspection program has edits that are not saved."
+
+
 class EditCommand(QUndoCommand):
     """One edit: the program before and after it."""
 
@@ -49,6 +52,7 @@ class EditCommand(QUndoCommand):
 class ProgrammingController(QObject):
     """Holds the edited program of the open project; views watch it through `changed`."""
 
+    saved = Signal()
     changed = Signal()  # program, results or status
 
     def __init__(self, session: Session, runner: JobRunner, measuring: JobRunner, parent: QObject | None = None) -> None:
@@ -161,14 +165,16 @@ class ProgrammingController(QObject):
             self._push(self.state.edited(after), words)
         return True
 
-    def refuse(self, words: str, hint: str) -> None:
-        """Tell why an edit was not made."""
-        self._session.tell(words, hint, "warning")
-
     def _push(self, after: ProgramState, words: str) -> None:
         assert self.state is not None
         self.stack.push(EditCommand(self._use, self.state, after, words))
+        self._show_edit()
         self._session.tell(words, "", "done")
+
+    def _show_edit(self) -> None:
+        """Show what the stack of edits says now; while an edit is made it is still that of before."""
+        self._session.unsaved = UNSAVED if self.is_modified else ""
+        self.changed.emit()
 
     def _use(self, state: ProgramState) -> None:
         self.state = state
@@ -186,6 +192,7 @@ class ProgrammingController(QObject):
         """Undo the last edit."""
         if self.can_undo:
             self.stack.undo()
+            self._show_edit()
             self._session.tell("Last change undone.", "", "done")
 
     @Slot()
@@ -193,6 +200,7 @@ class ProgrammingController(QObject):
         """Make the edit again that was undone last."""
         if self.stack.canRedo() and self.can_change:
             self.stack.redo()
+            self._show_edit()
 
     @Slot()
     def save(self) -> None:
@@ -207,6 +215,14 @@ class ProgrammingController(QObject):
             self._show_saved,
         )
 
+    @Slot()
+    def discard(self) -> None:
+        """Drop all edits since the program was saved."""
+        while self.stack.canUndo() and not self.stack.isClean():
+            self.stack.undo()
+        self.stack.setClean()
+        self._show_edit()
+
     @Slot(object)
     def save_as(self, path: Path) -> None:
         """Write the edited program to a file of its own."""
@@ -219,12 +235,14 @@ class ProgrammingController(QObject):
         state, outcome = found
         if state is self.state:
             self.stack.setClean()
+            self._session.unsaved = ""
         if outcome is None:
             self._session.tell("Program saved.", "The stored results are those of the program before.", "warning")
         else:
             self._session.set_files(outcome.files)
             self._session.tell("Program and results saved.", "", "done")
         self.changed.emit()
+        self.saved.emit()
 
     @Slot(object)
     def _show_copied(self, path: Path) -> None:
@@ -240,7 +258,7 @@ class ProgrammingController(QObject):
         if outcome.measurement.inspection is not None:
             self._measured = MeasuredProgram(state, outcome.measurement.inspection)
         self.stack.setClean()
-        self.changed.emit()
+        self._show_edit()
 
     @Slot(object)
     def _keep(self, found: MeasuredProgram) -> None:
@@ -254,7 +272,7 @@ class ProgrammingController(QObject):
         self._measuring.forget()
         self.state = self._measured = None
         self.stack.clear()
-        self.changed.emit()
+        self._show_edit()
 
     @Slot()
     def _take(self) -> None:
@@ -277,6 +295,7 @@ class ProgrammingController(QObject):
         if not self.is_modified or self.state is None:
             self.state = read
             self.stack.clear()
+            self._session.unsaved = ""
         self._measured = MeasuredProgram(read, inspection) if is_same else None  # else the file was changed since it was measured
         if self.state is not read:
             self.measure()

@@ -6,7 +6,9 @@ import re
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
+from measureapp.errors import InputError
 from ui.controllers.program_rows import DimensionRow
+from ui.look.wording import sentence
 from ui.pages.inspection.dimension_model import CellEdit, Column
 
 if TYPE_CHECKING:
@@ -48,16 +50,19 @@ def change_of(row: DimensionRow, column: Column, text: str) -> Change:
 def apply_edit(programming: ProgrammingController, rows: Sequence[DimensionRow], edit: CellEdit) -> bool:
     """Edit the program by what was typed into a cell, for all its rows in one step; return whether it was done."""
     chosen = [row for row in rows if row.id in edit.ids and not (edit.column is Column.NOMINAL and row.is_zone)]
-    try:
-        changes = [change_of(row, edit.column, edit.text) for row in chosen]
-    except ValueError as error:
-        programming.refuse("The entry was not taken over.", f"{str(error)[:1].upper()}{str(error)[1:].rstrip('.')}.")
-        return False
     if not chosen:
         return False
+
+    def change(program: InspectionProgram) -> InspectionProgram:
+        try:
+            changes = [change_of(row, edit.column, edit.text) for row in chosen]
+        except ValueError as error:
+            raise InputError("The entry was not taken over.", sentence(str(error))) from error
+        return one_after_the_other(changes)(program)
+
     what = {Column.NAME: "Name", Column.NOMINAL: "Nominal", Column.TOLERANCE: "Tolerance"}[edit.column]
     words = f"{what} of {chosen[0].name} changed." if len(chosen) == 1 else f"{what} of {len(chosen)} dimensions changed."
-    return programming.edit(one_after_the_other(changes), words)
+    return programming.edit(change, words)
 
 
 def one_after_the_other(changes: Sequence[Change]) -> Change:

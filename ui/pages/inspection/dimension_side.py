@@ -9,10 +9,11 @@ from PySide6.QtCore import Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QStackedWidget, QWidget
 
+from ui.controllers.controllers import Controllers
 from ui.controllers.program_rows import DimensionRow
-from ui.controllers.programming import ProgrammingController
 from ui.look.look import Look
 from ui.pages.inspection.cell_edits import apply_edit
+from ui.pages.inspection.create_bar import CreateBar
 from ui.pages.inspection.deviation_card import DeviationCard
 from ui.pages.inspection.deviation_display import DeviationDisplay
 from ui.pages.inspection.dimension_model import Column
@@ -41,9 +42,10 @@ class DimensionSide(QWidget):
     selected = Signal()
     closerAsked = Signal()
 
-    def __init__(self, look: Look, programming: ProgrammingController, display: DeviationDisplay) -> None:
+    def __init__(self, look: Look, controllers: Controllers, display: DeviationDisplay) -> None:
         super().__init__()
-        self._look, self._programming = look, programming
+        self._look, self._programming = look, controllers.programming
+        programming = self._programming
         self._inspection: Inspection | None = None
         self._is_filter_offered = True
         self.banner, self.deviation = VerdictBanner(look), DeviationCard(look, display)
@@ -51,6 +53,9 @@ class DimensionSide(QWidget):
         self.filter, self.save = FilterBar(look), SaveBar(look, programming)
         self.table = DimensionTable(look, self._edit)
         self.features = FeatureTable(look)
+        self.create = CreateBar(look, controllers.creating, self.features)
+        self.create.dimensionAdded.connect(self._await)
+        self._awaited = ""  # name of the dimension that was added last
         self.actions = RowActions(self.table, programming)
         self.table.rowSelected.connect(self._tell)
         self.features.chosen.connect(self._tell)
@@ -59,11 +64,12 @@ class DimensionSide(QWidget):
         self.table.closerAsked.connect(self.closerAsked)
         self.features.doubleClicked.connect(self.closerAsked)
         self.rule = label("", "small", wrap=True)
+        self._show_create()
         self._lists = QStackedWidget()
         self._lists.addWidget(self.table)
         self._lists.addWidget(self.features)
         self._lists.addWidget(self.deviation)
-        beside = column(self.banner, row(self.list, 0), self.filter, self._lists, self.save, self.rule, spacing=8)
+        beside = column(self.banner, row(self.list, 0), self.filter, self._lists, self.create, self.save, self.rule, spacing=8)
         beside.setStretch(3, 1)
         self.setLayout(beside)
 
@@ -103,8 +109,13 @@ class DimensionSide(QWidget):
         had_none = self.table.current_id() < 0
         self.table.set_rows(rows)
         self.filter.show_rows(rows)
-        if had_none:
+        added = next((row.id for row in rows if row.name == self._awaited), None)
+        if added is not None:
+            self._awaited = ""
+            self.table.select(added)
+        elif had_none:
             self.table.select_first()
+        self._show_create()
 
     def show_comparison(self, comparison: Comparison | None) -> None:
         """Show the deviations from the nominal, if there are any."""
@@ -142,7 +153,20 @@ class DimensionSide(QWidget):
         self._lists.setCurrentWidget(shown[self.list.value()])
         self.filter.setVisible(self.list.value() == "dimensions" and self._is_filter_offered)
         self.rule.setVisible(self.list.value() == "dimensions")
+        self._show_create()
         self.selected.emit()
+
+    def _show_create(self) -> None:
+        offered = self.list.value() == "features" and self._is_filter_offered and self._programming.state is not None
+        self.create.setVisible(offered)
+        if not offered:
+            self.create.pick.setChecked(False)
+
+    def _await(self, name: str) -> None:
+        """Select a new dimension in its table, also before it is measured."""
+        self._awaited = name
+        self.list.setValue("dimensions")
+        self.show_rows()
 
     def _tell(self) -> None:
         self.selected.emit()

@@ -31,11 +31,12 @@ class FeatureTable(DataTable):
         self.setAccessibleDescription("Hold Ctrl to select several features.")
         self._features: tuple[Feature, ...] = ()
         self._order: list[str] = []
+        self._awaited: list[str] = []  # selected, but not measured yet
         self.selectionModel().selectionChanged.connect(self._follow)
 
     def show_features(self, features: Sequence[Feature]) -> None:
         """Show these features; the selected ones stay selected."""
-        kept, self._features = list(self._order), tuple(features)
+        kept, self._features = [*self._order, *self._awaited], tuple(features)
         blocked = self.selectionModel().blockSignals(True)
         self.set_rows([_cells(one) for one in features])
         self.selectionModel().clearSelection()
@@ -43,8 +44,8 @@ class FeatureTable(DataTable):
         self.select_names(kept)
 
     def names(self) -> tuple[str, ...]:
-        """Return the names of the selected features, in the order in which they were selected."""
-        return tuple(self._order)
+        """Return the names of the selected features, in the order in which they were selected; also of those being measured."""
+        return (*self._order, *self._awaited)
 
     def select_names(self, names: Sequence[str]) -> None:
         """Select features by name."""
@@ -57,12 +58,14 @@ class FeatureTable(DataTable):
             model.select(self.model().index(places[name], 0), flags)
         model.blockSignals(blocked)
         self._order = [name for name in names if name in places]
+        self._awaited = [name for name in names if name not in places]
         self.viewport().update()
         self.chosen.emit()
 
     def toggle(self, name: str) -> None:
         """Add a feature to the selected ones, or remove it."""
-        self.select_names([one for one in self._order if one != name] if name in self._order else [*self._order, name])
+        chosen = [*self._order, *self._awaited]
+        self.select_names([one for one in chosen if one != name] if name in chosen else [*chosen, name])
 
     def _follow(self) -> None:
         now = [self._features[index.row()].name for index in self.selectionModel().selectedRows()]

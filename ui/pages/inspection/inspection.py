@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from PySide6.QtGui import QGuiApplication, QShowEvent
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QGuiApplication, QKeySequence, QShortcut, QShowEvent
 from PySide6.QtWidgets import QHBoxLayout
 
 from ui.controllers.controllers import Controllers
@@ -63,7 +64,7 @@ class InspectionPage(ViewportPage):
         self.filled = NotMeasuredLegend(look)
         self.filled.setContentsMargins(12, 4, 12, 4)
         self.display = DeviationDisplay(self)
-        self.side, self.side_width = DimensionSide(look, self.controllers.programming, self.display), TABLE_WIDTH
+        self.side, self.side_width = DimensionSide(look, self.controllers, self.display), TABLE_WIDTH
         self.content = PictureContent(look, session, self.view, self.side, self.display)
         tools = self._tools(look)
         self.side.selected.connect(self._select)
@@ -73,6 +74,13 @@ class InspectionPage(ViewportPage):
         layout = column(tools, middle, spacing=12)
         layout.setStretch(1, 1)
         self.body.setLayout(layout)
+        programming = self.controllers.programming
+        for key, act in (
+            (QKeySequence.StandardKey.Save, programming.save),
+            (QKeySequence("Ctrl+Y"), programming.redo),
+            (QKeySequence.StandardKey.Find, self.side.filter.search.setFocus),
+        ):
+            QShortcut(key, self, act, context=Qt.ShortcutContext.WidgetWithChildrenShortcut)
         session.inspectionChanged.connect(self._show)
         session.cloudsChanged.connect(self.redraw)
         session.cloudsChanged.connect(self._forget_distances)
@@ -229,6 +237,7 @@ class InspectionPage(ViewportPage):
     def end_clicking(self) -> None:
         """Stop measuring and growing by clicking."""
         self.clicking.end()
+        self.side.create.pick.setChecked(False)
 
     def _undo(self) -> None:
         """Undo the last click; without one, the last change of the program."""
@@ -289,14 +298,19 @@ class InspectionPage(ViewportPage):
         return shown == "points" or (shown == "deviation" and (self.display.on == "points" or self.session.comparison is None))
 
     def _pick_surface(self, pick: Pick) -> None:
-        """Read the deviation where the coloured CAD model is clicked."""
+        """Select the face that is clicked, or read the deviation where the coloured CAD model is clicked."""
         is_tool = self.distance.is_on or self.grow.is_on
+        if self.side.create.pick.isChecked() and pick.position_mm is not None:
+            self.controllers.creating.pick(pick.position_mm)
+            return
         if not pick.is_point and pick.position_mm is not None and self.shape.value() == "deviation" and not is_tool:
             self.probing.probe(pick.position_mm)
 
     def _show_point(self, layer: int, place: int) -> None:
         """Show source and deviation of a picked point; or measure from it, or grow a feature."""
         stitched, inspection, comparison = self.session.stitched, self.session.inspection, self.session.comparison
+        if self.side.create.pick.isChecked():  # `_pick_surface` takes the click
+            return
         if stitched is None or inspection is None or layer > 0:  # an unmeasured part of the nominal
             return
         point = merged_point(stitched, place, self.session.views)

@@ -37,7 +37,6 @@ class SaveBar(QFrame):
         layout.setStretch(0, 1)
         self.setLayout(layout)
         programming.changed.connect(self.show_state)
-        programming.stack.indexChanged.connect(self.show_state)
         self.show_state()
 
     @Slot()
