@@ -76,6 +76,7 @@ def run(project: Path | None = None, demo: bool = False) -> int:
     sys.excepthook = Reporter(built.session)
     built.window.show()
     QTimer.singleShot(0, built.controllers.startup.begin)
+    built.controllers.roles.begin()
     if project is not None:
         built.controllers.project.open(project)
     elif demo:

@@ -17,6 +17,7 @@ from ui.messages import MOMENT, Message
 from ui.pages.calibration import CalibrationPage
 from ui.pages.clouds.clouds import CloudsPage
 from ui.pages.inspection.inspection import InspectionPage
+from ui.pages.operator.shell import Shell
 from ui.pages.page import Page
 from ui.pages.plan.page import PlanPage
 from ui.pages.report import ReportPage
@@ -137,7 +138,7 @@ class MainWindow(QMainWindow):
         """Ask once before a running job is stopped; wait until its thread has ended."""
         running = self.controllers.jobs.queue.running
         if running is not None and not running.quiet and not self._may_stop:
-            self.closing.ask(running.title)
+            (self.shell.operator if self.shell.is_operators else self.closing).ask(running.title)
             event.ignore()
             return
         if self.session.ask_about_unsaved(self.close):
@@ -150,6 +151,7 @@ class MainWindow(QMainWindow):
         self.controllers.end(CLOSING_WAIT_MS)
         for page in self.pages.values():
             page.close_page()
+        self.shell.close_views()
         event.accept()
 
     def _stop_and_close(self) -> None:
@@ -164,7 +166,8 @@ class MainWindow(QMainWindow):
         whole.setStretch(3, 1)
         centre = QWidget()
         centre.setLayout(whole)
-        self.setCentralWidget(centre)
+        self.shell = Shell(self, centre, self.look, self.session, self.controllers)
+        self.setCentralWidget(self.shell)
         centre.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
         centre.setFocus()
 
@@ -180,9 +183,10 @@ class MainWindow(QMainWindow):
         header.stopClicked.connect(controllers.rig.stop)
         header.role.valueChanged.connect(self._change_role)
         controllers.files.measured.connect(lambda: self.show_page("inspection"))
+        header.operatorSetupClicked.connect(self.shell.set_up)
         self.strip.cancelClicked.connect(controllers.jobs.cancel)
         self.strip.messagesClicked.connect(self.messages.begin)
-        self.messages.remedyAsked.connect(self.actions_.trigger)
+        self.messages.remedyAsked.connect(self.actions_.perform)
         self.messages.logAsked.connect(self.save_log)
         self.actions_.refused.connect(lambda words, reason: session.tell(f"{words}: {reason}", "", "info", cause=MOMENT))
         controllers.jobs.progressed.connect(self._show_progress)
@@ -196,7 +200,7 @@ class MainWindow(QMainWindow):
         assert isinstance(scan, ScanPage) and isinstance(inspection, InspectionPage)
         scan.next_step.clicked.connect(self._go_on)
         inspection.see_report.clicked.connect(lambda: self.show_page("report"))
-        session.reportChanged.connect(self._follow_operator)
+        session.appearanceChanged.connect(self._show_role)
         inspection.measure_file.clicked.connect(self.project_menu.inspect_files)
         self._escape = QShortcut(Qt.Key.Key_Escape, self, controllers.rig.stop)
         self._escape.setEnabled(False)
@@ -205,7 +209,7 @@ class MainWindow(QMainWindow):
         self._escape.setEnabled(self.session.cell.connected or self.session.moving)
 
     def _go_on(self) -> None:
-        self.show_page("inspection" if self.session.role == "operator" else "clouds")
+        self.show_page("clouds")
 
     def _show_properties(self) -> None:
         self.properties.show_properties(self.page.properties)
@@ -223,19 +227,9 @@ class MainWindow(QMainWindow):
         self.strip.show_job(self.session.busy_with)
         if not self.session.busy_with:
             self.closing.hide()
-        if self.session.busy_with and self.session.role == "operator" and self.page is self.pages["rig"]:
-            self.show_page("scan")
 
     def _show_progress(self, share: float, note: str) -> None:
         self.strip.show_progress(share, note, with_time=self.controllers.scanning.left() is None)
-
-    def _follow_operator(self) -> None:
-        """Show the operator the verdict after a scan."""
-        inspection = self.pages["inspection"]
-        assert isinstance(inspection, InspectionPage)
-        if self.session.role == "operator" and self.session.inspection is not None and self.page is self.pages["scan"]:
-            self.show_page("inspection")
-            inspection.show_failing()
 
     def _show_message(self, message: Message) -> None:
         self.strip.show_message(message.text, message.hint, message.level)
@@ -276,9 +270,10 @@ class MainWindow(QMainWindow):
         self.setWindowTitle(f"{name} – MeasureApp" if name else "MeasureApp")
 
     def _change_role(self, role: str) -> None:
-        self.session.set_role("operator" if role == "operator" else "engineer")
-        self.properties.setVisible(role == "engineer")
-        for name, page in self.pages.items():
-            self.rail.buttons[name].setVisible(role == "engineer" or page.for_operator)
-        if role == "operator" and not self.page.for_operator:
-            self.show_page("scan")
+        roles = self.controllers.roles
+        if role == self.session.role:
+            return
+        (roles.become_operator if role == "operator" else roles.ask_engineer)()
+
+    def _show_role(self) -> None:
+        self.header.role.setValue(self.session.role)

@@ -182,7 +182,7 @@ def _cutting_surface(words: str) -> CuttingSurface:
 def _write_map(found: Deviation, nominal: Mesh, reach_mm: float, path: Path) -> None:
     from measureapp.inspection.surface.deviation_map import map_deviation
     from measureapp.project.geometry.deviation_files import write_deviation_map
-    from measureapp.report.part_pictures import NOT_MEASURED, diverging_colours, nice_limit
+    from measureapp.report.deviation_pictures import NOT_MEASURED, diverging_colours, nice_limit
 
     made = map_deviation(found, nominal, reach_mm)
     colours = diverging_colours(made.distances_mm / nice_limit(found.p95_mm))

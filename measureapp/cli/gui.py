@@ -26,9 +26,15 @@ def register(app: typer.Typer) -> None:
     def gui(
         project: Annotated[Path | None, typer.Argument(help="Project folder to open.")] = None,
         demo: Annotated[bool, typer.Option("--demo", help="Open with the demo project on the virtual rig.")] = False,
+        reset_engineer_pin: Annotated[
+            bool, typer.Option("--reset-engineer-pin", help="Remove the PIN of the engineer's role, if it is forgotten; opens no window.")
+        ] = False,
         as_json: JsonOption = False,
     ) -> None:
         """Open the window."""
+        if reset_engineer_pin:
+            _reset_pin(as_json=as_json)
+            return
         if project is not None and not project.is_dir():
             raise InputError(f"{project} is not a project folder.", "Name a folder made by `measureapp demo` or `measureapp scan`.")
         check_screen()
@@ -36,6 +42,14 @@ def register(app: typer.Typer) -> None:
         if as_json:
             reply({"closed": code == 0, "project": project}, "", as_json)
         raise typer.Exit(code)
+
+
+def _reset_pin(*, as_json: bool) -> None:
+    from measureapp.project.engineer_pin import pin_file, remove_pin
+
+    removed = remove_pin(pin_file())
+    words = "The PIN is removed: set a new one in operator mode's settings." if removed else "No PIN was set."
+    reply({"pin_removed": removed}, words, as_json)
 
 
 def check_screen() -> None:

@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 from measureapp.cli.reply import JsonOption, TerminalProgress, reply
+from measureapp.data.raw_policy import RawPolicy
 
 
 def register(app: typer.Typer) -> None:
@@ -23,21 +24,34 @@ def register(app: typer.Typer) -> None:
         remove: Annotated[
             bool, typer.Option("--remove", help="Remove all images of the part for good; results stay. Needs --yes.")
         ] = False,
+        policy: Annotated[
+            RawPolicy | None, typer.Option("--policy", help="From now on, raw images are kept, compressed or dropped after a scan.")
+        ] = None,
+        apply: Annotated[
+            bool, typer.Option("--apply", help="Do what the project states about raw images, where it is not done yet.")
+        ] = False,
         yes: Annotated[
             bool, typer.Option("--yes", help="Confirm that the images may be removed: nothing can be computed from them again.")
         ] = False,
         as_json: JsonOption = False,
     ) -> None:
         """List the raw images of a project with their size; compress, expand or remove them."""
+        from measureapp.data.raw_policy import StorageRules
         from measureapp.errors import InputError
+        from measureapp.pipeline.raw_keeping import apply_raw_policy
         from measureapp.project import raw_images
         from measureapp.project.folder import ProjectFolder
 
-        if compress + expand + remove > 1:
-            raise InputError("Only one of --compress, --expand and --remove is possible.", "Run the command once for each.")
+        if compress + expand + remove + apply > 1:
+            raise InputError("Only one of --compress, --expand, --remove and --apply is possible.", "Run the command once for each.")
         if remove and not yes:
             raise InputError("--remove deletes images that cannot be computed again.", "Add --yes if that is what you want.")
         opened = ProjectFolder.open(project)
+        if policy is not None:
+            with opened.lock():
+                opened.save_storage_rules(StorageRules(raw=policy))
+        if apply:
+            apply_raw_policy(opened, TerminalProgress())
         act = raw_images.compress if compress else raw_images.expand if expand else raw_images.remove_images if remove else None
         if act is not None or opened.journal.contents() is None:
             with opened.lock():
@@ -46,7 +60,11 @@ def register(app: typer.Typer) -> None:
         found = raw_images.list_raw(opened.journal)
         lines = [f"{one.viewpoint_id}: {one.state}, {one.bytes / 1e6:.1f} MB" for one in found]
         total = sum(one.bytes for one in found)
-        document = {"bytes": total, "viewpoints": [{"name": one.viewpoint_id, "state": one.state, "bytes": one.bytes} for one in found]}
+        document = {
+            "bytes": total,
+            "policy": opened.storage_rules().raw,
+            "viewpoints": [{"name": one.viewpoint_id, "state": one.state, "bytes": one.bytes} for one in found],
+        }
         reply(document, "\n".join([*lines, f"{len(found)} viewpoints, {total / 1e6:.1f} MB of images."]), as_json)
 
     @app.command()

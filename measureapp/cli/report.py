@@ -21,31 +21,29 @@ def register(app: typer.Typer) -> None:
         project: Annotated[Path, typer.Argument(help="Project folder.")],
         pdf: Annotated[bool, typer.Option("--pdf", help="Write report.pdf.")] = False,
         csv: Annotated[bool, typer.Option("--csv", help="Write report.csv.")] = False,
+        xlsx: Annotated[bool, typer.Option("--xlsx", help="Write report.xlsx.")] = False,
         html: Annotated[bool, typer.Option("--html", help="Write report.html.")] = False,
+        template: Annotated[
+            Path | None, typer.Option("--template", help="Template folder with a template.toml; by default the project's, else your own.")
+        ] = None,
         out: Annotated[Path | None, typer.Option("--out", help="Output folder; by default the project's.")] = None,
         as_json: JsonOption = False,
     ) -> None:
         """Write the report of the last measurement in the chosen formats (default: PDF, CSV and JSON)."""
-        from measureapp.errors import StorageError
         from measureapp.project.folder import ProjectFolder
-        from measureapp.project.geometry.files import read_mesh
-        from measureapp.report.compose import compose
         from measureapp.report.documents import write_documents
+        from measureapp.report.project import compose_project
+        from measureapp.report.template import read_template
 
         folder = ProjectFolder.open(project)
-        measurement = folder.measurement()
-        if measurement is None:
-            raise StorageError(f"{project} contains no measurement.", "Scan first, or recompute it: measureapp process PROJECT.")
-        nominal = None if folder.nominal is None else read_mesh(folder.nominal)
-        model = compose(measurement, nominal, progress=TerminalProgress())
-        files = write_documents(model, out or folder.report_pdf.parent, _kinds(pdf, csv, html), folder.report_template)
+        chosen = None if template is None else read_template(template)
+        model = compose_project(folder, template=chosen, progress=TerminalProgress())
+        files = write_documents(model, out or folder.report_pdf.parent, _kinds(pdf=pdf, csv=csv, xlsx=xlsx, html=html))
         document = {"files": dict(files), "verdict": None if model.verdict is None else model.verdict.value}
         reply(document, "\n".join([model.summary, *(str(path) for path in files.values())]), as_json)
 
 
-def _kinds(pdf: bool, csv: bool, html: bool) -> tuple[DocumentKind, ...]:
-    chosen: list[DocumentKind] = []
-    for kind, wanted in (("pdf", pdf), ("csv", csv), ("html", html)):
-        if wanted:
-            chosen.append(kind)  # type: ignore[arg-type]
-    return tuple(chosen) or ("pdf", "csv", "json")
+def _kinds(**wanted: bool) -> tuple[DocumentKind, ...]:
+    from measureapp.report.documents import ALL_KINDS
+
+    return tuple(kind for kind in ALL_KINDS if wanted.get(kind)) or ("pdf", "csv", "json")

@@ -11,6 +11,7 @@ import typer
 from measureapp.cli.main import BAD_INPUT, DEVICE_FAILED, DONE, OUT_OF_TOLERANCE
 from measureapp.cli.outcome import has_passed, measurement_lines
 from measureapp.cli.reply import JsonOption, TerminalProgress, reply, say
+from measureapp.data.raw_policy import RawPolicy
 from measureapp.errors import DeviceError, InputError
 
 if TYPE_CHECKING:
@@ -49,6 +50,14 @@ def register(app: typer.Typer) -> None:
         per_viewpoint: Annotated[
             bool, typer.Option("--per-viewpoint", help="Probe at every viewpoint, instead of once at the first (with --auto-bracket).")
         ] = False,
+        raw: Annotated[
+            RawPolicy | None,
+            typer.Option(
+                "--raw",
+                help="What becomes of raw images after the scan: kept, compressed without loss, or dropped once their clouds are stored. The "
+                "project keeps it. Default: as it states, else kept.",
+            ),
+        ] = None,
         dry_run: Annotated[
             bool, typer.Option("--dry-run", help="Connect the rig and list everything that would prevent the scan; nothing moves.")
         ] = False,
@@ -63,7 +72,16 @@ def register(app: typer.Typer) -> None:
             raise InputError("--per-viewpoint chooses no exposures by itself.", "Add --auto-bracket SECONDS.")
         wanted, program = _plan_and_program(plan)
         request = ScanRequest(
-            wanted, read_rig(rig), project, resume, calibration, auto_bracket, per_viewpoint, tuple(retake or ()), part_program=program
+            wanted,
+            read_rig(rig),
+            project,
+            resume,
+            calibration,
+            auto_bracket,
+            per_viewpoint,
+            tuple(retake or ()),
+            part_program=program,
+            raw=raw,
         )
         require_devices(request.rig)
         raise typer.Exit(_rehearse(request, as_json) if dry_run else _scan(request, as_json))
@@ -97,10 +115,22 @@ def _scan(request: ScanRequest, as_json: bool) -> int:
     run = {"ended": log.ended.reason, "message": log.ended.message, "processed": outcome is not None, "views": views}
     lines = [NOT_PROCESSED] if outcome is None else measurement_lines(outcome.measurement)
     reply({**document, **run}, "\n".join(lines), as_json)
+    if outcome is not None:
+        _care_for_raw_images(request.folder)
     if any(state["state"] != "stored" for state in log.states.values()):
         return DEVICE_FAILED
     passed = outcome is None or has_passed(outcome.measurement)
     return DONE if passed and not any("reason" in state for state in log.states.values()) else OUT_OF_TOLERANCE
+
+
+def _care_for_raw_images(folder: Path) -> None:
+    """Compress or drop raw images as the project states, after the result was told; Ctrl-C leaves the rest to `measureapp raw --apply`."""
+    from measureapp.pipeline.raw_keeping import apply_raw_policy
+    from measureapp.project.folder import ProjectFolder
+
+    done = apply_raw_policy(ProjectFolder.open(folder), TerminalProgress())
+    if done.sentence:
+        say(done.sentence)
 
 
 def _wait_for_enter(control: RunControl) -> None:

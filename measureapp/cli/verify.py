@@ -57,6 +57,7 @@ def _document(found: Verified) -> dict[str, Any]:
         "damage": [{"file": one.file, "viewpoint": one.viewpoint or None, "problem": one.problem} for one in found.damage],
         "unknown": found.unknown,
         "stale": found.stale,
+        "removed": found.removed,
         "journal": found.journal,
     }
 
@@ -75,4 +76,8 @@ def _lines(found: Verified) -> list[str]:
     old = (
         [] if found.journal else ["The project was written by an earlier version: only its images have checksums until it is next changed."]
     )
-    return [*lines, *unknown, *found.stale, summary, *old]
+    count = len(found.removed)
+    removed = (
+        [f"The raw images of {count} viewpoint{'s' * (count > 1)} were removed on purpose: {', '.join(found.removed)}."] if count else []
+    )
+    return [*lines, *unknown, *found.stale, *removed, summary, *old]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 
@@ -19,6 +19,14 @@ class Verdict(StrEnum):
     NOT_PROVEN = "not proven"
     NOT_MEASURED = "not measured"
     NO_TOLERANCE = "no tolerance"  # nothing to decide
+
+
+SEVERITY = (Verdict.FAIL, Verdict.NOT_PROVEN, Verdict.NOT_MEASURED, Verdict.PASS, Verdict.NO_TOLERANCE)  # the worst first
+
+
+def worst_verdict(verdicts: Iterable[Verdict]) -> Verdict | None:
+    """Return the most severe verdict; None where no dimension has a tolerance."""
+    return min((one for one in verdicts if one is not Verdict.NO_TOLERANCE), key=SEVERITY.index, default=None)
 
 
 @dataclass(frozen=True, slots=True)

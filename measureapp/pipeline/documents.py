@@ -10,19 +10,17 @@ from measureapp.data.measurement import Measurement, ViewResult
 from measureapp.project.atomic import write_json, write_text
 from measureapp.project.documents import loop_closure_document
 from measureapp.project.folder import ProjectFolder
-from measureapp.project.geometry.files import read_mesh
 from measureapp.project.results import MESH, STITCHED
-from measureapp.report.compose import compose
 from measureapp.report.csv import csv_text
 from measureapp.report.json_document import measurement_document, report_document
 from measureapp.report.pdf import write_pdf
+from measureapp.report.project import compose_project
 
 
 def write_reports(project: ProjectFolder, measurement: Measurement) -> dict[str, Path]:
     """Write the report as PDF, CSV and JSON, and return all files of the measurement."""
-    nominal = None if project.nominal is None else read_mesh(project.nominal, "nominal")
-    model = compose(measurement, nominal)
-    write_pdf(model, project.report_pdf, project.report_template)
+    model = compose_project(project, measurement)
+    write_pdf(model, project.report_pdf)
     write_text(project.report_csv, csv_text(model))
     write_json(project.report_json, report_document(model))
     files = {

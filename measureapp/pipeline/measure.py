@@ -20,6 +20,7 @@ from measureapp.fringe.checks.stack import check_stack
 from measureapp.fringe.decode import decode
 from measureapp.fringe.settings import DecodeSettings
 from measureapp.pipeline.events import Event, ViewFailed, ViewReady
+from measureapp.pipeline.kept_views import views_without_images
 from measureapp.pipeline.noise import decode_settings_of
 from measureapp.pipeline.watch import Stopwatch
 from measureapp.progress import PartOf, Progress
@@ -38,15 +39,19 @@ LEAST_POINTS_SHARE, MOST_EPIPOLAR_PX = 0.3, 0.3  # points per decoded pixel, epi
 def compute_clouds(
     project: ProjectFolder, calibration: RigCalibration, on_event: OnEvent, progress: Progress, watch: Stopwatch
 ) -> tuple[ViewResult, ...]:
-    """Compute the clouds of all stored viewpoints. Raises InputError when no images are stored."""
+    """Compute the clouds of all stored viewpoints; those whose images were dropped stay as they were. Raises InputError when none is stored."""
     settings, rectifier, memory = decode_settings_of(project), Rectifier(calibration.cameras), BufferPool()
     stored = project.stored_viewpoints()
     if not stored:
         raise InputError(
             f"{project.path} contains no images of the part.", "Scan the part first, or restore the project's folder `stacks`."
         )
-    views = []
+    kept, views = views_without_images(project), list[ViewResult]()
     for index, viewpoint_id in enumerate(stored):
+        if viewpoint_id in kept:
+            views.append(kept[viewpoint_id])
+            on_event(ViewReady(views[-1]))
+            continue
         part = PartOf(progress, index / len(stored), (index + 1) / len(stored), f"{viewpoint_id}: ")
         with watch.stage("clouds"):
             try:

@@ -7,11 +7,15 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
+from measureapp.data.identification import Identification
 from measureapp.data.mesh import Mesh
 from measureapp.data.part_program import PartProgram
+from measureapp.data.raw_policy import StorageRules
 from measureapp.project.folder import ProjectFolder
 from measureapp.project.geometry.files import read_mesh
+from measureapp.project.identification_file import read_identification, save_identification
 from measureapp.project.program_file import parse_program
+from measureapp.project.template_folder import save_folder, unzip_folder
 
 
 @contextmanager
@@ -29,7 +33,7 @@ def nominal_of(program: PartProgram) -> Iterator[tuple[Path, Mesh] | None]:
 
 
 def store_part_program(project: ProjectFolder, program: PartProgram) -> None:
-    """Store inspection program, nominal and report template of a part program in a project; its plan is stored by the scan.
+    """Store inspection program, nominal, report template and identification of a part program in a project; the scan stores its plan.
 
     Raises
     ------
@@ -45,3 +49,10 @@ def store_part_program(project: ProjectFolder, program: PartProgram) -> None:
         project.save_program(program.inspection.decode())
     if program.report_template is not None:
         project.save_report_template(program.report_template)
+    if program.template_folder is not None:
+        save_folder(project.path, unzip_folder(program.template_folder, program.facts.name))
+    defaults = program.facts.identification.with_defaults(Identification(part_number=program.facts.part_number))
+    if defaults != Identification():
+        save_identification(project.path, read_identification(project.path).with_defaults(defaults))
+    if program.facts.raw is not None and program.facts.raw != project.storage_rules().raw:
+        project.save_storage_rules(StorageRules(raw=program.facts.raw))

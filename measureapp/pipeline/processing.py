@@ -95,6 +95,10 @@ class Processing:
 
     # clouds
 
+    def keep(self, view: ViewResult) -> None:
+        """Take a view of former results, whose images were dropped."""
+        self._take(view)
+
     def compute_stored(self, viewpoint_id: str) -> None:
         """Have the cloud of stored images computed."""
         if self._calibration is not None:
@@ -121,9 +125,11 @@ class Processing:
                     return
                 self._on_event(ViewFailed(viewpoint_id, str(error), damaged=isinstance(error, StorageError)))
                 return
-        if self._ended:
-            return
-        self.views[viewpoint_id] = view
+        if not self._ended:
+            self._take(view)
+
+    def _take(self, view: ViewResult) -> None:
+        self.views[view.viewpoint_id] = view
         if self._registration_cache is not None and view.quality.accepted:
             self._registration_cache.add(view.cloud, view.part_from_camera)
         self._on_event(ViewReady(view))

@@ -14,6 +14,7 @@ from measureapp.data.calibration import RigCalibration
 from measureapp.data.measurement import Measurement
 from measureapp.data.part_program import PartProgram
 from measureapp.data.plan import ScanPlan
+from measureapp.data.raw_policy import RawPolicy, StorageRules
 from measureapp.data.rig import RigDescription
 from measureapp.devices.rig import Rig
 from measureapp.errors import CalibrationError, InputError
@@ -77,6 +78,7 @@ class ScanRequest:
     retake: tuple[str, ...] = ()  # viewpoints taken again although their images are stored
     part_program: PartProgram | None = None  # whose inspection program, nominal and report template become the project's
     created: NewProject | None = None  # an existing project must have been created with the same; None: after the plan, or as it is
+    raw: RawPolicy | None = None  # what becomes of raw images; None: as the part program, else the project states
     calibrate: bool = False  # calibrate first where there is no calibration; only a rig that places board and part itself can do both
 
     def options(self, control: RunControl | None) -> ScanOptions:
@@ -137,6 +139,8 @@ def _fill(project: ProjectFolder, request: ScanRequest, calibrated: ProjectFolde
         project.save_inspection(request.created.program, request.created.nominal)
     if request.part_program is not None:
         store_part_program(project, request.part_program)
+    if request.raw is not None and request.raw != project.storage_rules().raw:
+        project.save_storage_rules(StorageRules(raw=request.raw))
 
 
 def rehearse(request: ScanRequest, held: Rig | None = None) -> Preflight:

@@ -19,6 +19,7 @@ from measureapp.fringe.exposures.bracket import BracketLimits
 from measureapp.fringe.patterns.draw import pattern_images
 from measureapp.pipeline.bracket import choose_at, propose_bracket
 from measureapp.pipeline.events import Event, ExposuresChosen, ValidityKnown
+from measureapp.pipeline.kept_views import views_without_images
 from measureapp.pipeline.measure import check_space
 from measureapp.pipeline.part_on_table import part_on_table
 from measureapp.pipeline.processing import Processing
@@ -94,8 +95,12 @@ def scan(
     before = set(project.stored_viewpoints())
     check_space(project, rig.description, plan, options.retake)
     with Processing(project, calibration, on_event, watch, registration_cache) as sink:
+        kept = views_without_images(project) if before and calibration is not None else {}
         for viewpoint_id in before.difference(options.retake):
-            sink.compute_stored(viewpoint_id)
+            if viewpoint_id in kept:
+                sink.keep(kept[viewpoint_id])
+            else:
+                sink.compute_stored(viewpoint_id)
         images = pattern_images(plan.patterns, rig.projector.width_px, rig.projector.height_px)
         rig.place_on_table("part")
         if options.bracket_s is not None and not options.per_viewpoint and not before:

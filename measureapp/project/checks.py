@@ -10,6 +10,7 @@ from pathlib import Path
 
 from measureapp.errors import Damaged, StorageError
 from measureapp.progress import NoProgress, Progress
+from measureapp.project import raw_images
 from measureapp.project.inputs import changes, current_inputs
 from measureapp.project.journal import publish, seal
 from measureapp.project.journal.database import JOURNAL, find_damage
@@ -38,6 +39,7 @@ class Verified:
     damage: tuple[Damage, ...] = ()
     unknown: tuple[str, ...] = ()  # files that the journal does not know
     stale: tuple[str, ...] = ()  # what has changed since the results were computed, in sentences
+    removed: tuple[str, ...] = ()  # viewpoints whose raw images were removed on purpose
     journal: bool = True  # False: of an earlier version, whose checksums cover images only
 
     @property
@@ -88,6 +90,7 @@ def verify(project: Path, journal: Journal, progress: Progress | None = None) ->
         bytes=found.bytes,
         damage=tuple(found.damage),
         unknown=tuple(_unknown(project, contents)),
+        removed=tuple(one.viewpoint_id for one in raw_images.list_raw(journal) if one.state == "removed"),
         stale=changes(contents.results.get("inputs", {}), current_inputs(contents)),
     )
 

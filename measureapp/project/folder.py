@@ -8,8 +8,11 @@ calibration/        views/ (images of the board and read-backs), cameras.json, r
 stacks/             raw fringe images: permanent
 inspection/         program.toml and its nominal, in mm; former/: replaced nominals; report.typ: template of the report
 view_choices.json   views accepted or refused by hand
+storage.json        what becomes of raw images: kept, compressed or dropped
 results/            clouds, stitched cloud, mesh, measurement.json: recomputed by `process`; filters.npz, filtered_cloud.ply
 report/             reports
+identification.json part, serial number, order, operator, climate
+series/             runs that were filed in a series of parts
 """
 
 from __future__ import annotations
@@ -27,12 +30,13 @@ from measureapp.data.measurement import Measurement
 from measureapp.data.mesh import Mesh
 from measureapp.data.plan import ScanPlan
 from measureapp.data.project_settings import DEFAULT_BOARD, ProjectSettings
+from measureapp.data.raw_policy import StorageRules
 from measureapp.data.rig import RigDescription
 from measureapp.data.validity import CheckRecord
 from measureapp.data.view_choices import ViewChoices
 from measureapp.errors import CalibrationError, Damaged, InputError, StorageError
 from measureapp.progress import NoProgress
-from measureapp.project import filter_file, inputs, results, takeover
+from measureapp.project import filter_file, inputs, results, takeover, template_folder
 from measureapp.project.atomic import remove, replacing, write_text
 from measureapp.project.calibration import board_views, store
 from measureapp.project.folder_lock import lock_folder
@@ -54,7 +58,7 @@ if TYPE_CHECKING:
 
 __all__ = ["DEFAULT_BOARD", "ProjectFolder", "ProjectSettings"]
 PROGRAM, NOMINAL, FORMER, REPORT_TEMPLATE = "program.toml", "nominal", "former", "report.typ"
-VIEW_CHOICES = "view_choices.json"
+VIEW_CHOICES, STORAGE = "view_choices.json", "storage.json"
 
 
 class ProjectFolder:
@@ -105,10 +109,10 @@ class ProjectFolder:
         return self.settings.name
 
     @contextmanager
-    def lock(self) -> Iterator[None]:
+    def lock(self, *, yields: bool = False) -> Iterator[None]:
         """Lock the project for changes, and finish or sweep what a program that died has left.
 
-        A project of an earlier version gets its journal now.
+        A project of an earlier version gets its journal now. ``yields``: for a moment only, so that others wait rather than fail.
 
         Raises
         ------
@@ -116,7 +120,7 @@ class ProjectFolder:
             Another window or command has locked it, or it is read-only.
         """
         database.require_short(self.path)
-        with lock_folder(self.path):
+        with lock_folder(self.path, yields=yields):
             if self.journal.contents() is None:
                 takeover.take_over(self.path)
             publish.recover(self.path)
@@ -278,10 +282,12 @@ class ProjectFolder:
 
     @property
     def report_template(self) -> Path | None:
-        """File of the report's template, if the project has its own. Raises Damaged."""
+        """Folder or file of the report's template, if the project has its own. Raises Damaged."""
         path = self.path / "inspection" / REPORT_TEMPLATE
-        self.journal.check_once(path)
-        return path if path.exists() else None
+        folder = path.with_name(template_folder.FOLDER)
+        for file in (path, *sorted(folder.glob("*"))):
+            self.journal.check_once(file)
+        return folder if (folder / template_folder.FILE).exists() else path if path.exists() else None
 
     def former_nominals(self) -> tuple[Path, ...]:
         """Return the archived nominals, oldest first."""
@@ -311,6 +317,16 @@ class ProjectFolder:
     def save_view_choices(self, choices: ViewChoices) -> None:
         """Store the views accepted or refused by hand. Raises StorageError."""
         write_text(self.path / VIEW_CHOICES, choices.model_dump_json(indent=2))
+
+    def storage_rules(self) -> StorageRules:
+        """Return what becomes of raw images. Raises StorageError when the file is damaged."""
+        path = self.path / STORAGE
+        self.journal.check(path)
+        return read_model(path, StorageRules) if path.exists() else StorageRules()
+
+    def save_storage_rules(self, rules: StorageRules) -> None:
+        """Store what becomes of raw images. Raises StorageError."""
+        write_text(self.path / STORAGE, rules.model_dump_json(indent=2))
 
     @property
     def results(self) -> Path:

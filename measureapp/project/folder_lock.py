@@ -17,10 +17,16 @@ from filelock import FileLock, Timeout
 from measureapp.errors import StorageError
 from measureapp.project.journal.publish import HOLDER, LOCK
 
+YIELDED_WITHIN_S = 60.0  # one viewpoint at full size, on a slow disk
+
 
 @contextmanager
-def lock_folder(folder: Path) -> Iterator[None]:
+def lock_folder(folder: Path, *, yields: bool = False) -> Iterator[None]:
     """Lock ``folder``, which must exist, until the body ends; the system releases the lock when the process dies.
+
+    Parameters
+    ----------
+    yields : the lock is held by a job in the background, for some seconds; another one then waits for it
 
     Raises
     ------
@@ -32,7 +38,7 @@ def lock_folder(folder: Path) -> Iterator[None]:
     try:
         if not folder.is_dir():
             raise FileNotFoundError(2, "the folder does not exist")
-        lock.acquire()
+        _acquire(lock, folder)
     except Timeout as error:
         raise StorageError(
             f"{folder} is in use by another window or command: {_holder(folder)}.",
@@ -43,7 +49,7 @@ def lock_folder(folder: Path) -> Iterator[None]:
             f"{folder} cannot be written to: {error.strerror or error}.", "Check the permissions, or copy the folder to a disk of your own."
         ) from error
     try:
-        _name_holder(folder)
+        _name_holder(folder, yields)
         yield
     finally:
         with suppress(OSError):
@@ -51,13 +57,46 @@ def lock_folder(folder: Path) -> Iterator[None]:
         lock.release()
 
 
-def _name_holder(folder: Path) -> None:
+def holder_of(folder: Path) -> str | None:
+    """Return in words who has locked a folder; None where nobody has, or where that cannot be found out."""
+    if not (folder / LOCK).exists():
+        return None
+    lock = FileLock(folder / LOCK, timeout=0)
+    try:
+        lock.acquire()
+    except Timeout:
+        return None if _holder_yields(folder) else _holder(folder)
+    except OSError:
+        return None
+    lock.release()
+    return None
+
+
+def _acquire(lock: FileLock, folder: Path) -> None:
+    """Take the lock at once, or as soon as a job in the background gives it back. Raises Timeout."""
+    try:
+        lock.acquire()
+    except Timeout:
+        if not _holder_yields(folder):
+            raise
+        lock.acquire(timeout=YIELDED_WITHIN_S)
+
+
+def _holder_yields(folder: Path) -> bool:
+    try:
+        return json.loads((folder / HOLDER).read_text(encoding="utf-8")).get("yields") is True
+    except (OSError, ValueError, AttributeError):
+        return False
+
+
+def _name_holder(folder: Path, yields: bool) -> None:
     """Write who holds the lock beside it; for information only, the lock itself is the system's."""
     holder = {
         "program": " ".join(("measureapp", *[word for word in sys.argv[1:2] if not word.startswith("-")])),
         "process": os.getpid(),
         "user": getpass.getuser(),
         "computer": socket.gethostname(),
+        "yields": yields,
         "since": datetime.now().astimezone().isoformat(timespec="seconds"),
     }
     with suppress(OSError):

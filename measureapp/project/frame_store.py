@@ -171,6 +171,10 @@ class FrameStore:
         approach: str | None = self._document(self._folder / viewpoint_id).get("approach")
         return approach
 
+    def exposures_us(self, viewpoint_id: str) -> tuple[int, ...]:
+        """Return the exposures of a stored stack, from long to short, without loading its images. Raises StorageError when it is damaged."""
+        return tuple(int(exposure) for exposure in self._document(self._folder / viewpoint_id).get("exposures_us", ()))
+
     def find_damage(self, viewpoint_id: str) -> tuple[str, ...]:
         """Compare all stored images of a viewpoint with the checksums in its description; return the problems, in words."""
         folder = self._folder / viewpoint_id

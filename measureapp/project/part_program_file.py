@@ -12,15 +12,20 @@ from pydantic import ValidationError
 from measureapp.data.model import first_problem
 from measureapp.data.part_program import PartProgram, PartProgramFacts
 from measureapp.data.plan import ScanPlan
+from measureapp.data.rig import RigDescription
 from measureapp.errors import InputError
 from measureapp.project.atomic import replacing
 from measureapp.project.geometry.files import read_mesh
 from measureapp.project.geometry.step_files import STEP_KINDS
 from measureapp.project.plan_file import read_plan
 from measureapp.project.program_file import parse_program, read_program
+from measureapp.project.template_folder import FOLDER as TEMPLATE_FOLDER
+from measureapp.project.template_folder import read_folder, unzip_folder, zip_folder
 
 PART_PROGRAM = ".mpart"
-FACTS, PLAN, INSPECTION, NOMINAL, REPORT, PICTURE = "part_program.json", "plan.json", "program.toml", "nominal", "report.typ", "picture.png"
+FACTS, PLAN, INSPECTION, NOMINAL, PICTURE = "part_program.json", "plan.json", "program.toml", "nominal", "picture.png"
+RIG = "rig.json"
+REPORT, TEMPLATE = "report.typ", "report.zip"  # a layout of the report alone, or a whole template folder
 LARGEST_BYTES = 1_000_000_000  # unpacked, all files together
 PNG = b"\x89PNG\r\n\x1a\n"
 HINT = "Give a part program that `measureapp program pack` has written."
@@ -35,6 +40,10 @@ def pack_part_program(
     facts: PartProgramFacts, plan: Path, inspection: Path | None = None, report_template: Path | None = None, picture: Path | None = None
 ) -> PartProgram:
     """Collect a part program from files; the nominal is the one that the inspection program names.
+
+    Parameters
+    ----------
+    report_template : a template folder, or a Typst file
 
     Raises
     ------
@@ -51,13 +60,15 @@ def pack_part_program(
         nominal = (path.suffix.lower(), content)
     if picture is not None and not _content(picture).startswith(PNG):
         raise InputError(f"{picture} is not a PNG image.", "Give the picture of the part as PNG.")
+    folder = report_template is not None and report_template.is_dir()
     return PartProgram(
         facts,
         read_plan(plan),
         None if inspection is None else _content(inspection),
         nominal,
-        None if report_template is None else _content(report_template),
+        None if report_template is None or folder else _content(report_template),
         None if picture is None else _content(picture),
+        zip_folder(read_folder(report_template)) if folder and report_template is not None else None,
     )
 
 
@@ -65,7 +76,9 @@ def write_part_program(program: PartProgram, path: Path) -> Path:
     """Write a part program, whole or not at all, and return its path, whose ending is `.mpart`. Raises StorageError."""
     path = path if is_part_program(path) else path.with_name(path.name + PART_PROGRAM)
     files = _files(program)
-    facts = program.facts.model_copy(update={"sha256": {name: hashlib.sha256(data).hexdigest() for name, data in files.items()}})
+    facts = program.facts.model_copy(
+        update={"schema_version": 2, "sha256": {name: hashlib.sha256(data).hexdigest() for name, data in files.items()}}
+    )
     with replacing(path) as temporary, zipfile.ZipFile(temporary, "w", zipfile.ZIP_DEFLATED) as archive:
         archive.writestr(FACTS, facts.model_dump_json(indent=2))
         for name, data in files.items():
@@ -85,6 +98,7 @@ def read_part_program(path: Path) -> PartProgram:
     try:
         facts = PartProgramFacts.model_validate_json(files.pop(FACTS))
         plan = ScanPlan.model_validate_json(files[PLAN])
+        rig = RigDescription.model_validate_json(files[RIG]) if RIG in files else None
     except KeyError as error:
         raise InputError(f"{path} has no {error.args[0]}.", HINT) from error
     except ValidationError as error:
@@ -97,8 +111,10 @@ def read_part_program(path: Path) -> PartProgram:
         raise InputError(f"{path}: {missing[0]} is missing.", "Copy the file again from where it was written.")
     if INSPECTION in files:
         _check_inspection(path, files[INSPECTION])
+    if TEMPLATE in files:
+        unzip_folder(files[TEMPLATE], f"{path}: {TEMPLATE}")
     nominal = next(((PurePosixPath(name).suffix, data) for name, data in files.items() if PurePosixPath(name).stem == NOMINAL), None)
-    return PartProgram(facts, plan, files.get(INSPECTION), nominal, files.get(REPORT), files.get(PICTURE))
+    return PartProgram(facts, plan, files.get(INSPECTION), nominal, files.get(REPORT), files.get(PICTURE), files.get(TEMPLATE), rig)
 
 
 def unpack_part_program(program: PartProgram, folder: Path) -> dict[str, Path]:
@@ -115,11 +131,21 @@ def unpack_part_program(program: PartProgram, folder: Path) -> dict[str, Path]:
         raise InputError(f"{folder} is not an empty folder.", "Choose a new or an empty folder.")
     written = {}
     for name, data in _files(program).items():
+        if name == TEMPLATE:
+            written["report"] = _unpack_template(data, folder / TEMPLATE_FOLDER)
+            continue
         path = folder / (_nominal_name(program, name) if PurePosixPath(name).stem == NOMINAL else name)
         with replacing(path) as temporary:
             temporary.write_bytes(data)
         written[PurePosixPath(name).stem] = path
     return written
+
+
+def _unpack_template(packed: bytes, folder: Path) -> Path:
+    for name, content in unzip_folder(packed, TEMPLATE).items():
+        with replacing(folder / name) as temporary:
+            temporary.write_bytes(content)
+    return folder
 
 
 def _nominal_name(program: PartProgram, name: str) -> str:
@@ -139,7 +165,14 @@ def _check_inspection(path: Path, content: bytes) -> None:
 def _files(program: PartProgram) -> dict[str, bytes]:
     """Return the files of the archive, besides the facts."""
     nominal = {} if program.nominal is None else {f"{NOMINAL}{program.nominal[0]}": program.nominal[1]}
-    others = {INSPECTION: program.inspection, REPORT: program.report_template, PICTURE: program.picture}
+    rig = None if program.rig is None else program.rig.model_dump_json(indent=2).encode()
+    others = {
+        RIG: rig,
+        INSPECTION: program.inspection,
+        REPORT: program.report_template,
+        PICTURE: program.picture,
+        TEMPLATE: program.template_folder,
+    }
     return {PLAN: program.plan.model_dump_json(indent=2).encode(), **nominal} | {
         name: data for name, data in others.items() if data is not None
     }
@@ -162,7 +195,7 @@ def _unpack(path: Path) -> dict[str, bytes]:
 
 
 def _is_known(name: str) -> bool:
-    return name in (FACTS, PLAN, INSPECTION, REPORT, PICTURE) or (PurePosixPath(name).stem == NOMINAL and "/" not in name)
+    return name in (FACTS, PLAN, RIG, INSPECTION, REPORT, TEMPLATE, PICTURE) or (PurePosixPath(name).stem == NOMINAL and "/" not in name)
 
 
 def _content(path: Path) -> bytes:

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from math import degrees
+from dataclasses import replace
+from datetime import UTC, datetime
+from math import degrees, hypot
 from typing import Any
 
 from measureapp import __version__
 from measureapp.data.calibration import CameraCalibration, RigCalibration
-from measureapp.data.dimension import Dimension, Verdict
+from measureapp.data.dimension import SEVERITY, Dimension, Verdict, worst_verdict
 from measureapp.data.measurement import Alignment, Measurement
 from measureapp.data.mesh import Mesh
 from measureapp.data.setups import JoinedSetUp
@@ -21,17 +23,19 @@ from measureapp.inspection.surface.deviation import Deviation
 from measureapp.inspection.surface.deviation import compute_deviation as deviation_from
 from measureapp.inspection.verdict import RULES
 from measureapp.progress import NoProgress, Progress
-from measureapp.report.model import Fact, ReportModel, Section, ViewLine
-from measureapp.report.part_pictures import render_part, summarise_deviation
-from measureapp.report.words import format_key, format_setting, format_time, number, percent
-
-SEVERITY = (Verdict.FAIL, Verdict.NOT_PROVEN, Verdict.NOT_MEASURED)
+from measureapp.report.cross_sections import render_sections
+from measureapp.report.deviation_pictures import summarise_deviation
+from measureapp.report.header import calibration_age, header, plan_lines
+from measureapp.report.model import Details, Fact, ReportModel, Section, ViewLine
+from measureapp.report.part_pictures import render_failing, render_part, scene_of
+from measureapp.report.words import format_key, format_name, format_setting, number, percent
 
 
 def compose(
     measurement: Measurement,
     nominal: Mesh | None = None,
     *,
+    details: Details = Details(),  # noqa: B008 - immutable
     verdict_rule: VerdictRule = "iso-14253-1:2017",
     pictures: bool = True,
     progress: Progress = NoProgress(),  # noqa: B008 - stateless
@@ -41,32 +45,47 @@ def compose(
     Parameters
     ----------
     nominal : the nominal mesh, if there is one; the report then shows the deviation of the cloud from it
-    pictures : False omits the pictures of the part, which take one or two seconds
+    details : identification, template, plan and exposures
+    pictures : False omits the pictures of the part, which take some seconds
     """
     dimensions = () if measurement.inspection is None else measurement.inspection.dimensions
     verdict, summary = summarise_verdicts(dimensions)
     deviation, why_not = (None, "") if nominal is None else _compute_deviation(measurement, nominal, progress)
+    details = details if details.created_at else replace(details, created_at=datetime.now(UTC).isoformat(timespec="seconds"))
+    scene = scene_of(measurement) if pictures else None
     return ReportModel(
         measurement=measurement,
-        title=measurement.part,
+        title=details.identification.part_name or measurement.part,
         software=f"MeasureApp {__version__}",
         verdict=verdict,
         summary=summary,
         verdict_rule=RULES[verdict_rule],
         dimensions=tuple(dimensions),
         views=view_lines(measurement),
-        header=_header(measurement),
-        sections=(
-            Section("Cloud and alignment", _cloud_facts(measurement, deviation, why_not)),
-            Section("Set-ups", _setup_facts(measurement.setups)),
-            Section(
-                "Calibration",
-                (*_validity_facts(measurement.validity), *_calibration_facts(measurement.calibration), *_length_facts(dimensions)),
-            ),
-            Section("Settings", _settings_facts(measurement.settings)),
-        ),
-        pictures=render_part(measurement) if pictures else (),
-        deviation=None if deviation is None or nominal is None else summarise_deviation(measurement, nominal, deviation),
+        header=header(measurement, details),
+        sections=_sections(measurement, deviation, why_not),
+        pictures=render_part(measurement, scene) if pictures else (),
+        deviation=None if deviation is None or nominal is None else summarise_deviation(nominal, deviation, pictures=pictures),
+        details=details,
+        failing=render_failing(measurement, scene),
+        cross_sections=() if deviation is None or nominal is None or not pictures else render_sections(nominal, deviation),
+        plan_lines=plan_lines(measurement, details),
+    )
+
+
+def _sections(measurement: Measurement, deviation: Deviation | None, why_not: str) -> tuple[Section, ...]:
+    dimensions = () if measurement.inspection is None else measurement.inspection.dimensions
+    calibration = (
+        *_validity_facts(measurement.validity),
+        Fact("Calibration age", calibration_age(measurement)),
+        *_length_facts(dimensions),
+        *_calibration_facts(measurement.calibration),
+    )
+    return (
+        Section("Cloud and alignment", _cloud_facts(measurement, deviation, why_not)),
+        Section("Set-ups", _setup_facts(measurement.setups)),
+        Section("Calibration", calibration),
+        Section("Settings", _settings_facts(measurement.settings)),
     )
 
 
@@ -84,7 +103,7 @@ def summarise_verdicts(dimensions: tuple[Dimension, ...]) -> tuple[Verdict | Non
     if not dimensions:
         return None, "No inspection program: no dimensions evaluated."
     counts = Counter(dimension.verdict for dimension in dimensions)
-    verdict = next((grave for grave in SEVERITY if counts[grave]), Verdict.PASS)
+    verdict = worst_verdict(counts)
     total = len(dimensions)
     if counts[Verdict.NO_TOLERANCE] == total:
         return None, "No dimension has a tolerance: no verdict."
@@ -92,7 +111,7 @@ def summarise_verdicts(dimensions: tuple[Dimension, ...]) -> tuple[Verdict | Non
         return verdict, f"All {counts[Verdict.PASS]} dimensions with a tolerance pass; {counts[Verdict.NO_TOLERANCE]} without tolerance."
     if verdict is Verdict.PASS:
         return verdict, "The dimension passes." if total == 1 else f"All {total} dimensions pass."
-    words = [f"{counts[kind]} {kind.value}" for kind in (*SEVERITY, Verdict.PASS, Verdict.NO_TOLERANCE) if counts[kind]]
+    words = [f"{counts[kind]} {kind.value}" for kind in SEVERITY if counts[kind]]
     return verdict, f"Of {total} dimension{'s' if total > 1 else ''}: " + ", ".join(words) + "."
 
 
@@ -122,21 +141,6 @@ def view_lines(measurement: Measurement) -> tuple[ViewLine, ...]:
             )
         )
     return tuple(lines)
-
-
-def _header(measurement: Measurement) -> tuple[Fact, ...]:
-    inspection, calibration = measurement.inspection, measurement.calibration
-    return (
-        Fact("Project", measurement.project),
-        Fact("Measured", format_time(measurement.measured_at)),
-        Fact("Rig", measurement.rig),
-        Fact("Inspection program", "none" if inspection is None else inspection.program),
-        Fact(
-            "Rig calibrated",
-            format_time(calibration.provenance.created) + (" (see the warning below)" if measurement.validity.all_warnings else ""),
-        ),
-        Fact("Views", f"{sum(line.used for line in view_lines(measurement))} of {len(measurement.views)} used"),
-    )
 
 
 def _cloud_facts(measurement: Measurement, deviation: Deviation | None, why_not: str) -> tuple[Fact, ...]:
@@ -231,12 +235,24 @@ def _calibration_facts(calibration: RigCalibration) -> tuple[Fact, ...]:
 
 
 def _length_facts(dimensions: Sequence[Dimension]) -> tuple[Fact, ...]:
-    """Return the reference of lengths, and whether its uncertainty is part of the budget."""
+    """Return what calibration and length reference add to the lengths of this report."""
     if not dimensions:
         return ()
     stated = any(one.budget.get("scale") for one in dimensions)
     uncertainty = 'in the contribution "scale"' if stated else "not included (taken as exact)"
-    return (Fact("Length reference", f"calibration board; uncertainty of its lengths and of the part temperature {uncertainty}"),)
+    reference = Fact("Length reference", f"calibration board; uncertainty of its lengths and of the part temperature {uncertainty}")
+    added = added_to_lengths(dimensions)
+    return (*((Fact("Adds to a length (k = 2)", added),) if added else ()), reference)
+
+
+def added_to_lengths(dimensions: Sequence[Dimension]) -> str:
+    """Return what the calibration contributes to the uncertainty of the lengths that were measured; empty where no budget states it."""
+    lengths = [one for one in dimensions if one.unit == "mm" and one.measured is not None and "calibration" in one.budget]
+    added = [(hypot(one.budget["calibration"], one.budget.get("scale", 0.0)), one) for one in lengths]
+    if not added:
+        return ""
+    size, worst = max(added, key=lambda pair: pair[0])
+    return f"at most {number(size, 4)} mm ({format_name(worst.name)})"
 
 
 def _camera_words(camera: CameraCalibration) -> str:

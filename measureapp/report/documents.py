@@ -1,4 +1,4 @@
-"""Report documents of a measurement: PDF, CSV, JSON and HTML of one model."""
+"""Report documents of a measurement: PDF, CSV, XLSX, JSON and HTML of one model."""
 
 from __future__ import annotations
 
@@ -7,20 +7,26 @@ from pathlib import Path
 from typing import Literal
 
 from measureapp.project.atomic import write_json
+from measureapp.project.file_names import safe_file_name
 from measureapp.report.csv import write_csv
 from measureapp.report.html import write_html
 from measureapp.report.json_document import report_document
 from measureapp.report.model import ReportModel
 from measureapp.report.pdf import write_pdf
+from measureapp.report.xlsx import write_xlsx
 
-DocumentKind = Literal["pdf", "csv", "json", "html"]
-ALL_KINDS: tuple[DocumentKind, ...] = ("pdf", "csv", "json", "html")
+DocumentKind = Literal["pdf", "csv", "xlsx", "json", "html"]
+ALL_KINDS: tuple[DocumentKind, ...] = ("pdf", "csv", "xlsx", "json", "html")
 
 
 def write_documents(
-    model: ReportModel, folder: Path, kinds: Iterable[DocumentKind] = ALL_KINDS, template: Path | None = None
+    model: ReportModel, folder: Path, kinds: Iterable[DocumentKind] = ALL_KINDS, stem: str = "report"
 ) -> Mapping[DocumentKind, Path]:
-    """Write `report.pdf`, `.csv`, `.json`, `.html` into ``folder``, each whole or not at all; ``template`` is that of the PDF.
+    """Write `report.pdf`, `.csv`, `.xlsx`, `.json`, `.html` into ``folder``, each whole or not at all.
+
+    Parameters
+    ----------
+    stem : of the files' names
 
     Raises
     ------
@@ -28,12 +34,13 @@ def write_documents(
         A document cannot be written, or the template has an error.
     """
     writers: dict[DocumentKind, Callable[[ReportModel, Path], Path]] = {
-        "pdf": lambda model, path: write_pdf(model, path, template),
+        "pdf": write_pdf,
         "csv": write_csv,
+        "xlsx": write_xlsx,
         "json": write_report_json,
         "html": write_html,
     }
-    return {kind: writers[kind](model, folder / f"report.{kind}") for kind in kinds}
+    return {kind: writers[kind](model, folder / safe_file_name(stem, f".{kind}")) for kind in kinds}
 
 
 def write_report_json(model: ReportModel, path: Path) -> Path:

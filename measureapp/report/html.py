@@ -7,7 +7,7 @@ from pathlib import Path
 
 from measureapp.project.atomic import write_text
 from measureapp.report.model import Picture, ReportModel
-from measureapp.report.pdf import typst_document
+from measureapp.report.printed import typst_document
 from measureapp.resources import resource
 
 TEMPLATE = "report/report.html"
@@ -20,8 +20,8 @@ def html_text(model: ReportModel) -> str:
     environment = jinja2.Environment(autoescape=True, undefined=jinja2.StrictUndefined, trim_blocks=True, lstrip_blocks=True)
     template = environment.from_string(resource(TEMPLATE).read_text(encoding="utf-8"))
     pictures = [{"source": _inline(picture), "caption": picture.caption} for picture in model.pictures]
-    deviation = None if model.deviation is None else _inline(model.deviation.picture)
-    return template.render(r=typst_document(model), pictures=pictures, deviation_source=deviation)
+    maps = () if model.deviation is None else model.deviation.pictures
+    return template.render(r=typst_document(model), pictures=pictures, deviation_sources=[_inline(picture) for picture in maps])
 
 
 def write_html(model: ReportModel, path: Path) -> Path:

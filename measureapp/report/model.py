@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from measureapp.data.dimension import Dimension, Verdict
+from measureapp.data.identification import Identification
 from measureapp.data.measurement import Measurement
+from measureapp.data.plan import ScanPlan
+from measureapp.report.template import Template
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,11 +50,42 @@ class ViewLine:
 
 
 @dataclass(frozen=True, slots=True)
+class Flag:
+    """A label on a leader line; places are shares of the picture's width and height, from its top left."""
+
+    at: tuple[float, float]
+    text: tuple[str, ...]  # one line each
+    colour: str
+    further: tuple[tuple[float, float], ...] = ()  # other places that belong to it
+
+
+@dataclass(frozen=True, slots=True)
 class Picture:
-    """A picture of the part as PNG."""
+    """A picture of the part as PNG, and flags on it."""
 
     caption: str
     png: bytes
+    flags: tuple[Flag, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class DimensionPicture:
+    """The picture of one dimension that does not pass."""
+
+    name: str
+    picture: Picture
+
+
+@dataclass(frozen=True, slots=True)
+class PlanLine:
+    """A viewpoint as it was taken: its pose read back, and the exposures of its stored images."""
+
+    viewpoint_id: str
+    table_deg: float
+    guide_mm: float
+    flange_mm: tuple[float, float, float]  # in the robot base
+    exposures_us: tuple[int, ...]
+    as_planned: bool | None  # whether the exposures are those of the plan; None: there is no plan
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,7 +97,20 @@ class DeviationSummary:
     unmeasured_share: float
     limit_mm: float  # the colour scale ranges from -limit to +limit
     histogram: tuple[float, ...]  # share of the points in equal bins over the scale; the outer bins include all beyond
-    picture: Picture
+    beyond_share: float  # of the points beyond the scale
+    extremes_mm: Mapping[str, tuple[float, float, float]]  # where min and max are, in the nominal's frame
+    pictures: tuple[Picture, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Details:
+    """What a report states besides the measurement."""
+
+    identification: Identification = field(default_factory=Identification)
+    template: Template = field(default_factory=Template)
+    plan: ScanPlan | None = None
+    exposures_us: Mapping[str, tuple[int, ...]] = field(default_factory=dict)  # by viewpoint, of its stored images
+    created_at: str = ""  # ISO 8601; empty: now
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -82,3 +129,7 @@ class ReportModel:
     sections: tuple[Section, ...]  # alignment and cloud, calibration, settings
     pictures: tuple[Picture, ...]
     deviation: DeviationSummary | None
+    details: Details = field(default_factory=Details)
+    failing: tuple[DimensionPicture, ...] = ()
+    cross_sections: tuple[Picture, ...] = ()
+    plan_lines: tuple[PlanLine, ...] = ()

@@ -8,7 +8,7 @@ from typing import Any
 import cv2
 import numpy as np
 
-from measureapp.arrays import FloatArray, ImageArray, IntArray
+from measureapp.arrays import BoolArray, FloatArray, ImageArray, IntArray
 from measureapp.data.mesh import Mesh
 
 SUPERSAMPLING = 2
@@ -36,8 +36,8 @@ class ViewDirection:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class _Frame:
-    """Orthographic mapping between the part and the picture."""
+class Frame:
+    """Orthographic projection of the part onto the picture."""
 
     axes: FloatArray
     centre: FloatArray  # (3,) in the view's frame
@@ -46,7 +46,7 @@ class _Frame:
     height: int
 
     @classmethod
-    def around(cls, points_mm: FloatArray, direction: ViewDirection, width: int, height: int) -> _Frame:
+    def around(cls, points_mm: FloatArray, direction: ViewDirection, width: int, height: int) -> Frame:
         """Frame all ``points_mm`` with a margin."""
         axes = direction.axes()
         seen = points_mm @ axes.T
@@ -54,21 +54,101 @@ class _Frame:
         extent = np.maximum(high - low, 1e-6) * MARGIN
         return cls(axes, (low + high) / 2, max(extent[0] / width, extent[1] / height), width, height)
 
+    def place(self, points_mm: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Return where points (N, 3) lie in the picture, as shares (N, 2) from its top left, and how near they are to the viewer (N,)."""
+        seen = points_mm @ self.axes.T - self.centre
+        right = 0.5 + seen[:, 0] / (self.mm_per_px * self.width)
+        down = 0.5 - seen[:, 1] / (self.mm_per_px * self.height)
+        return np.column_stack([right, down]), seen[:, 2]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Seen:
+    """What each pixel of a picture shows of a mesh; arrays of the H × W pixels, twice as fine as the finished picture."""
+
+    frame: Frame
+    depth: FloatArray  # (H, W), from a plane before the mesh; infinite beside it
+    triangle: IntArray  # (H, W)
+    weights: FloatArray  # (H, W, 3), of the triangle's corners
+
+    @property
+    def hit(self) -> BoolArray:
+        """Whether a pixel shows the mesh (H, W)."""
+        return np.isfinite(self.depth)
+
+
+class SurfaceScene:
+    """A mesh that is drawn several times."""
+
+    def __init__(self, mesh: Mesh) -> None:
+        import open3d as o3d
+
+        self.mesh = mesh
+        self._used_mm = mesh.vertices_mm[np.unique(mesh.triangles)]
+        self._origin = self._used_mm.mean(axis=0)
+        self._scene: Any = o3d.t.geometry.RaycastingScene()
+        vertices = (mesh.vertices_mm - self._origin).astype(np.float32)
+        self._scene.add_triangles(o3d.core.Tensor.from_numpy(vertices), o3d.core.Tensor.from_numpy(mesh.triangles.astype(np.uint32)))
+        self._normals: FloatArray | None = None
+
+    def see(self, direction: ViewDirection, width: int, height: int) -> Seen:
+        """Cast a ray through each pixel of a picture of ``width`` × ``height``."""
+        import open3d as o3d
+
+        frame = Frame.around(self._used_mm, direction, width * SUPERSAMPLING, height * SUPERSAMPLING)
+        near = float((self._used_mm @ frame.axes[2]).max() - frame.centre[2]) + 1.0
+        right = (np.arange(frame.width) + 0.5 - frame.width / 2) * frame.mm_per_px
+        up = (frame.height / 2 - 0.5 - np.arange(frame.height)) * frame.mm_per_px
+        start = (frame.centre + np.array([0.0, 0.0, near])) @ frame.axes - self._origin
+        rays = np.empty((frame.height, frame.width, 6), np.float32)
+        rays[..., :3] = start + right[None, :, None] * frame.axes[0] + up[:, None, None] * frame.axes[1]
+        rays[..., 3:] = -frame.axes[2]
+        answer = self._scene.cast_rays(o3d.core.Tensor.from_numpy(rays))
+        uv = answer["primitive_uvs"].numpy()
+        weights = np.concatenate([1 - uv.sum(axis=-1, keepdims=True), uv], axis=-1)
+        return Seen(frame, answer["t_hit"].numpy(), answer["primitive_ids"].numpy(), weights)
+
+    def occluded(self, points_mm: FloatArray, towards: FloatArray, lift_mm: float) -> BoolArray:
+        """Return which points (N, 3) the mesh hides from a viewer in direction ``towards``."""
+        import open3d as o3d
+
+        starts = points_mm - self._origin + lift_mm * towards
+        rays = np.concatenate([starts, np.broadcast_to(towards, starts.shape)], axis=1).astype(np.float32)
+        hidden: BoolArray = self._scene.test_occlusions(o3d.core.Tensor.from_numpy(rays)).numpy()
+        return hidden
+
+    def at_corners(self, seen: Seen, values: FloatArray) -> FloatArray:
+        """Return values of vertices (V, K), interpolated at the pixels that show the mesh (N, K)."""
+        corners = values[np.asarray(self.mesh.triangles)[seen.triangle[seen.hit]]]
+        return np.einsum("nk,nkd->nd", seen.weights[seen.hit], corners)
+
+    def normals_at(self, seen: Seen) -> FloatArray:
+        """Return smooth normals (N, 3) at the pixels that show the mesh."""
+        if self._normals is None:
+            self._normals = _shading_normals(self.mesh)
+        return np.einsum("nk,nkd->nd", seen.weights[seen.hit], self._normals[seen.triangle[seen.hit]])
+
+    def picture(self, seen: Seen, colours: FloatArray | None = None, *, lit: bool = True) -> ImageArray:
+        """Return the picture (H/2, W/2, 3) uint8 on white.
+
+        Parameters
+        ----------
+        colours : (N, 3) in 0…1 of the pixels that show the mesh; None: one colour for all
+        lit : False shows the colours as they are, for a scale beside them
+        """
+        colour = np.broadcast_to(SURFACE_COLOUR, (int(seen.hit.sum()), 3)) if colours is None else colours
+        image = np.ones((*seen.depth.shape, 3), np.float32)
+        image[seen.hit] = colour * _shade(self.normals_at(seen) @ seen.frame.axes.T)[:, None] if lit else colour
+        return _finish(image, np.where(seen.hit, seen.depth, np.inf), seen.frame)
+
 
 def surface_picture(
     mesh: Mesh, direction: ViewDirection, width: int = 680, height: int = 480, colours: FloatArray | None = None
 ) -> ImageArray:
     """Render a mesh, (height, width, 3) uint8 on white; ``colours`` (V, 3) in 0…1 per vertex, or one for all."""
-    width, height = width * SUPERSAMPLING, height * SUPERSAMPLING
-    frame = _Frame.around(mesh.vertices_mm[np.unique(mesh.triangles)], direction, width, height)
-    depth, triangle, weights = _cast_rays(mesh, frame)
-    hit = np.isfinite(depth)
-    image = np.ones((height, width, 3), np.float32)
-    seen, share = triangle[hit], weights[hit]
-    normals = np.einsum("nk,nkd->nd", share, _shading_normals(mesh)[seen])
-    colour = SURFACE_COLOUR if colours is None else np.einsum("nk,nkd->nd", share, colours[np.asarray(mesh.triangles)[seen]])
-    image[hit] = colour * _shade(normals @ frame.axes.T)[:, None]
-    return _finish(image, np.where(hit, depth, np.inf), frame)
+    scene = SurfaceScene(mesh)
+    seen = scene.see(direction, width, height)
+    return scene.picture(seen, None if colours is None else scene.at_corners(seen, colours))
 
 
 def cloud_picture(
@@ -81,7 +161,7 @@ def cloud_picture(
 ) -> ImageArray:
     """Render a cloud as small squares in a depth buffer, (height, width, 3) uint8 on white; ``colours`` (N, 3) in 0…1."""
     width, height = width * SUPERSAMPLING, height * SUPERSAMPLING
-    frame = _Frame.around(points_mm, direction, width, height)
+    frame = Frame.around(points_mm, direction, width, height)
     facing = np.ones(len(points_mm), bool) if normals is None else np.asarray(normals) @ frame.axes[2] > 0
     seen = points_mm[facing] @ frame.axes.T - frame.centre
     shade = np.full(len(seen), 0.9) if normals is None else _shade(np.asarray(normals, float)[facing] @ frame.axes.T)
@@ -95,24 +175,6 @@ def cloud_picture(
     depth = np.full((height, width), np.inf)
     depth[filled] = -seen[nearest[filled], 2]
     return _finish(image, depth, frame)
-
-
-def _cast_rays(mesh: Mesh, frame: _Frame) -> tuple[FloatArray, IntArray, FloatArray]:
-    """Return depth (H, W), triangle (H, W) and barycentric weights (H, W, 3) of the first hit of each pixel."""
-    import open3d as o3d
-
-    scene: Any = o3d.t.geometry.RaycastingScene()
-    vertices = (mesh.vertices_mm @ frame.axes.T - frame.centre).astype(np.float32)
-    scene.add_triangles(o3d.core.Tensor.from_numpy(vertices), o3d.core.Tensor.from_numpy(np.asarray(mesh.triangles).astype(np.uint32)))
-    start = float(vertices[:, 2].max()) + 1.0
-    rays = np.zeros((frame.height, frame.width, 6), np.float32)
-    rays[..., 0] = (np.arange(frame.width) + 0.5 - frame.width / 2) * frame.mm_per_px
-    rays[..., 1] = ((frame.height / 2 - 0.5 - np.arange(frame.height)) * frame.mm_per_px)[:, None]
-    rays[..., 2], rays[..., 5] = start, -1.0
-    answer = scene.cast_rays(o3d.core.Tensor.from_numpy(rays))
-    uv = answer["primitive_uvs"].numpy()
-    weights = np.concatenate([1 - uv.sum(axis=-1, keepdims=True), uv], axis=-1)
-    return answer["t_hit"].numpy(), answer["primitive_ids"].numpy(), weights
 
 
 def _shading_normals(mesh: Mesh) -> FloatArray:
@@ -139,7 +201,7 @@ def _shade(normals: FloatArray) -> FloatArray:
     return np.clip(0.34 + 0.62 * key + 0.18 * fill, 0, 1.12)
 
 
-def _splat(row: IntArray, column: IntArray, towards: FloatArray, frame: _Frame) -> IntArray:
+def _splat(row: IntArray, column: IntArray, towards: FloatArray, frame: Frame) -> IntArray:
     """Return the index (H, W) of the nearest point in each pixel, -1 for none; the squares are large enough to close the surface."""
     spacing = 1.3 * np.sqrt(frame.width * frame.height / 3 / max(len(row), 1))
     reach = int(np.clip(np.ceil(spacing), 1, LARGEST_SPLAT_PX))
@@ -158,7 +220,7 @@ def _splat(row: IntArray, column: IntArray, towards: FloatArray, frame: _Frame) 
     return nearest
 
 
-def _finish(image: FloatArray, depth_mm: FloatArray, frame: _Frame) -> ImageArray:
+def _finish(image: FloatArray, depth_mm: FloatArray, frame: Frame) -> ImageArray:
     """Darken outlines, average down and convert to 8 bit."""
     far = float(np.max(depth_mm[np.isfinite(depth_mm)], initial=0.0)) + 0.2 * frame.height * frame.mm_per_px
     filled = np.where(np.isfinite(depth_mm), depth_mm, far)

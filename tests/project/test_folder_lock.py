@@ -11,10 +11,10 @@ from measureapp.errors import StorageError
 from measureapp.pipeline import process_project
 from measureapp.progress import NoProgress
 from measureapp.project.folder import ProjectFolder, ProjectSettings
-from measureapp.project.folder_lock import lock_folder
+from measureapp.project.folder_lock import holder_of, lock_folder
 from measureapp.project.rig_file import read_rig
 
-HOLDER = "import sys; from measureapp.project.folder_lock import lock_folder\nwith lock_folder(sys.argv[1]):\n    print('held', flush=True); sys.stdin.read()"
+HOLDER = "import sys; from measureapp.project.folder_lock import holder_of, lock_folder\nwith lock_folder(sys.argv[1]):\n    print('held', flush=True); sys.stdin.read()"
 
 
 @pytest.fixture
@@ -51,3 +51,12 @@ def test_a_folder_that_cannot_be_written_to_is_reported(tmp_path):
 def test_computing_again_is_refused_while_another_window_changes_the_project(project):
     with project.lock(), pytest.raises(StorageError, match="in use by another"):
         process_project(project, lambda _event: None, NoProgress())
+
+
+def test_the_holder_of_a_folder_is_told_without_locking_it(tmp_path):
+    assert holder_of(tmp_path) is None
+    with lock_folder(tmp_path):
+        assert holder_of(tmp_path).startswith("this program, user ")
+    assert holder_of(tmp_path) is None
+    with lock_folder(tmp_path):
+        pass

@@ -249,3 +249,11 @@ def test_a_document_that_lacks_an_entry_is_refused(missing: str, measurement: Me
     (tmp_path / "measurement.json").write_text(json.dumps(document))
     with pytest.raises(StorageError, match=missing):
         load(tmp_path, measurement.calibration)
+
+
+def test_an_inspection_comes_back_with_its_further_alignments_and_dimensions_without_tolerance(inspection: Inspection) -> None:
+    weak = replace(inspection.alignment, method="datums", fixed=5, weakest_mm=0.02, weakest_direction=(0.0, 0.6, 0.8))
+    free = replace(inspection.dimensions[0], lower_tolerance=None, upper_tolerance=None, tolerance_source="", alignment="A", group="fit")
+    slot = replace(inspection.features[0], shape="slot", length_mm=30.0, normal=np.array([0.0, 0.0, 1.0]))
+    whole = replace(inspection, further={"A": weak}, dimensions=(free,), features=(slot,))
+    same(inspection_from(through_json(inspection_document(whole))), whole)

@@ -15,11 +15,15 @@ from measureapp.data.mesh import Mesh
 from measureapp.errors import StorageError
 from measureapp.report.compose import compose, summarise_verdicts
 from measureapp.report.csv import csv_text
+from measureapp.report.deviation_pictures import diverging_colours, nice_limit
 from measureapp.report.documents import ALL_KINDS, write_documents
 from measureapp.report.html import html_text
 from measureapp.report.json_document import dimension_document, report_document
-from measureapp.report.part_pictures import diverging_colours, nice_limit, render_part
-from measureapp.report.pdf import model_page_images, pdf_bytes, typst_document
+from measureapp.report.model import Details
+from measureapp.report.part_pictures import render_part
+from measureapp.report.pdf import page_images, pdf_bytes
+from measureapp.report.printed import typst_document
+from measureapp.report.template import Template
 from measureapp.report.words import format_name, format_tolerance, number
 
 
@@ -84,14 +88,14 @@ def test_a_report_with_everything_becomes_pages_with_pictures(measured, block) -
     measurement = measured()
     model = compose(measurement, block)
     assert pdf_bytes(model).startswith(b"%PDF-")
-    pages = model_page_images(model, ppi=40)
-    assert len(pages) == 2
+    pages = page_images(model, ppi=40)
+    assert len(pages) == 4
     assert all(page.startswith(b"\x89PNG") for page in pages)
 
 
 def test_many_views_run_over_to_further_pages(measured) -> None:
     model = compose(measured(view_count=90), pictures=False)
-    assert len(model_page_images(model, ppi=20)) == 3
+    assert len(page_images(model, ppi=20)) == 6
 
 
 @pytest.mark.parametrize("mesh", [True, False])
@@ -114,12 +118,14 @@ def test_a_broken_template_is_named(measured, tmp_path: Path) -> None:
     template = tmp_path / "mine.typ"
     template.write_text("#let x = (")
     with pytest.raises(StorageError, match=r"mine\.typ"):
-        pdf_bytes(compose(measured(), pictures=False), template)
+        pdf_bytes(compose(measured(), details=Details(template=Template(layout=template)), pictures=False))
 
 
 def test_all_documents_are_written_whole(measured, block, tmp_path: Path) -> None:
     files = write_documents(compose(measured(), block), tmp_path / "out", ALL_KINDS)
-    assert sorted(path.name for path in (tmp_path / "out").iterdir()) == ["report.csv", "report.html", "report.json", "report.pdf"]
+    assert sorted(path.name for path in (tmp_path / "out").iterdir()) == [
+        "report.csv", "report.html", "report.json", "report.pdf", "report.xlsx",
+    ]  # fmt: skip
     document = json.loads(files["json"].read_text())
     assert document["verdict"] == "fail"
     assert document["deviation_mm"]["rms"] == pytest.approx(0.0, abs=1e-4)
@@ -185,3 +191,17 @@ def test_a_small_uncertainty_is_never_printed_as_none(measured) -> None:
     assert replace(first, uncertainty=0.0123).round_uncertainty() == 0.0123
     assert replace(first, uncertainty=0.0).round_uncertainty() == 0.0  # a drawing against itself
     assert replace(first, uncertainty=None).round_uncertainty() is None
+
+
+def test_dimensions_without_tolerance_are_listed_and_decide_nothing(measured) -> None:
+    first = measured().inspection.dimensions[0]
+    free = replace(first, name="free", lower_tolerance=None, upper_tolerance=None, verdict=Verdict.NO_TOLERANCE)
+    passing = replace(first, name="held", verdict=Verdict.PASS, tolerance_source="H7")
+    model = compose(measured((passing, free)), pictures=False)
+    assert model.verdict is Verdict.PASS and "1 without tolerance" in model.summary
+    assert compose(measured((free,)), pictures=False).verdict is None
+    rows = list(csv.DictReader(io.StringIO(csv_text(model))))
+    assert rows[1]["lower_tolerance"] == "" and rows[0]["tolerance_source"] == "H7"
+    assert json.loads(json.dumps(report_document(model)))["dimensions"][1]["tolerance"] == [None, None]
+    assert "no tolerance" in html_text(model)
+    assert typst_document(model)["dimensions"][1]["tolerance"] == "–"

@@ -184,10 +184,10 @@ def test_residuals_of_single_points_are_signed_before_merging_and_rms_on_the_mer
     page = window.pages["clouds"]
     page.colour_by.setValue("residual")
     qtbot.waitUntil(lambda: not page.is_composing and not page._stale, timeout=20_000)
-    assert (page.scale.low, page.scale.name) == (0.0, "Residual (rms)")
+    assert (page.view.legend.low, page.view.legend.quantity) == (0.0, "Residual (rms)")
     page.stage.setValue("before")
     qtbot.waitUntil(lambda: not page.is_composing and not page._stale, timeout=20_000)
-    assert page.scale.low == -page.scale.high and page.scale.name == "Residual"
+    assert page.view.legend.low == -page.view.legend.high and page.view.legend.quantity == "Residual"
     view, placement = measurement.views[1], measurement.stitched.placements[1]
     cloud = page.picture.placed.get(view, placement, fine=False)
     near, kept = page.picture.residuals.of(cloud, measurement.stitched), page.picture.residuals.of(cloud, measurement.stitched)

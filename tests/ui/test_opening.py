@@ -63,17 +63,11 @@ def test_a_project_whose_images_are_gone_cannot_be_computed_again_and_says_why(p
         process_project(project, lambda _event: None, NoProgress())
 
 
-def test_an_operator_goes_on_to_the_dimensions_and_an_engineer_to_the_clouds(application, window, measurement):
+def test_after_a_scan_the_next_step_are_the_clouds(application, window, measurement):
     application.session.set_measurement(measurement, {})
-    scan = window.pages["scan"]
     window.show_page("scan")
-    scan.next_step.click()
+    window.pages["scan"].next_step.click()
     assert window.page is window.pages["clouds"]
-    window.header.role.setValue("operator")
-    window.show_page("scan")
-    assert scan.next_step.text().strip() == "See the dimensions"
-    scan.next_step.click()
-    assert window.page is window.pages["inspection"]
 
 
 def measured(project, measurement):
@@ -154,3 +148,14 @@ def test_the_projects_opened_last_are_offered_and_one_that_is_gone_is_not(qtbot,
     qtbot.waitUntil(lambda: application.session.folder == project.path, timeout=PATIENCE_MS)
     (other.path / "project.json").unlink()
     assert application.controllers.project.recent() == ((project.path, "part"),)
+
+
+def test_a_project_that_another_program_writes_into_is_opened_read_only_with_its_holder(application, rig, tmp_path, qtbot):
+    from measureapp.project.folder import ProjectFolder, ProjectSettings
+
+    project = ProjectFolder.create(tmp_path / "wheel", ProjectSettings(name="wheel", part="wheel", rig=rig))
+    with project.lock():
+        application.controllers.project.open(project.path)
+        qtbot.waitUntil(lambda: any("read-only" in message.text for message in application.session.messages), timeout=20_000)
+    told = next(message for message in application.session.messages if "read-only" in message.text)
+    assert told.text.startswith("wheel is open read-only: it is in use by this program, user ")

@@ -163,16 +163,6 @@ def test_every_link_of_the_help_leads_to_a_page():
             assert target in pages
 
 
-def test_an_operator_sees_only_what_the_work_needs(application, window):
-    window.show_page("plan")
-    window.header.role.setValue("operator")
-    assert application.session.role == "operator"
-    shown = [name for name, button in window.rail.buttons.items() if button.isVisible()]
-    assert shown == ["rig", "scan", "inspection", "report"]
-    assert window.page.name == "scan"
-    assert not window.properties.isVisible()
-
-
 def test_the_rail_changes_pages_and_the_properties_fold(window):
     window.rail.buttons["clouds"].click()
     assert window.page.name == "clouds"

@@ -66,7 +66,7 @@ class Actions(QObject):
             if shared and other.shortcut and QKeySequence(other.shortcut) == keys:
                 raise ValueError(f"{action.id} and {other.id} have the same shortcut {action.shortcut}")
         if action.bound:
-            QShortcut(keys, self._window).activated.connect(lambda: self.trigger(action.id))
+            QShortcut(keys, self._window).activated.connect(lambda: self.perform(action.id))
 
     def all(self) -> tuple[Action, ...]:
         """Return all actions in the order in which they were registered."""
@@ -82,7 +82,7 @@ class Actions(QObject):
         found = [(UNUSABLE * bool(action.why_not()) - points, place, action) for points, place, action in scored if points is not None]
         return tuple(action for *_, action in sorted(found, key=lambda entry: entry[:2]))
 
-    def trigger(self, id_: str) -> bool:
+    def perform(self, id_: str) -> bool:
         """Run an action, or say why it cannot be used; return whether it ran."""
         action = self._actions[id_]
         reason = action.why_not()

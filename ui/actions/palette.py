@@ -85,4 +85,4 @@ class CommandPalette(QDialog):
             self.hint.setText(chosen.why_not())
             return
         self.accept()
-        self._actions.trigger(chosen.id)
+        self._actions.perform(chosen.id)

@@ -18,6 +18,8 @@ from ui.controllers.growing import GrowingController
 from ui.controllers.holes import HolesController
 from ui.controllers.jobs import JobRunner
 from ui.controllers.nominal import NominalController
+from ui.controllers.operator import OperatorController
+from ui.controllers.operator_roles import RoleController
 from ui.controllers.planning import PlanningController
 from ui.controllers.programming import ProgrammingController
 from ui.controllers.project import ProjectController
@@ -49,6 +51,7 @@ class Controllers(QObject):
         self.editing = JobRunner(session, self)
         self.predicting = JobRunner(session, self)
         self.inspecting = JobRunner(session, self)
+        self.operating = JobRunner(session, self)
         self.rig = RigControl(session, self.jobs, self)
         self.rig_editing = RigEditing(session, self.editing, self.rig, self)
         self.scanning = ScanController(session, self.jobs, self.rig, self)
@@ -69,6 +72,8 @@ class Controllers(QObject):
         self.nominal = NominalController(session, self.jobs, self.programming, self)
         self.creating = CreatingController(session, self.drawing, self.programming, self)
         self.planning = PlanningController(session, self.jobs, self.predicting, self)
+        self.roles = RoleController(session, self.operating, self.jobs, self)
+        self.operator = OperatorController(session, self.operating, self.jobs, self.scanning, self.rig, self)
         self._session, self._calibrating = session, dict[str, CalibratingController]()
         self.recent_calibration = RecentCalibrationController(session, self.background, self)
         self.startup = StartupController(session, self.background, self)
@@ -82,12 +87,23 @@ class Controllers(QObject):
 
     @property
     def runners(self) -> tuple[JobRunner, ...]:
-        """All queues: foreground jobs, background jobs, drawing, explanation of views, solving of calibrations, editing of rigs, plans, inspection."""
-        return self.jobs, self.background, self.drawing, self.explaining, self.solving, self.editing, self.predicting, self.inspecting
+        """All queues: foreground and background jobs, drawing, explanation of views, solving, editing, plans, inspection, operator mode."""
+        return (
+            self.jobs,
+            self.background,
+            self.drawing,
+            self.explaining,
+            self.solving,
+            self.editing,
+            self.predicting,
+            self.inspecting,
+            self.operating,
+        )
 
     def end(self, timeout_ms: int) -> bool:
         """Cancel all jobs and wait for their threads; return whether all have ended. The compilation of a kernel cannot be interrupted."""
         self.planning.prediction.stop()
+        self.roles.end()
         for runner in self.runners:
             runner.queue.cancel_all()
         clock = QElapsedTimer()

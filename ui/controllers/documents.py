@@ -101,18 +101,14 @@ def page_images(measurement: Measurement, folder: Path | None, job: Job) -> tupl
     """Return the report's pages as PNG; runs on a job's thread."""
     job.report(0, 2, "Rendering the pages")
     from measureapp.project.folder import ProjectFolder
-    from measureapp.project.geometry.files import read_mesh
     from measureapp.report.compose import compose
-    from measureapp.report.pdf import model_page_images
+    from measureapp.report.pdf import page_images as pages_of
+    from measureapp.report.project import compose_project
 
-    nominal, template = None, None
-    if folder is not None and (folder / "project.json").exists():
-        project = ProjectFolder.open(folder)
-        nominal = None if project.nominal is None else read_mesh(project.nominal, "nominal")
-        template = project.report_template
-    model = compose(measurement, nominal)
+    stored = folder is not None and (folder / "project.json").exists()
+    model = compose_project(ProjectFolder.open(folder), measurement) if folder is not None and stored else compose(measurement)
     job.report(1, 2, "Rendering the pages")
-    return tuple(model_page_images(model, template=template))
+    return pages_of(model)
 
 
 def export(kind: str, source: Path | None, measurement: Measurement, target: Path, job: Job) -> Path:

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from measureapp.pipeline import Outcome
     from measureapp.register.clouds.filter_chain import FilterChain
     from ui.workers.job import Job
+IN_USE = "Nothing can be scanned or recomputed here until that has ended. Then open the project again."
 
 
 @dataclass(frozen=True)
@@ -41,6 +42,7 @@ class ReadProject:
     filters: FilterChain | None = None  # of the stitched cloud
     damage: StorageError | None = None  # error of the results, if they cannot be read
     lost: StorageError | None = None  # error of the filters, if they cannot be read
+    holder: str | None = None  # another window or command that writes into the project
 
 
 class ProjectController(QObject):
@@ -135,6 +137,8 @@ class ProjectController(QObject):
             session.tell(read.damage.message, "Press Recompute on the page Scan; no new scan is needed.", "warning")
         if read.lost is not None:
             session.tell(read.lost.message, read.lost.hint, "warning")
+        if read.holder is not None:
+            session.tell(f"{read.name} is open read-only: it is in use by {read.holder}.", IN_USE, "warning")
 
     @Slot(object)
     def _show_recomputed(self, outcome: Outcome) -> None:
@@ -147,6 +151,7 @@ def read_project(folder: Path, job: Job) -> ReadProject:
     job.report(0, 3, "Reading the project")
     from measureapp.pipeline.validity import known_validity
     from measureapp.project.folder import ProjectFolder
+    from measureapp.project.folder_lock import holder_of
     from measureapp.project.recent_projects import recent_file, remember_project
     from measureapp.project.results import MESH, STITCHED
 
@@ -187,4 +192,5 @@ def read_project(folder: Path, job: Job) -> ReadProject:
         filters,
         damage,
         lost,
+        holder_of(folder),
     )

@@ -8,8 +8,10 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 from ui.look.theme import Theme
-from ui.viewport.colouring import DIVERGING, GROWING, UNKNOWN, along, by_grey, plain, upper_end
+from ui.viewport.colouring import UNKNOWN, by_grey, plain, upper_end
 from ui.viewport.layers import CloudLayer, SurfaceLayer
+from ui.viewport.overlay.legend import Histogram, Legend
+from ui.viewport.prepared_surface import SurfacePart, coarse
 
 if TYPE_CHECKING:
     from measureapp.data.cloud import PointCloud, StitchedCloud, ViewPlacement
@@ -22,6 +24,7 @@ if TYPE_CHECKING:
 DENSE_TRIANGLES = 150_000  # so dense that smoothed edges are invisible
 RESIDUAL_RANGE = 3.0  # in rms of a view: contains nearly all of its points
 SCALE_SAMPLES = 20_000  # of each cloud, for the end of the scale
+PROXY_SAMPLES, FAR_SPACINGS = 200_000, 6.0
 ColourBy = Literal["view", "sigma", "grey", "residual"]
 
 
@@ -69,22 +72,36 @@ def scale_end(colour_by: ColourBy, clouds: Collection[PointCloud | StitchedCloud
     """Return the upper end of the colour scale in mm."""
     if colour_by == "residual":
         return upper_end(RESIDUAL_RANGE * np.array([placement.residual_mm for placement in placements]))
-    return upper_end(
-        np.concatenate([cloud.sigma_mm[:: max(1, len(cloud) // SCALE_SAMPLES)] for cloud in clouds]) if clouds else np.empty(0)
-    )
+    return upper_end(sigma_sample(clouds))
+
+
+def scale_legend(colour_by: ColourBy, end_mm: float, values_mm: np.ndarray, *, merged: bool) -> Legend | None:
+    """Return the default legend of a colouring that has a scale; ``values_mm``: a sample, for the histogram."""
+    if colour_by == "sigma":
+        return Legend("Standard deviation σ", 0.0, end_mm, ramp="growing", histogram=Histogram.of(values_mm), usual=(0.0, end_mm))
+    if colour_by != "residual":
+        return None
+    if merged:
+        return Legend("Residual (rms)", 0.0, end_mm, ramp="growing", usual=(0.0, end_mm))
+    return Legend("Residual", -end_mm, end_mm, usual=(-end_mm, end_mm))
+
+
+def sigma_sample(clouds: Collection[PointCloud | StitchedCloud]) -> np.ndarray:
+    """Return some standard deviations of each cloud."""
+    parts = [cloud.sigma_mm[:: max(1, len(cloud) // SCALE_SAMPLES)] for cloud in clouds]
+    return np.concatenate(parts) if parts else np.empty(0)
 
 
 def view_layer(
-    theme: Theme, cloud: PointCloud, index: int, colour_by: ColourBy, end_mm: float, residuals_mm: np.ndarray | None = None
+    theme: Theme, cloud: PointCloud, index: int, colour_by: ColourBy, legend: Legend | None, residuals_mm: np.ndarray | None = None
 ) -> CloudLayer:
     """Return one view's points, coloured; ``residuals_mm`` (N,) are signed, for colouring by residual."""
     count = len(cloud)
-    if colour_by == "sigma":
-        colours = along(GROWING, cloud.sigma_mm, 0.0, end_mm)
-    elif colour_by == "grey":
+    if colour_by == "grey":
         colours = by_grey(cloud.grey)
-    elif colour_by == "residual":
-        colours = along(DIVERGING, np.full(count, np.nan) if residuals_mm is None else residuals_mm, -end_mm, end_mm)
+    elif colour_by in {"sigma", "residual"} and legend is not None:
+        left = np.full(count, np.nan) if residuals_mm is None else residuals_mm
+        colours = legend.colours(cloud.sigma_mm if colour_by == "sigma" else left)
     else:
         colours = plain(view_colour(theme, index), count)
     return CloudLayer(cloud.points_mm, colours, cloud.normals, to_read=colour_by in {"sigma", "residual"})
@@ -94,7 +111,7 @@ def stitched_layer(
     theme: Theme,
     stitched: StitchedCloud,
     colour_by: ColourBy,
-    end_mm: float,
+    legend: Legend | None,
     visible: Collection[int],
     places: Mapping[str, int],
     residuals_mm: np.ndarray | None = None,
@@ -105,12 +122,11 @@ def stitched_layer(
     """
     keep = np.isin(stitched.view, list(visible))
     view = stitched.view[keep]
-    if colour_by == "sigma":
-        colours = along(GROWING, stitched.sigma_mm[keep], 0.0, end_mm)
-    elif colour_by == "grey":
+    if colour_by == "grey":
         colours = by_grey(stitched.grey[keep])
-    elif colour_by == "residual":
-        colours = along(GROWING, np.full(len(view), np.nan) if residuals_mm is None else residuals_mm[keep], 0.0, end_mm)
+    elif colour_by in {"sigma", "residual"} and legend is not None:
+        left = np.full(len(view), np.nan) if residuals_mm is None else residuals_mm[keep]
+        colours = legend.colours(stitched.sigma_mm[keep] if colour_by == "sigma" else left)
     else:
         palette = np.array([view_colour(theme, places.get(found.viewpoint_id, 0)) for found in stitched.placements], np.uint8)
         colours = palette[view]
@@ -170,3 +186,26 @@ def vertex_normals(vertices: np.ndarray, triangles: np.ndarray) -> np.ndarray:
     corners = triangles.ravel()
     summed = np.stack([np.bincount(corners, np.repeat(faces[:, axis], 3), len(vertices)) for axis in range(3)], axis=1)
     return summed / np.maximum(np.linalg.norm(summed, axis=1, keepdims=True), 1e-12)
+
+
+def coarse_mesh(mesh: Mesh) -> SurfacePart:
+    """Return a surface of at most 50 000 triangles, for a moving picture; slow for millions of triangles."""
+    vertices = np.asarray(mesh.vertices_mm, np.float32)
+    triangles = np.asarray(mesh.triangles, np.int64)
+    return coarse(SurfacePart(vertices, triangles, vertex_normals(vertices, triangles).astype(np.float32), None))
+
+
+def proxy_layer(part: SurfacePart, layers: Collection[CloudLayer]) -> SurfaceLayer | None:
+    """Return a coarse surface in the colours of the points near its vertices; hatched where there are none."""
+    from scipy.spatial import cKDTree
+
+    steps = [max(1, len(layer.points_mm) * len(layers) // PROXY_SAMPLES) for layer in layers]
+    points = [layer.points_mm[::step] for layer, step in zip(layers, steps, strict=True)]
+    if not len(part.triangles) or not sum(len(one) for one in points):
+        return None
+    colours = np.concatenate([layer.colours[::step] for layer, step in zip(layers, steps, strict=True)])
+    distances, nearest = cKDTree(np.concatenate(points)).query(part.vertices_mm)
+    made = colours[nearest].copy()
+    made[distances > FAR_SPACINGS * max(float(np.median(distances)), 1e-6)] = UNKNOWN
+    to_read = any(layer.to_read for layer in layers)
+    return SurfaceLayer(part.vertices_mm, part.triangles, made, normals=part.normals, to_read=to_read)

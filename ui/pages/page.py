@@ -23,7 +23,6 @@ class Page(QWidget):
     name: ClassVar[str] = ""
     word: ClassVar[str] = ""
     wants_room: ClassVar[bool] = False  # in a small window the properties are folded
-    for_operator: ClassVar[bool] = False
     propertiesChanged = Signal(object)
     propertiesAsked = Signal()  # requests that a folded panel is opened
 

@@ -60,6 +60,12 @@ def view_point(viewpoint_id: str, cloud: PointCloud, place: int) -> PickedPoint:
     )
 
 
+def quick_point(stitched: StitchedCloud, row: int) -> PickedPoint:
+    """Return one point of the merged cloud without its pixel and the views that measured it, which take longer to find."""
+    view = stitched.view_names[int(stitched.view[row])]
+    return PickedPoint(view, stitched.points_mm[row], float(stitched.sigma_mm[row]), float(stitched.grey[row]), None, 0)
+
+
 def merged_point(stitched: StitchedCloud, row: int, views: Sequence[ViewResult]) -> PickedPoint:
     """Return one point of the merged cloud, with the pixel of the nearest measured point in the view of greatest weight."""
     position, sigma, grey = stitched.points_mm[row], float(stitched.sigma_mm[row]), float(stitched.grey[row])

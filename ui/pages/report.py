@@ -33,7 +33,6 @@ class ReportPage(Page):
     """Preview of the PDF pages, and export by format."""
 
     name, word, wants_room = "report", "Report", True
-    for_operator = True
 
     def __init__(self, look: Look, session: Session, controllers: Controllers) -> None:
         super().__init__(look, session, controllers, EmptyState(look, "report", *EMPTY, "Run the demo"))

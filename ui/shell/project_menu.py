@@ -63,7 +63,7 @@ class ProjectMenu(QObject):
             reason = action.why_not()
             entry.setEnabled(not reason)
             entry.setToolTip(reason)
-            entry.triggered.connect(lambda _=False, chosen=id_: actions.trigger(chosen))
+            entry.triggered.connect(lambda _=False, chosen=id_: actions.perform(chosen))
             if id_ == BELOW:
                 self._offer_recent(menu.addMenu("Open recent"))
         menu.setToolTipsVisible(True)

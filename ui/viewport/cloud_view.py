@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 from PySide6.QtCore import QPoint, QPointF, Qt, Signal
 from PySide6.QtGui import QColor, QGuiApplication, QImage, QShowEvent
-from PySide6.QtWidgets import QLabel, QMenu, QStackedLayout, QWidget
+from PySide6.QtWidgets import QFileDialog, QLabel, QMenu, QStackedLayout, QWidget
 
 from ui.look.look import Look
+from ui.look.theme import Theme
 from ui.viewport.backend import NO_GRAPHICS, choose_backend, off_screen_window
 from ui.viewport.keys import KEYS, add_keys
 from ui.viewport.layers import CloudLayer, Label, LineLayer, SurfaceLayer
@@ -28,6 +30,7 @@ if TYPE_CHECKING:
     from ui.viewport.native import NativeView
     from ui.viewport.off_screen import OffScreenView
     from ui.viewport.point_index import PointIndex
+    from ui.viewport.print_picture import Background, PrintSize
     from ui.viewport.stage import Stage
 
 PREPARING = "Preparing 3-D view…"
@@ -49,6 +52,7 @@ class CloudView(SteeredView):
     clipChanged = Signal(object)  # ClipBox
     menuOpening = Signal(object, object)  # QMenu and Pick, so that pages can add actions
     becameLive = Signal()
+    pictureFailed = Signal(str)  # file that could not be written
 
     def __init__(self, look: Look, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -66,6 +70,7 @@ class CloudView(SteeredView):
         self._legend: Legend | None = None
         self._frame_name, self._chosen = "", ""
         self._framing: tuple[np.ndarray | None, Direction] | None = None
+        self.corner: Callable[[], tuple[str, ...]] = lambda: ()  # words in the corner of printed pictures
         self._placeholder = QLabel(PREPARING, alignment=Qt.AlignmentFlag.AlignCenter)
         self._placeholder.setProperty("role", "soft")
         self._placeholder.setWordWrap(True)
@@ -176,6 +181,26 @@ class CloudView(SteeredView):
     def screenshot(self) -> QImage:
         """Return the picture; empty while there is no 3-D view."""
         return QImage() if self._view is None else self._view.image()
+
+    def print_picture(self, size: PrintSize) -> QImage:
+        """Return the picture at print resolution, on white or without background; empty while there is no 3-D view."""
+        from ui.viewport.print_picture import print_picture
+
+        if self._view is None or self.stage is None:
+            return QImage()
+        style = OverlayStyle.of(Theme.load("light"))
+        return print_picture(self.stage, self._view.render_window, size, style, self.corner())
+
+    def save_picture(self, background: Background) -> None:
+        """Ask for a file, and save the picture at print resolution."""
+        from ui.viewport.print_picture import PrintSize
+
+        chosen, _ = QFileDialog.getSaveFileName(self, "Save picture", str(Path.home() / "picture.png"), "*.png")
+        if chosen:
+            file = Path(chosen)
+            file = file if file.suffix.lower() == ".png" else file.with_name(f"{file.name}.png")
+            if not self.print_picture(PrintSize(background=background)).save(str(file)):
+                self.pictureFailed.emit(str(file))
 
     def copy_picture(self) -> None:
         """Copy the picture with its furniture to the clipboard."""

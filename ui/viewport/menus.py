@@ -51,6 +51,8 @@ def view_menu(view: CloudView, pick: Pick) -> QMenu:
     _check(menu, "Clip box", scene.clip is not None and scene.clip.is_on, view.clipAsked.emit, "X")
     menu.addSeparator()
     _add(menu, "Copy picture", view.copy_picture, "Ctrl+Shift+C")
+    _add(menu, "Save picture for print…", lambda: view.save_picture("white"))
+    _add(menu, "Save picture without background…", lambda: view.save_picture("transparent"))
     return menu
 
 

@@ -25,6 +25,7 @@ class Overlay:
         self.renderer = vtkRenderer()
         self.renderer.SetLayer(1)
         self.renderer.InteractiveOff()
+        self.renderer.PreserveDepthBufferOn()  # picks read the depth of the scene
         self._image, self._texture, self._pixels = vtkImageData(), vtkTexture(), np.empty(0, np.uint8)
         self._texture.SetInputData(self._image)
         self._texture.SetColorModeToDirectScalars()
@@ -115,12 +116,13 @@ class NativeWindow(RenderWindow):
         """Move the desktop window into a view."""
         if self.holder is holder:
             return
-        former, self.holder = self.holder, holder
+        former, self.holder = self.holder, None  # nothing is drawn before VTK has the window, or it would open one of its own
         if former is not None:
             former.give_up()
         holder.layout().addWidget(self.surface)
         self.surface.show()
         self._take_window()
+        self.holder = holder
 
     def take_from(self, holder: NativeView) -> None:
         """Take the desktop window out of a view that is closed."""
@@ -159,6 +161,11 @@ class NativeView(QWidget):
         stage.refreshWanted.connect(self.refresh)
         stage.paintWanted.connect(self.refresh)
         stage.places_hidden = self._hidden
+
+    @property
+    def render_window(self) -> RenderWindow:
+        """The window that draws the scene."""
+        return self._window
 
     def refresh(self) -> None:
         """Schedule a redraw."""

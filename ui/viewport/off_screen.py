@@ -36,6 +36,11 @@ class OffScreenView(QWidget):
         stage.paintWanted.connect(self.update)
         stage.places_hidden = self._hidden
 
+    @property
+    def render_window(self) -> RenderWindow:
+        """The window that draws the scene."""
+        return self._window
+
     def refresh(self) -> None:
         """Schedule a redraw."""
         self._stale = True

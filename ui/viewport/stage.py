@@ -62,13 +62,7 @@ class Stage(QObject):
 
     def fit_room(self) -> None:
         """Tell the camera which part of the picture the furniture leaves free."""
-        left, top, width, height = self.furniture.free(CameraView(np.eye(4), np.eye(3), self.width, self.height), self.style)
-        self.scene.camera.free = (
-            left / self.width,
-            1.0 - (top + height) / self.height,
-            width / self.width,
-            height / self.height,
-        )
+        self.scene.camera.free = free_fractions(self.furniture, self.width, self.height, self.style)
 
     def camera_view(self) -> CameraView:
         """Return the camera for the painter."""
@@ -176,6 +170,12 @@ class Stage(QObject):
         """Use other colours."""
         self.style = style
         self.paintWanted.emit()
+
+
+def free_fractions(furniture: Furniture, width: float, height: float, style: OverlayStyle) -> tuple[float, float, float, float]:
+    """Return the room that furniture leaves in a picture: left, bottom, width and height as fractions."""
+    left, top, wide, high = furniture.free(CameraView(np.eye(4), np.eye(3), width, height), style)
+    return left / width, 1.0 - (top + high) / height, wide / width, high / height
 
 
 def shown_words(shown: int, total: int) -> str:

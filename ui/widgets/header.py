@@ -52,6 +52,7 @@ class HeaderBar(QFrame):
     helpClicked = Signal()
     themeClicked = Signal()
     stopClicked = Signal()
+    operatorSetupClicked = Signal()
 
     def __init__(self, look: Look, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -73,13 +74,27 @@ class HeaderBar(QFrame):
         self.stop = Button("Stop", look, "stop", "stop", "Stop all axes, lamps and cameras (Esc). This is no safety function.")
         self.stop.clicked.connect(self.stopClicked)
         self.stop.hide()
+        self.operator_setup = Button("", look, "person", "quiet", "Set up operator mode: PIN, folders, shifts")
+        self.operator_setup.clicked.connect(self.operatorSetupClicked)
         self._shade = Button("", look, "dark", "quiet", "Change between the light and the dark theme")
         self._shade.clicked.connect(self.themeClicked)
         self._help = Button("", look, "help", "quiet", "Help for this page (F1)")
         self._help.clicked.connect(self.helpClicked)
         names = column(0, self.project, self.part, 0, spacing=0)
         layout = row(
-            names, 16, self.stop, self.devices, self.calibration, self.disk, 8, self.open, self.file, self.role, self._shade, self._help
+            names,
+            16,
+            self.stop,
+            self.devices,
+            self.calibration,
+            self.disk,
+            8,
+            self.open,
+            self.file,
+            self.role,
+            self.operator_setup,
+            self._shade,
+            self._help,
         )
         layout.setContentsMargins(24, 0, 16, 0)
         layout.setStretch(0, 1)

@@ -17,14 +17,15 @@ SIGN_PX = 48
 
 
 def verdict_on(verdicts: Sequence[str]) -> Verdict | None:
-    """Combine verdicts on dimensions: fail if any fails, pass if all pass; None without dimensions.
+    """Combine verdicts on dimensions: fail if any fails, pass if all with a tolerance pass; None without any.
 
     >>> verdict_on(["pass", "not measured", "pass"]), verdict_on(["pass", "fail", "not proven"])
     ('not proven', 'fail')
     """
-    if not verdicts:
+    decided = {verdict for verdict in verdicts if verdict != "no tolerance"}
+    if not decided:
         return None
-    return "fail" if "fail" in verdicts else "pass" if set(verdicts) == {"pass"} else "not proven"
+    return "fail" if "fail" in decided else "pass" if decided == {"pass"} else "not proven"
 
 
 class VerdictBanner(QFrame):

@@ -30,12 +30,19 @@ def facts_document(program: PartProgram) -> dict[str, Any]:
     return {
         "name": program.facts.name,
         "part_number": program.facts.part_number,
+        "drawing": program.facts.identification.drawing,
+        "revision": program.facts.identification.revision,
         "remarks": program.facts.remarks,
+        "code_pattern": program.facts.code_pattern,
+        "required": list(program.facts.required),
         "viewpoints": len(program.plan),
         "inspection": program.inspection is not None,
         "nominal": None if program.nominal is None else f"nominal{program.nominal[0]}",
-        "report_template": program.report_template is not None,
+        "report_template": (program.report_template or program.template_folder) is not None,
         "picture": program.picture is not None,
+        "raw": program.facts.raw,
+        "rig": None if program.rig is None else program.rig.name,
+        "calibration": None if program.facts.calibration is None else program.facts.calibration.model_dump(),
     }
 
 
@@ -45,11 +52,16 @@ def facts_lines(program: PartProgram) -> list[str]:
     parts = {
         "inspection program": program.inspection,
         "nominal": program.nominal,
-        "report template": program.report_template,
+        "report template": program.report_template or program.template_folder,
         "picture": program.picture,
     }
     there = ", ".join(name for name, part in parts.items() if part is not None)
     absent = ", ".join(name for name, part in parts.items() if part is None)
     lines = [f"{program.facts.name}{number}: {len(program.plan)} viewpoints{f', {there}' if there else ''}."]
+    if program.rig is not None:
+        named = program.facts.calibration
+        lines.append(f"Rig: {program.rig.name}{'' if named is None else f', calibrated in {named.folder}'}.")
     lines += [f"Not included: {absent}."] if absent else []
+    drawing, revision = program.facts.identification.drawing, program.facts.identification.revision
+    lines += [f"Drawing {drawing}, revision {revision or 'not stated'}."] if drawing else []
     return lines + ([program.facts.remarks] if program.facts.remarks else [])

@@ -122,10 +122,11 @@ class InspectionSession:
         if self._surface is None:
             self._check_unit(main.points, found, program)
         progress.report(2, 3, "dimensions")
-        others = self._find_in_other_alignments(program, keys, measured)
-        dimensions = tuple(
-            self._dimension(described, {None: found, **others}[described.alignment], keys, measured) for described in program.dimensions
-        )
+        others = {None: found, **self._find_in_other_alignments(program, keys, measured, PartOf(progress, 2 / 3, 0.8))}
+        dimensions = []
+        for number, described in enumerate(program.dimensions):
+            progress.report(0.8 + 0.2 * number / len(program.dimensions), 1, described.name)
+            dimensions.append(self._dimension(described, others[described.alignment], keys, measured))
         features = tuple(one.feature for one in found.values() if one.feature is not None)
         further = {
             one.name: placed.alignment
@@ -133,7 +134,7 @@ class InspectionSession:
             if (placed := self._placements.peek(keys.alignments[one.name])) is not None and placed.alignment is not None
         }
         progress.report(3, 3, "inspection complete")
-        inspection = Inspection(program.name, main.alignment, features, dimensions, further)
+        inspection = Inspection(program.name, main.alignment, features, tuple(dimensions), further)
         return SessionResult(inspection, self.rows(program), frozenset(measured))
 
     def _prepare(self) -> MeasuredPoints:
@@ -193,13 +194,13 @@ class InspectionSession:
         return found
 
     def _find_in_other_alignments(
-        self, program: InspectionProgram, keys: ProgramKeys, measured: set[Node]
+        self, program: InspectionProgram, keys: ProgramKeys, measured: set[Node], progress: Progress
     ) -> dict[str | None, dict[str, FoundFeature]]:
         """Find what the dimensions with an alignment of their own need; where that fails, features without a result."""
         others: dict[str | None, dict[str, FoundFeature]] = {}
         for named in program.alignments:
             using = [one for one in program.dimensions if one.alignment == named.name]
-            placed = self._place(program, named.name, keys, measured, NoProgress())
+            placed = self._place(program, named.name, keys, measured, progress)
             if not using:
                 continue
             names = {name for one in using for names in (*one.feature_sets, *one.datum_sets) for name in names}
@@ -208,7 +209,7 @@ class InspectionSession:
                 others[named.name] = {name: FoundFeature(name, None, reason) for name in names}
                 continue
             entries = _with_ancestors(program, {keys.entries[name] for name in names})
-            others[named.name] = self._find(program, named.name, placed.points, keys, measured, only=entries)
+            others[named.name] = self._find(program, named.name, placed.points, keys, measured, progress, entries)
         return others
 
     def _dimension(self, described: DimensionProgram, found: Found, keys: ProgramKeys, measured: set[Node]) -> Dimension:

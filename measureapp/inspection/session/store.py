@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import OrderedDict
 from collections.abc import Callable
 from typing import Generic, TypeVar
 
@@ -12,7 +13,7 @@ class Store(Generic[Result]):
     """Results by key, in order of their last use."""
 
     def __init__(self, most: int) -> None:
-        self._kept: dict[str, Result] = {}
+        self._kept: OrderedDict[str, Result] = OrderedDict()
         self._most = most
 
     def __contains__(self, key: str) -> bool:
@@ -25,8 +26,9 @@ class Store(Generic[Result]):
     def get(self, key: str, make: Callable[[], Result]) -> tuple[Result, bool]:
         """Return the result of ``key``, and whether it had to be made."""
         made = key not in self._kept
-        result = make() if made else self._kept.pop(key)
-        self._kept[key] = result
+        if made:
+            self._kept[key] = make()
+        self._kept.move_to_end(key)
         while len(self._kept) > self._most:
-            self._kept.pop(next(iter(self._kept)))
-        return result, made
+            self._kept.popitem(last=False)
+        return self._kept[key], made

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-import json
+from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
@@ -10,7 +10,7 @@ from measureapp import __version__
 from measureapp.data.repeats import RepeatedDimension, RepeatStudy
 from measureapp.inspection.uncertainty import COVERAGE_FACTOR
 from measureapp.project.atomic import replacing
-from measureapp.report.typeset import typeset
+from measureapp.report.typeset import Typeset, typeset
 from measureapp.report.words import NONE, format_name, format_time, number, percent
 from measureapp.resources import resource
 
@@ -20,17 +20,19 @@ SPREAD_DIGITS = 4
 
 def write_repeats_pdf(study: RepeatStudy, path: Path) -> Path:
     """Write the tables as PDF, whole or not at all, and return ``path``. Raises StorageError."""
-    files = {"report.json": json.dumps(typst_study(study)).encode()}
-    pages = typeset(resource(TEMPLATE), files, format="pdf")
+    (document,) = typeset(_document(study), "pdf")
     with replacing(path) as temporary:
-        temporary.write_bytes(pages[0])
+        temporary.write_bytes(document)
     return path
 
 
 def repeats_page_images(study: RepeatStudy, ppi: float = 110.0) -> tuple[bytes, ...]:
     """Return the pages as PNG. Raises StorageError."""
-    files = {"report.json": json.dumps(typst_study(study)).encode()}
-    return typeset(resource(TEMPLATE), files, format="png", ppi=ppi)
+    return typeset(_document(study), "png", ppi)
+
+
+def _document(study: RepeatStudy) -> Typeset:
+    return Typeset(resource(TEMPLATE), typst_study(study), {}, datetime.now(UTC).isoformat(timespec="seconds"))
 
 
 def typst_study(study: RepeatStudy) -> dict[str, Any]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import time
 
 import numpy as np
 import pytest
@@ -10,9 +11,12 @@ from inspection.session.machined import machined_part, program_of
 
 from measureapp.data.dimension import Verdict
 from measureapp.errors import InspectionError
+from measureapp.geometry.transform import RigidTransform
 from measureapp.inspection.dimensions import inspect
+from measureapp.inspection.programming.edits import change
 from measureapp.inspection.session.graph import Graph, Node
 from measureapp.inspection.session.session import InspectionSession
+from measureapp.progress import Cancelled, NoProgress
 
 
 def names(result):
@@ -161,3 +165,46 @@ def test_the_graph_knows_parents_children_and_descendants():
 
 def _nowhere():
     return {"name": "nowhere", "shape": "plane", "point_mm": [0, 0, 900], "direction": [0, 0, 1]}
+
+
+@pytest.mark.timed
+def test_one_dimension_of_half_a_million_points_takes_less_than_a_second_of_processor_time(samples, scan):
+    part = samples("gypsum")
+    points = scan(part.nominal, RigidTransform.identity("part", "nominal"), count=640_000)
+    assert len(points) > 450_000
+    session = InspectionSession(points, part.surface)
+    session.measure(part.program)
+    face = next(one for one in part.program.features if one.name == "face x+")
+    cut = {**face.cut.model_dump(exclude_unset=True), "band_mm": 1.5}
+    edited = change(part.program, Node("feature", "face x+"), {"cut": cut})
+    before = time.process_time()
+    result = session.measure(edited)
+    assert time.process_time() - before < 1.0
+    assert names(result) == {("feature", "face x+"), ("dimension", "a")}
+
+
+def test_rows_can_be_asked_for_while_a_measurement_runs(points):
+    session, program = InspectionSession(points), program_of()
+    session.measure(program)
+    seen = []
+
+    class Asking(NoProgress):
+        def report(self, done, total, note=""):
+            seen.append({row.state for row in session.rows(program)})
+
+    session.measure(program, Asking())
+    assert seen and all(states == {"current"} for states in seen)
+
+
+def test_a_cancelled_measurement_leaves_what_it_finished(points):
+    session, program = InspectionSession(points), program_of()
+
+    class Cancelling(NoProgress):
+        def report(self, done, total, note=""):
+            if note == "side":
+                raise Cancelled
+
+    with pytest.raises(Cancelled):
+        session.measure(program, Cancelling())
+    assert ("feature", "top") not in names(session.measure(program))
+    assert_same(session.measure(program).inspection, inspect(points, program))

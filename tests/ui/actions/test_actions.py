@@ -54,19 +54,19 @@ def test_what_cannot_be_used_comes_last_and_says_why(actions, qtbot):
     )
     assert [action.id for action in actions.find("close")] == ["log", "close"]
     with qtbot.waitSignal(actions.refused) as refused:
-        assert not actions.trigger("close")
-    assert refused.args == ["Close project", "No project is open."] and actions.trigger("log") and ran == ["log"]
+        assert not actions.perform("close")
+    assert refused.args == ["Close project", "No project is open."] and actions.perform("log") and ran == ["log"]
 
 
 def test_the_palette_runs_what_was_typed_and_refuses_with_a_reason(application, window, qtbot):
     palette = window.palette_
-    window.actions_.trigger("palette")
+    window.actions_.perform("palette")
     assert palette.isVisible() and len(palette.table.texts()) == len(window.actions_.all())
     qtbot.keyClicks(palette.line, "go clou")
     assert palette.table.texts()[0][0] == "Go to Clouds"
     qtbot.keyClick(palette.line, Qt.Key.Key_Return)
     assert not palette.isVisible() and window.page.name == "clouds"
-    window.actions_.trigger("palette")
+    window.actions_.perform("palette")
     qtbot.keyClicks(palette.line, "save a copy")
     qtbot.keyClick(palette.line, Qt.Key.Key_Return)
     assert palette.isVisible() and palette.hint.text() == "No project is open."
@@ -79,7 +79,7 @@ def test_the_palette_runs_what_was_typed_and_refuses_with_a_reason(application, 
 
 
 def test_every_shortcut_is_listed_and_every_action_has_words(window):
-    window.actions_.trigger("keys")
+    window.actions_.perform("keys")
     listed = {row[0] for row in window.shortcuts.table.texts()}
     assert {"Ctrl+K", "F1", "Ctrl+N", "Ctrl+O", "?", "Esc", "Ctrl+1", "Ctrl+7"} <= listed
     for action in window.actions_.all():

@@ -18,11 +18,9 @@ MOST_CLICKS = 30
 GYPSUM = Path(str(resource("parts"))) / "gypsum"
 
 
-@pytest.fixture
-def rig_file(tmp_path):
-    """A description of the virtual rig at quarter resolution, with the gypsum cross on the table."""
+def write_quarter_rig(path: Path) -> Path:
+    """Write a description of the virtual rig at quarter resolution, with the gypsum cross on the table."""
     rig = read_rig("paper").at_resolution("quarter")
-    path = tmp_path / "quarter.toml"
     write_rig(path, rig.model_copy(update={"driver_settings": {**rig.driver_settings, "part": "gypsum"}}))
     return path
 
@@ -103,6 +101,19 @@ class Journey:
         assert page.tiles.words() == ["Processed"] * VIEWPOINTS
         self.user.look_at(self.window, "scan")
 
+    def add_what_pays(self) -> None:
+        """Compare with the nominal, and take the viewpoints that are proposed."""
+        page = self.window.pages["scan"]
+        before, dialog = len(self.session.views), page.missing_dialog
+        self.user.click(page.missing)
+        self.user.wait(lambda: dialog.isVisible() and self.idle(), PLAN_S, "comparing with the nominal")
+        self.user.look_at(dialog, "missing")
+        self.user.click(dialog.scan)
+        self.user.wait(lambda: len(self.session.views) > before, SCAN_S, "taking what was proposed")
+        self.user.wait(lambda: self.session.measurement is not None and self.idle(), SCAN_S, "stitching again")
+        assert page.tiles.words() == ["Processed"] * len(self.session.views)
+        self.user.look_at(self.window, "scan-more")
+
     def results(self, folder: Path) -> None:
         self.user.click(self.window.pages["scan"].next_step)
         self._drawn("clouds")
@@ -126,15 +137,16 @@ class Journey:
 
 @pytest.mark.slow
 @pytest.mark.parametrize("size", SIZES, ids=lambda size: f"{size[0]}x{size[1]}")
-def test_from_the_rig_to_the_report_by_clicks(application, window, heartbeat, qtbot, tmp_path, rig_file, size):
+def test_from_the_rig_to_the_report_by_clicks(application, window, heartbeat, qtbot, tmp_path, size):
     window.resize(*size)
     user = User(qtbot, heartbeat, f"{size[0]}x{size[1]}")
-    journey = Journey(application, user, rig_file)
+    journey = Journey(application, user, write_quarter_rig(tmp_path / "quarter.toml"))
     journey.begin()
     journey.connect()
     journey.calibrate()
     journey.plan()
     journey.scan()
+    journey.add_what_pays()
     journey.results(tmp_path)
     user.tell(heartbeat.report(20, limit_ms=50.0))
     assert user.clicks <= MOST_CLICKS

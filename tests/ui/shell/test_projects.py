@@ -23,7 +23,7 @@ def idle(application, qtbot):
 
 def test_a_project_is_made_copied_and_closed(application, window, rig, tmp_path, monkeypatch, idle):
     application.session.set_rig(rig)
-    window.actions_.trigger("project.new")
+    window.actions_.perform("project.new")
     dialog = window.project_menu.new_dialog
     dialog.place.setValue(tmp_path)
     dialog.name.setText("a/b")
@@ -34,10 +34,10 @@ def test_a_project_is_made_copied_and_closed(application, window, rig, tmp_path,
     assert idle().level == "done"
     assert application.session.folder == tmp_path / "Housing 4711" and application.session.part == "housing"
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(tmp_path / "Second"), ""))
-    window.actions_.trigger("project.copy")
+    window.actions_.perform("project.copy")
     assert idle().level == "done"
     assert application.session.project_name == "Second" and ProjectFolder.open(tmp_path / "Second").settings.part == "housing"
-    window.actions_.trigger("project.close")
+    window.actions_.perform("project.close")
     assert application.session.folder is None and window.windowTitle() == "MeasureApp"
 
 
@@ -50,7 +50,7 @@ def test_without_a_rig_a_new_project_says_what_is_missing(application, window):
 
 def test_page_theme_and_size_come_back_at_the_next_start(application, window, qtbot, qapp):
     window.show_page("clouds")
-    window.actions_.trigger("theme")
+    window.actions_.perform("theme")
     assert application.look.theme.shade == "dark"
     window.resize(1400, 800)
     window.close()
@@ -66,7 +66,7 @@ def test_page_theme_and_size_come_back_at_the_next_start(application, window, qt
 
 
 def test_the_settings_dialog_changes_the_settings_at_once(application, window):
-    window.actions_.trigger("settings")
+    window.actions_.perform("settings")
     dialog, settings = window.settings_dialog, application.settings
     dialog.theme.setValue("dark")
     assert settings.text("theme") == "dark" and application.look.theme.shade == "dark"

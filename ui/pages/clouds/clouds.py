@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from PySide6.QtCore import Slot
 from PySide6.QtWidgets import QHBoxLayout
 
 from measureapp.errors import InputError
@@ -14,31 +15,32 @@ from ui.look.wording import counted, millimetres, several
 from ui.pages.clicked_distance import DistanceTool
 from ui.pages.clouds.cloud_picture import CloudPicture
 from ui.pages.clouds.holes_dialog import HolesDialog
+from ui.pages.clouds.scales import Scales
 from ui.pages.clouds.view_table import TABLE_WIDTH, ViewTable
 from ui.pages.clouds.view_words import choice_for, view_properties
-from ui.pages.layers import ColourBy, placements_of, rgb, scale_end
-from ui.pages.picked_point import point_properties
+from ui.pages.layers import ColourBy, placements_of, rgb
+from ui.pages.picked_point import PickedPoint, point_properties
 from ui.pages.viewport_page import Composer, ViewportPage
 from ui.session import Session
-from ui.viewport.colouring import DIVERGING, GROWING
 from ui.viewport.layers import Label
 from ui.widgets.basic import Button, card, column, label, row
-from ui.widgets.colour_scale import ColourScale
 from ui.widgets.empty_state import EmptyState
 from ui.widgets.filter_form import FilterForm
 from ui.widgets.properties_panel import Properties
 from ui.widgets.segments import Segments
 
 if TYPE_CHECKING:
+    import numpy as np
+
     from measureapp.data.cloud import StitchedCloud, ViewPlacement
+    from ui.viewport.overlay.legend import Legend
 
 EMPTY = (
     "No clouds yet",
     "Each viewpoint gives a point cloud; registration aligns them. The demo creates some in one or two minutes.",
 )
-SCALE_NAMES = {"sigma": "Standard deviation σ", "residual": "Residual"}
-MERGED_RESIDUAL = "Residual (rms)"
 UNDO_FILTER = "Undo the last filter"
+UNDO_SCALE = "Undo the last change of the colour scale"
 UNDO_CHOICE, UNDO_DISTANCE = "Undo the last choice of a view", "Undo the last measured point or distance"
 STAGES = {"before": "Kinematic", "after": "Registered", "merged": "Merged", "filtered": "Filtered"}
 STAGE_TIPS = {
@@ -66,7 +68,7 @@ class CloudsPage(ViewportPage):
         super().__init__(look, session, controllers, EmptyState(look, "clouds", *EMPTY, "Run the demo"))
         self.stage = Segments(STAGES, name="Clouds shown", tips=STAGE_TIPS)
         self.colour_by = Segments(COLOURS, name="Colour by", tips=COLOUR_TIPS)
-        self.scale = ColourScale(look)
+        self.scales = Scales()
         self.table = ViewTable(look)
         self.side, self.side_width = self.table, TABLE_WIDTH
         self.picture = CloudPicture(look, session, self.table.hidden)
@@ -83,10 +85,9 @@ class CloudsPage(ViewportPage):
         self._seen_filtered: StitchedCloud | None = None
         self._seen_stitched = False
         self._point: Label | None = None  # of the last clicked point
+        self._traced_place: np.ndarray | None = None  # (3,), of the point whose source is being found
         tools = self._tools(look)
-        middle = row(card(self.view, self.filters, margin=1, spacing=4), self.table, spacing=16)
-        middle.setStretch(0, 1)
-        layout = column(tools, middle, spacing=12)
+        layout = column(tools, self.beside(card(self.view, self.filters, self.clip_bar, margin=1, spacing=4), self.table), spacing=12)
         layout.setStretch(1, 1)
         self.body.setLayout(layout)
         self.stage.valueChanged.connect(self.redraw)
@@ -94,6 +95,7 @@ class CloudsPage(ViewportPage):
         self.table.rowSelected.connect(self._select)
         self.table.hiddenChanged.connect(self._show)
         self.view.pointPicked.connect(self._show_point)
+        self.view.legendEdited.connect(self._edit_scale)
         self.stage.valueChanged.connect(self._forget_point)
         session.cloudsChanged.connect(self._show)
         session.cloudsChanged.connect(lambda: self.distance.keep_for(session.stitched or session.views))
@@ -115,7 +117,6 @@ class CloudsPage(ViewportPage):
         fit.clicked.connect(self.view.reset_camera)
         self.hint = label("", "soft")
         self.action_row.insertWidget(0, self.hint)
-        self.action_row.insertWidget(1, self.scale)
         self.tool_buttons = (self.filter_button, self.distance.button, fit)
         return row(self.stage, 12, label("Colour by", "soft"), self.colour_by, 0, *self.tool_buttons)
 
@@ -131,9 +132,10 @@ class CloudsPage(ViewportPage):
 
     def _show_undo(self) -> None:
         choices, filtering = self.controllers.view_choices, self.controllers.filtering
-        can_undo = choices.can_undo or self.distance.can_undo or filtering.can_undo
+        can_undo = choices.can_undo or self.distance.can_undo or filtering.can_undo or self.scales.can_undo
         self.undo.setVisible(bool(self.session.views) and can_undo)
-        self.undo.setToolTip(UNDO_DISTANCE if self.distance.can_undo else UNDO_FILTER if filtering.can_undo else UNDO_CHOICE)
+        steps = ((self.scales.can_undo, UNDO_SCALE), (self.distance.can_undo, UNDO_DISTANCE), (filtering.can_undo, UNDO_FILTER))
+        self.undo.setToolTip(next((words for possible, words in steps if possible), UNDO_CHOICE))
 
     def undo_last(self) -> None:
         """Undo the step that the button names."""
@@ -145,8 +147,12 @@ class CloudsPage(ViewportPage):
         self.distance.button.setChecked(False)
 
     def _undo(self) -> None:
-        """Undo the last distance; without one the last filter, then the last choice of a view."""
-        if self.distance.can_undo:
+        """Undo the last change of the scale; without one the last distance, the last filter, the last choice of a view."""
+        if self.scales.can_undo:
+            self.scales.undo()
+            self._show_undo()
+            self.redraw()
+        elif self.distance.can_undo:
             self.distance.undo()
         elif self.controllers.filtering.can_undo:
             self.controllers.filtering.undo()
@@ -249,29 +255,40 @@ class CloudsPage(ViewportPage):
         if self.distance.is_on:
             self.distance.click(self.picture.clicked(self.stage.value(), point))
             return
-        self._asked = (point.viewpoint_id, point.camera, point.pixel)
-        self.show_properties(self._with_action(point_properties(point)))
+        self._show_source(point)
         self.propertiesAsked.emit()
+        trace = self.picture.tracer(self.stage.value(), place)
+        if trace is not None:
+            self._traced_place = point.position_mm
+            self.controllers.drawing.run("Tracing the point", lambda _job: trace(), self._show_traced, quiet=True)
         words = f"{point.viewpoint_id}   sigma {millimetres(point.sigma_mm)}".replace("\u00a0", " ")
         theme = self.look.theme
         self._point = Label(words, point.position_mm, rgb(theme, "text"), rgb(theme, "surface"))
         self._show_marks()
 
+    def _show_source(self, point: PickedPoint) -> None:
+        self._asked = (point.viewpoint_id, point.camera, point.pixel)
+        self.show_properties(self._with_action(point_properties(point)))
+
+    @Slot(object)
+    def _show_traced(self, point: PickedPoint) -> None:
+        """Complete the properties of the point that was picked last, if they are still shown."""
+        if self._point is not None and (point.position_mm == self._traced_place).all() and self.properties.title == "Point":
+            self._show_source(point)
+
     def composer(self) -> Composer | None:
         """Compose the visible views."""
-        views = self.session.views
-        if not views:  # a measured file has none
+        if not self.session.views:  # a measured file has none
             return None
         colour_by: ColourBy = self.colour_by.value()  # type: ignore[assignment]
-        clouds = [view.cloud for view in views]
-        end = scale_end(colour_by, clouds, self.placements().values()) if colour_by in SCALE_NAMES else 1.0
-        self._show_scale(colour_by, end)
-        return self.picture.composer(self.stage.value(), colour_by, end)
+        is_merged = self.picture.merged(self.stage.value()) is not None
+        legend = self.scales.get(colour_by, [view.cloud for view in self.session.views], self.placements().values(), merged=is_merged)
+        self.view.set_legend(legend)
+        return self.picture.composer(self.stage.value(), colour_by, legend)
 
-    def _show_scale(self, colour_by: ColourBy, end_mm: float) -> None:
-        self.scale.setVisible(colour_by in SCALE_NAMES)
-        if colour_by == "residual" and self.picture.merged(self.stage.value()) is None:
-            self.scale.show_scale(SCALE_NAMES[colour_by], DIVERGING, -end_mm, end_mm)
-        else:
-            name = MERGED_RESIDUAL if colour_by == "residual" else SCALE_NAMES.get(colour_by, "")
-            self.scale.show_scale(name, GROWING, 0.0, end_mm)
+    @Slot(object)
+    def _edit_scale(self, legend: Legend) -> None:
+        """Keep an edited colour scale, and colour the points by it."""
+        self.scales.edit(legend)
+        self._show_undo()
+        self.redraw()

@@ -19,8 +19,8 @@ if TYPE_CHECKING:
     from measureapp.data.measurement import ViewResult
 
 HEADERS = ["", "View", "Points", "Correction", "Residual", "Verdict"]
-EYE_COLUMN, POINTS_COLUMN, EYE_WIDTH = 0, 2, 40
-TABLE_WIDTH = 512
+EYE_COLUMN, POINTS_COLUMN, CORRECTION_COLUMN, EYE_WIDTH = 0, 2, 3, 40
+TABLE_WIDTH, NARROW = 512, 440
 
 
 class ViewTable(DataTable):
@@ -45,9 +45,10 @@ class ViewTable(DataTable):
         self.set_rows([self._cells(index, view, placements.get(view.viewpoint_id)) for index, view in enumerate(views)])
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Hide the number of points in a narrow table; the properties show it."""
+        """Hide the number of points in a narrow table, in a very narrow one the correction, too; the properties show them."""
         super().resizeEvent(event)
         self.setColumnHidden(POINTS_COLUMN, self.width() < TABLE_WIDTH)
+        self.setColumnHidden(CORRECTION_COLUMN, self.width() < NARROW)
 
     def _cells(self, index: int, view: ViewResult, placement: ViewPlacement | None) -> list[Cell]:
         verdict, words, why = view_verdict(view, placement)

@@ -51,7 +51,6 @@ class InspectionPage(ViewportPage):
     """Table of dimensions with verdicts, and the features in 3-D."""
 
     name, word, wants_room = "inspection", "Inspect", True
-    for_operator = True
 
     def __init__(self, look: Look, session: Session, controllers: Controllers) -> None:
         super().__init__(look, session, controllers, EmptyState(look, "inspection", *EMPTY, "Run the demo"))

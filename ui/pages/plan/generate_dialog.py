@@ -41,7 +41,9 @@ class GenerateDialog(QDialog):
         self.count.setRange(1, MOST)
         self.count.setValue(26)
         self.count.setSuffix(" viewpoints")
-        form = Form()
+        for spin in (self.coverage, self.count):
+            spin.lineEdit().setTextMargins(6, 0, 0, 0)
+        form = self._form = Form()
         form.add("Part", self._beside(self.part, self.choose))
         form.add("Until", self.by)
         form.add("", self.coverage)
@@ -71,8 +73,8 @@ class GenerateDialog(QDialog):
         self.part.setText("Choose the nominal of the part." if prepared is None else f"{prepared.path.parent.name}/{prepared.path.name}")
         self.start.setEnabled(prepared is not None)
         by_count = self.by.value() == "count"
-        self.coverage.setVisible(not by_count)
-        self.count.setVisible(by_count)
+        self._form.setRowVisible(self.coverage, not by_count)
+        self._form.setRowVisible(self.count, by_count)
 
     @Slot()
     def _generate(self) -> None:

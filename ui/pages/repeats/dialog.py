@@ -50,6 +50,7 @@ class RepeatsDialog(QDialog):
         self.count = QSpinBox()
         self.count.setRange(1, MOST)
         self.count.setValue(2)
+        self.count.lineEdit().setTextMargins(6, 0, 0, 0)
         self.reclamp = QCheckBox("Clamp again before each")
         self.again = Button("Measure again", look, "again", tip=AGAIN)
         self.go_on = Button("Continue", look, "run", "primary", "The part is clamped; begin the measurement")

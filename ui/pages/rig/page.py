@@ -41,7 +41,6 @@ class RigPage(Page):
     """Devices and nominal data of the rig, and a hand on it."""
 
     name, word, wants_room = "rig", "Rig", True
-    for_operator = True
 
     def __init__(self, look: Look, session: Session, controllers: Controllers) -> None:
         empty = EmptyState(look, "rig", "Loading the rig…", "The rig description is being read.", "Run the demo")

@@ -45,7 +45,6 @@ class ScanPage(ViewportPage):
     """What a scan needs; then tiles by viewpoint, current images small, the cloud large."""
 
     name, word, wants_room = "scan", "Scan", True
-    for_operator = True
 
     def __init__(self, look: Look, session: Session, controllers: Controllers) -> None:
         super().__init__(look, session, controllers, EmptyState(look, "scan", *EMPTY, "Set up a scan"))
@@ -118,7 +117,6 @@ class ScanPage(ViewportPage):
         session.projectChanged.connect(self._forget)
         session.runChanged.connect(self._show_started)
         session.busyChanged.connect(self._show_busy)
-        session.appearanceChanged.connect(self._name_next_step)
 
     # what people do
 
@@ -163,12 +161,6 @@ class ScanPage(ViewportPage):
         self.tiles.choose("")
         self._wants_setup = False
         self._make_images()
-
-    def _name_next_step(self) -> None:
-        """Name the next step: the dimensions for an operator, the clouds for an engineer."""
-        operator = self.session.role == "operator"
-        self.next_step.setText("See the dimensions" if operator else "See the clouds")
-        self.next_step.set_icon("inspection" if operator else "clouds")
 
     def _show_busy(self) -> None:
         busy = bool(self.session.busy_with)
@@ -289,7 +281,7 @@ class ScanPage(ViewportPage):
             for index, view in enumerate(views):
                 job.check()
                 placement = placements.get(view.viewpoint_id)
-                layers.append(view_layer(theme, placed_clouds.get(view, placement, fine=True), index, "grey", 1.0))
+                layers.append(view_layer(theme, placed_clouds.get(view, placement, fine=True), index, "grey", None))
             return Picture(tuple(layers))
 
         return compose

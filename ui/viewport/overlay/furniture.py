@@ -58,7 +58,8 @@ class Furniture:
         if self.flags and self.has_flags:
             self._paint_flags(painter, camera, style)
         if self.labels:
-            paint_labels(painter, self.labels, camera, style)
+            left, _, width, _ = self.free(camera, style)
+            paint_labels(painter, self.labels, camera, style, left + width)
         layout = self.legend_layout(camera, style)
         if self.legend is not None and layout is not None:
             paint_legend(painter, self.legend, layout, style)

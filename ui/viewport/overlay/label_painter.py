@@ -16,20 +16,20 @@ from ui.viewport.overlay.style import OverlayStyle, use_letters
 PADDING, LETTERS_PX = 8.0, 13.0
 
 
-def paint_labels(painter: QPainter, labels: Sequence[Label], camera: CameraView, style: OverlayStyle) -> None:
-    """Draw each label with a line to its point."""
+def paint_labels(painter: QPainter, labels: Sequence[Label], camera: CameraView, style: OverlayStyle, right: float) -> None:
+    """Draw each label with a line to its point, left of the legend, which begins at ``right``."""
     anchors = camera.pixels(np.array([label.point_mm for label in labels], float))
     sizes = []
     for label in labels:
         size = style.measure(label.text, LETTERS_PX)
         sizes.append((round(size.width() + 2 * PADDING * style.scale), round(size.height() + PADDING * style.scale)))
     upward = np.column_stack([anchors[:, 0], camera.height - anchors[:, 1]])
-    offsets = place_labels(upward, sizes, (round(camera.width), round(camera.height)))
+    offsets = place_labels(upward, sizes, (round(right), round(camera.height)))
     painter.save()
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     boxes = []
-    for (x, y), (width, height), (right, up) in zip(anchors.tolist(), sizes, offsets, strict=True):
-        boxes.append(QRectF(x + right, y - up - height, width, height))
+    for (x, y), (width, height), (across, up) in zip(anchors.tolist(), sizes, offsets, strict=True):
+        boxes.append(QRectF(x + across, y - up - height, width, height))
     for label, (x, y), box in zip(labels, anchors.tolist(), boxes, strict=True):
         painter.setPen(QPen(QColor(*label.colour), 1.2 * style.scale))
         painter.drawLine(QPointF(x, y), _edge(box, x, y))

@@ -1,0 +1,82 @@
+"""Cross-sections of a report: the nominal's outline, and the measured deviation drawn perpendicular to it, enlarged."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from measureapp.arrays import FloatArray
+from measureapp.data.mesh import Mesh
+from measureapp.inspection.surface.deviation import Deviation
+from measureapp.report.deviation_pictures import diverging_colours, nice_limit
+from measureapp.report.model import Picture
+from measureapp.report.svg import Panel, svg
+from measureapp.report.words import number
+
+WIDTH, HEIGHT, MARGIN = 760, 400, 40
+HALF_THICKNESS_MM = 0.4
+MOST_POINTS = 1500
+LONGEST_SHARE = 0.05  # of the section's size, for a deviation at the end of the scale
+INK = "#182126"
+NORMAL_TO = (("y", 1, (0, 2)), ("z", 2, (0, 1)))  # axis, its index, the axes drawn to the right and up
+
+
+def render_sections(nominal: Mesh, deviation: Deviation) -> tuple[Picture, ...]:
+    """Return sections through the middle of the nominal, one upright and one level."""
+    low, high = nominal.vertices_mm.min(axis=0), nominal.vertices_mm.max(axis=0)
+    middle = (low + high) / 2
+    limit = nice_limit(deviation.p95_mm)
+    made = (_section(nominal, deviation, limit, name, axis, drawn, float(middle[axis])) for name, axis, drawn in NORMAL_TO)
+    return tuple(picture for picture in made if picture is not None)
+
+
+def _section(
+    nominal: Mesh, deviation: Deviation, limit_mm: float, name: str, axis: int, drawn: tuple[int, int], at_mm: float
+) -> Picture | None:
+    segments = cut_mesh(nominal, axis, at_mm)[:, :, list(drawn)]
+    if not len(segments):
+        return None
+    size = float(np.ptp(segments.reshape(-1, 2), axis=0).max())
+    gain = LONGEST_SHARE * size / limit_mm
+    whiskers, colours = _whiskers(deviation, limit_mm, axis, drawn, at_mm, gain)
+    low, high = segments.reshape(-1, 2).min(axis=0), segments.reshape(-1, 2).max(axis=0)
+    edge = 1.2 * LONGEST_SHARE * size
+    panel = Panel(
+        (MARGIN, 10, WIDTH - 2 * MARGIN, HEIGHT - 20),
+        (float(low[0] - edge), float(low[1] - edge), float(high[0] + edge), float(high[1] + edge)),
+    )
+    for whisker, colour in zip(whiskers, colours, strict=True):
+        panel.line(whisker, colour, 1.6)
+    for segment in segments:
+        panel.line(segment, INK, 0.9)
+    caption = f"Section at {name} = {number(at_mm, 2)} mm: nominal in black, deviation enlarged {gain:.0f} times"
+    return Picture(caption, svg(WIDTH, HEIGHT, [panel]).encode())
+
+
+def cut_mesh(mesh: Mesh, axis: int, at_mm: float) -> FloatArray:
+    """Return the segments (S, 2, 3) in which the plane of constant coordinate ``axis`` cuts a mesh."""
+    corners = mesh.vertices_mm[np.asarray(mesh.triangles)]
+    height = corners[:, :, axis] - at_mm
+    height = np.where(height == 0, 1e-9, height)
+    crossing = (height > 0).any(axis=1) & (height < 0).any(axis=1)
+    corners, height = corners[crossing], height[crossing]
+    alone = np.argmax((height > 0) == ((height > 0).sum(axis=1) == 1)[:, None], axis=1)  # the corner on a side of its own
+    rows = np.arange(len(corners))
+    ends = []
+    for step in (1, 2):
+        other = (alone + step) % 3
+        share = height[rows, alone] / (height[rows, alone] - height[rows, other])
+        ends.append(corners[rows, alone] + share[:, None] * (corners[rows, other] - corners[rows, alone]))
+    return np.stack(ends, axis=1) if len(corners) else np.empty((0, 2, 3))
+
+
+def _whiskers(
+    deviation: Deviation, limit_mm: float, axis: int, drawn: tuple[int, int], at_mm: float, gain: float
+) -> tuple[FloatArray, list[str]]:
+    """Return lines from the nominal to the enlarged deviation (N, 2, 2), and their colours."""
+    near = np.flatnonzero(np.abs(deviation.points_mm[:, axis] - at_mm) < HALF_THICKNESS_MM)
+    near = near[:: max(1, len(near) // MOST_POINTS)]
+    distances, normals = deviation.distances_mm[near], deviation.nominal_normals[near].astype(float)
+    feet = (deviation.points_mm[near] - distances[:, None] * normals)[:, list(drawn)]
+    tips = feet + gain * np.clip(distances, -limit_mm, limit_mm)[:, None] * normals[:, list(drawn)]
+    rgb = np.rint(255 * diverging_colours(np.sign(distances) * np.maximum(np.abs(distances / limit_mm), 0.25))).astype(int)
+    return np.stack([feet, tips], axis=1), ["#{:02x}{:02x}{:02x}".format(*one) for one in rgb]

@@ -1,0 +1,129 @@
+"""Deviation maps of a report: colours on the nominal, unlit, with hatching where nothing was measured."""
+
+from __future__ import annotations
+
+from functools import partial
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from measureapp.arrays import BoolArray, FloatArray
+from measureapp.data.mesh import Mesh
+from measureapp.inspection.surface.deviation import Deviation
+from measureapp.report.model import DeviationSummary, Flag, Picture
+from measureapp.report.part_pictures import OBLIQUE
+from measureapp.report.picture import SUPERSAMPLING, Seen, SurfaceScene, ViewDirection, png
+from measureapp.report.words import number
+
+BLUE, WHITE, RED = np.array([0.13, 0.34, 0.67]), np.array([0.97, 0.97, 0.97]), np.array([0.76, 0.15, 0.18])
+NOT_MEASURED = np.array([0.62, 0.64, 0.67])  # of vertices, where there can be no hatching
+HATCH_DARK, HATCH_LIGHT = np.array([0.45, 0.47, 0.50]), np.array([0.86, 0.87, 0.88])
+HATCH_PX = 12
+BINS = 40
+NICE_LIMITS_MM = (0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0)
+VIEWS = (("oblique view", OBLIQUE), ("from the opposite side, below", ViewDirection(122.0, -34.0)))
+WIDE = (760, 500)
+NEAR_MM = 2.0  # as in the unmeasured share
+NEIGHBOURS = 6
+FACING = 0.3  # cosine between the nominal's normal here and at the point
+FLAG = "#182126"
+
+
+def summarise_deviation(nominal: Mesh, deviation: Deviation, *, pictures: bool = True) -> DeviationSummary:
+    """Summarise a deviation: maps, if they are wanted, colour scale and histogram."""
+    limit = nice_limit(deviation.p95_mm)
+    clipped = np.clip(deviation.distances_mm, -limit, limit)
+    counts, _ = np.histogram(clipped, bins=BINS, range=(-limit, limit))
+    figures = {name: float(getattr(deviation, f"{name}_mm")) for name in ("mean", "rms", "p95", "min", "max")}
+    places = {"min": int(np.argmin(deviation.distances_mm)), "max": int(np.argmax(deviation.distances_mm))}
+    return DeviationSummary(
+        deviation.alignment.name,
+        figures,
+        deviation.unmeasured_share,
+        limit,
+        tuple(float(share) for share in counts / max(counts.sum(), 1)),
+        float(np.mean(np.abs(deviation.distances_mm) > limit)),
+        {name: tuple(float(x) for x in deviation.points_mm[index]) for name, index in places.items()},  # type: ignore[misc]
+        _maps(nominal, deviation, limit, places) if pictures else (),
+    )
+
+
+def nice_limit(p95_mm: float) -> float:
+    """Return the end of the colour scale: the next round number above 1.2 times the 95th percentile.
+
+    >>> nice_limit(0.07), nice_limit(0.3)
+    (0.1, 0.5)
+    """
+    return next((limit for limit in NICE_LIMITS_MM if limit >= 1.2 * p95_mm), 2 * p95_mm)
+
+
+def diverging_colours(values: FloatArray) -> FloatArray:
+    """Return diverging colours (N, 3) of values in −1…1: blue, white, red."""
+    share = np.abs(np.clip(values, -1, 1))[:, None]
+    return WHITE + share * (np.where(values[:, None] < 0, BLUE, RED) - WHITE)
+
+
+def _maps(nominal: Mesh, deviation: Deviation, limit_mm: float, extremes: dict[str, int]) -> tuple[Picture, ...]:
+    scene = SurfaceScene(nominal)
+    look_up = partial(_deviation_at, cKDTree(deviation.points_mm, balanced_tree=False, compact_nodes=False), deviation)
+    shown = {name: _shown_in(deviation, index, scene) for name, index in extremes.items()}
+    made = []
+    for view, (where, direction) in enumerate(VIEWS):
+        seen = scene.see(direction, *WIDE)
+        values = _coarse(scene, seen, look_up)
+        colours = diverging_colours(np.nan_to_num(values) / limit_mm)
+        missing = np.isnan(values)
+        colours[missing] = _hatching(seen)[missing]
+        flags = tuple(
+            _extreme_flag(name, deviation, extremes[name], seen, hidden=hidden) for name, (at, hidden) in shown.items() if at == view
+        )
+        made.append(Picture(f"Deviation on the nominal, {where}", png(scene.picture(seen, colours, lit=False)), flags))
+    return tuple(made)
+
+
+def _shown_in(deviation: Deviation, index: int, scene: SurfaceScene) -> tuple[int, bool]:
+    """Return the first view that shows a point, and False; or the first view of all, and True where the part hides it in each."""
+    lift_mm = abs(float(deviation.distances_mm[index])) + 0.2
+    point = deviation.points_mm[index : index + 1]
+    hidden = [bool(scene.occluded(point, direction.axes()[2], lift_mm)[0]) for _, direction in VIEWS]
+    return (0, True) if all(hidden) else (hidden.index(False), False)
+
+
+def _coarse(scene: SurfaceScene, seen: Seen, look_up: partial[FloatArray]) -> FloatArray:
+    """Return the deviation at the pixels that show the nominal, looked up for one pixel of each block of the supersampling."""
+    size = SUPERSAMPLING
+    rows, columns = np.nonzero(seen.hit)
+    _, first, block_of = np.unique((rows // size) * seen.frame.width + columns // size, return_index=True, return_inverse=True)
+    triangles = np.asarray(scene.mesh.triangles)[seen.triangle[seen.hit][first]]
+    corners = scene.mesh.vertices_mm[triangles]
+    points = np.einsum("nk,nkd->nd", seen.weights[seen.hit][first], corners)
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-12)
+    return np.asarray(look_up(points, normals)[block_of])
+
+
+def _deviation_at(tree: cKDTree, deviation: Deviation, points_mm: FloatArray, normals: FloatArray) -> FloatArray:
+    """Return the mean deviation (N,) of the nearest measured points on the same side of the part; NaN where there is none within 2 mm."""
+    distance, index = tree.query(points_mm, k=NEIGHBOURS, distance_upper_bound=NEAR_MM, workers=-1)
+    found = np.isfinite(distance)
+    index = np.where(found, index, 0)
+    facing = np.einsum("nkd,nd->nk", deviation.nominal_normals[index], normals.astype(np.float32)) > FACING
+    used = found & facing
+    weight = used / (0.05 + np.where(found, distance, 1.0))
+    total = weight.sum(axis=1)
+    with np.errstate(invalid="ignore"):
+        return np.where(total > 0, np.sum(weight * deviation.distances_mm[index], axis=1) / np.where(total > 0, total, 1), np.nan)
+
+
+def _hatching(seen: Seen) -> FloatArray:
+    rows, columns = np.nonzero(seen.hit)
+    stripe: BoolArray = (rows + columns) % HATCH_PX < HATCH_PX // 2
+    return np.where(stripe[:, None], HATCH_DARK, HATCH_LIGHT)
+
+
+def _extreme_flag(name: str, deviation: Deviation, index: int, seen: Seen, *, hidden: bool) -> Flag:
+    """Return the flag of the smallest or largest deviation."""
+    (place,), _ = seen.frame.place(deviation.points_mm[index : index + 1])
+    word = {"min": "Minimum", "max": "Maximum"}[name] + (" (behind)" if hidden else "")
+    value = f"{number(float(deviation.distances_mm[index]), signed=True)} mm"
+    return Flag((float(place[0]), float(place[1])), (word, value), FLAG)

@@ -1,0 +1,59 @@
+"""Fonts, archiving and reproducibility of the PDF."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from measureapp.data.identification import Identification
+from measureapp.report.compose import compose
+from measureapp.report.fonts import covered, missing_letters, spell_out
+from measureapp.report.model import Details
+from measureapp.report.pdf import page_images, pdf_bytes
+
+AT = "2026-05-04T12:00:00+00:00"
+
+
+def report(measured, name: str) -> bytes:
+    return pdf_bytes(compose(measured(), details=Details(Identification(part_name=name), created_at=AT), pictures=False))
+
+
+def test_the_same_report_at_the_same_time_is_the_same_byte_by_byte(measured) -> None:
+    assert report(measured, "Laufrad 叶轮") == report(measured, "Laufrad 叶轮")
+
+
+def test_the_pdf_is_for_archiving_and_has_a_title_and_its_fonts_embedded(measured) -> None:
+    made = report(measured, "Größe 件")
+    assert b"pdfaid:part>2<" in made and b"pdfaid:conformance>B<" in made
+    assert "Measurement report Größe 件".encode() in made
+    assert b"NotoSans-Regular" in made and b"NotoSansCJKsc" in made and b"/FontFile" in made
+    assert b"DejaVu" not in made
+
+
+def test_the_fonts_have_what_reports_and_gb_2312_need() -> None:
+    chinese = {bytes((high, low)) for high in range(0xB0, 0xF8) for low in range(0xA1, 0xFF)}
+    texts = [one.decode("gb2312", "ignore") for one in chinese]
+    assert len({text for text in texts if text}) > 6700
+    assert not missing_letters([*texts, "ÄÖÜäöüßØøÅéèçñŁő αβγµσ −±≤≥°′″·…–—„“”«» ⌖⏥⌭∥⊥◎ ✓✗?", "Привет"])
+    assert len(covered()) > 9000
+
+
+@pytest.mark.parametrize("name", ["한국어 부품", "snowman \u2603 \U0001f600", "\U0010fffd"])
+def test_letters_that_the_fonts_lack_do_not_vanish(name: str, measured) -> None:
+    made = report(measured, name)
+    assert made.startswith(b"%PDF-") and made != report(measured, "")
+    model = compose(measured(), details=Details(Identification(part_name=name), created_at=AT), pictures=False)
+    assert page_images(model, ppi=20)
+
+
+def test_invisible_letters_are_spelt_out() -> None:
+    assert spell_out({"a": ["x\u202ey"]}, frozenset("\u202e")) == {"a": ["x[U+202E]y"]}
+
+
+def test_text_that_looks_like_markup_stays_text(measured) -> None:
+    nasty = '#panic("x") $a$ *b* _c_ `d` <e> @f [g] \\ // /* 件'
+    assert report(measured, nasty).startswith(b"%PDF-")
+    first = measured().inspection.dimensions[0]
+    model = compose(measured((replace(first, name=nasty),)), details=Details(created_at=AT), pictures=False)
+    assert pdf_bytes(model).startswith(b"%PDF-")

@@ -1,0 +1,55 @@
+"""The whole way in a real X window with the native VTK widget, on a screen in memory."""
+
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from PySide6.QtGui import QImage
+
+ROOT = Path(__file__).resolve().parents[3]
+LEAST_COLOURS = 200
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(shutil.which("Xvfb") is None, reason="install Xvfb (Debian: apt-get install xvfb) for a screen in memory"),
+]
+
+
+@pytest.fixture
+def display():
+    """The name of a screen in memory."""
+    reading, writing = os.pipe()
+    server = subprocess.Popen(
+        ["Xvfb", "-displayfd", str(writing), "-screen", "0", "1400x900x24", "-nolisten", "tcp"],
+        pass_fds=(writing,),
+        stderr=subprocess.DEVNULL,
+    )
+    os.close(writing)
+    with os.fdopen(reading) as said:
+        number = said.readline().strip()
+    yield f":{number}"
+    server.terminate()
+    server.wait(10)
+
+
+def test_the_journey_in_an_x_window_with_the_native_view(display, tmp_path):
+    environment = {**os.environ, "QT_QPA_PLATFORM": "xcb", "MEASUREAPP_VIEWPORT": "native", "DISPLAY": display, "HOME": str(tmp_path)}
+    done = subprocess.run(
+        [sys.executable, "-m", "tests.ui.journey.in_x_window", str(tmp_path)],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        env={**environment, "PYTHONPATH": str(ROOT)},
+        timeout=3000,
+        check=False,
+    )
+    assert done.returncode == 0, done.stderr
+    assert "platform xcb, native True" in done.stdout
+    for name in ("clouds", "inspection"):
+        image = QImage(str(tmp_path / f"{name}.png"))
+        colours = {image.pixel(x, y) for x in range(120, 560, 3) for y in range(240, 620, 3)}
+        assert len(colours) > LEAST_COLOURS, f"{name} shows no picture"

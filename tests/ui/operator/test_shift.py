@@ -1,0 +1,182 @@
+"""An operator's way from the card to the filed verdict, and on to the next part."""
+
+from __future__ import annotations
+
+from measureapp.data.dimension import Verdict
+from measureapp.errors import DeviceError
+from measureapp.project.folder import ProjectFolder
+from measureapp.project.identification_file import read_identification
+from measureapp.project.series.store import SeriesStore
+from ui.controllers.operator_nouns import UNREASONED
+
+
+def test_after_identification_three_presses_lead_to_the_next_part(workshop):
+    workshop.identify("GC-0001")
+    screens = workshop.screens
+    screens.identify.next.click()  # the identification is complete
+    presses = []
+    workshop.wait(lambda: workshop.operator.obstacles is not None)
+    screens.load.confirm.done = True
+    screens.load.confirm.held.emit()
+    presses.append("held")
+    screens.load.start.click()
+    presses.append("start")
+    assert screens.screens.currentWidget() is screens.verdict and screens.verdict.band.word.text() == "PASS"
+    workshop.wait(lambda: workshop.operator.filed is not None)
+    screens.verdict.next.click()
+    presses.append("next part")
+    assert screens.screens.currentWidget() is screens.identify and len(presses) == 3
+    assert screens.identify.fields["serial"].text() == ""  # never offered again
+
+
+def test_the_result_and_its_report_are_filed_under_the_serial_number(workshop):
+    workshop.verdicts = ("pass", "fail", "pass", "not measured")
+    workshop.identify("GC-0002")
+    workshop.screens.identify.fields["order"].setText("A-77")
+    workshop.screens.identify.fields["operator"].setText("Ada")
+    workshop.screens.identify.next.click()
+    workshop.load_and_start()
+    workshop.wait(lambda: workshop.operator.filed is not None)
+    (run,) = SeriesStore("Gypsum cross").runs(serial_number="GC-0002")
+    assert run.verdict is Verdict.FAIL
+    assert (run.identification.order, run.identification.operator, run.identification.drawing) == ("A-77", "Ada", "D-1807")
+    report = workshop.operator.filed.report
+    assert report.name == "GC-0002 run-1 fail.pdf" and report.read_bytes().startswith(b"%PDF")
+    folder = workshop.requests[0].folder
+    assert read_identification(folder).serial_number == "GC-0002"
+    assert ProjectFolder.open(folder).name == "Gypsum cross GC-0002"
+
+
+def test_a_part_that_fails_looks_failed_wherever_its_result_is_shown(workshop):
+    workshop.verdicts = ("pass", "fail", "not proven", "pass")
+    workshop.identify("GC-0003")
+    workshop.screens.identify.next.click()
+    workshop.load_and_start()
+    screens = workshop.screens
+    assert screens.verdict.band.verdict == "fail" and screens.verdict.band.word.text() == "FAIL"
+    assert screens.verdict.band.accessibleName().startswith("FAIL.")
+    assert "b 40.131 mm   fail" in [label.text for label in screens.verdict.view.view._labels]
+    workshop.wait(lambda: workshop.operator.filed is not None)
+    workshop.wait(lambda: workshop.operator.runs)
+    screens.verdict.details.click()
+    assert screens.details.names[0] == "b"
+    screens.details.back.click()
+    assert screens.strip.counts["fail"].text() == "1 fail"
+    workshop.operator.go_home()
+    workshop.wait(lambda: any(button.card.last is not None for button in screens.home.grid.buttons))
+    assert [button.card.last.verdict for button in screens.home.grid.buttons if button.card.last] == [Verdict.FAIL]
+
+
+def test_the_worst_dimension_decides_and_without_any_nothing_passes(workshop):
+    words = {
+        ("pass", "not measured", "pass", "pass"): "NOT MEASURED",
+        ("not measured", "not proven", "pass", "pass"): "NOT PROVEN",
+        ("not measured", "not proven", "fail", "pass"): "FAIL",
+        (): "NOT MEASURED",
+    }
+    for number, (verdicts, word) in enumerate(words.items()):
+        workshop.verdicts = verdicts
+        workshop.identify(f"GC-004{number}")
+        workshop.screens.identify.next.click()
+        workshop.load_and_start()
+        assert workshop.screens.verdict.band.word.text() == word
+        workshop.wait(lambda: workshop.operator.filed is not None)
+
+
+def test_a_part_is_measured_again_only_with_an_answer_why_and_both_runs_are_kept(workshop):
+    workshop.verdicts = ("fail", "pass", "pass", "pass")
+    workshop.identify("GC-0005")
+    workshop.screens.identify.next.click()
+    workshop.load_and_start()
+    workshop.wait(lambda: workshop.operator.filed is not None)
+    workshop.wait(lambda: workshop.operator.runs)
+    screens = workshop.screens
+    screens.verdict.again.click()
+    assert not screens.repeat.again.isEnabled()
+    screens.repeat.reasons.buttons[UNREASONED].click()
+    screens.repeat.again.click()
+    workshop.verdicts = ("pass", "pass", "pass", "pass")
+    workshop.load_and_start()
+    workshop.wait(lambda: workshop.operator.filed is not None and workshop.operator.filed.run is not None)
+    workshop.wait(lambda: len(workshop.operator.runs) == 2)
+    assert not workshop.operator.counts()  # a FAIL is not replaced without a reason
+    assert "first run" in screens.verdict.filed.text()
+    screens.verdict.next.click()
+    screens.identify.fields["serial"].setText("GC-0005")
+    assert screens.identify.known.isVisible() and not screens.identify.next.isEnabled()
+    assert "an earlier run counts: FAIL" in screens.identify.before.text()
+    screens.identify.result.click()
+    assert screens.details.title.text().startswith("GC-0005") and screens.details.title.text().endswith("PASS")
+    screens.details.back.click()
+
+
+def test_what_is_required_is_asked_for(workshop):
+    workshop.identify("")
+    screens = workshop.screens
+    assert not screens.identify.next.isEnabled() and "*" in screens.identify._names["serial"].text()
+    screens.identify.fields["serial"].setText("   ")
+    assert not screens.identify.next.isEnabled()
+    screens.identify.fields["serial"].setText("GC-0006")
+    assert screens.identify.next.isEnabled()
+
+
+def test_after_a_fault_it_says_what_is_kept_and_resumes_in_the_same_folder(workshop):
+    workshop.fault = DeviceError("The projector does not answer.", "Check its cable.")
+    workshop.identify("GC-0007")
+    workshop.screens.identify.next.click()
+    workshop.load_and_start()
+    run = workshop.screens.run
+    assert run.cause.text() == "The projector does not answer." and run.remedy.text() == "Check its cable."
+    assert run.kept.text() == "1 of 6 viewpoints are stored and kept."
+    following = list(workshop.requests[0].plan)[1].id
+    assert following in run.press.text()
+    workshop.fault = None
+    run.resume.held.emit()
+    assert workshop.requests[1].folder == workshop.requests[0].folder and workshop.requests[1].resume
+    assert workshop.screens.verdict.band.word.text() == "PASS"
+    workshop.wait(lambda: workshop.operator.filed is not None)
+
+
+def test_start_is_disabled_with_the_reason_in_sight(workshop, monkeypatch):
+    monkeypatch.setattr("ui.controllers.operator_work.RESERVE_BYTES", 1e18)
+    workshop.identify("GC-0008")
+    workshop.screens.identify.next.click()
+    workshop.wait(lambda: workshop.operator.obstacles is not None)
+    load = workshop.screens.load
+    load.confirm.done = True
+    load.confirm.held.emit()
+    assert load.start.isVisible() and not load.start.isEnabled()
+    assert "GB free" in load.why.text() and "Call the engineer." in load.why.text()
+    load.call.click()
+    assert workshop.screens.call.isVisible() and "GB free" in workshop.screens.call.words.text()
+
+
+def test_a_rig_without_calibration_does_not_start(workshop, rig):
+    real = rig.model_copy(update={"driver": "recorded", "name": "Cell 2"})
+    workshop.application.session.set_rig(real)
+    workshop.identify("GC-0009")
+    workshop.screens.identify.next.click()
+    workshop.wait(lambda: workshop.operator.obstacles is not None)
+    assert workshop.operator.why_not() == ("Cell 2 has no calibration. Call the engineer.",)
+
+
+def test_the_calibration_of_one_run_of_the_virtual_rig_serves_the_next_ones(workshop):
+    for number in (1, 2):
+        workshop.identify(f"GC-010{number}")
+        workshop.screens.identify.next.click()
+        workshop.load_and_start()
+        workshop.wait(lambda: workshop.operator.filed is not None and workshop.operator.shelf.settings.calibrated)
+    first, second = workshop.requests
+    assert first.calibrate and first.calibrated is None
+    assert not second.calibrate and second.calibrated == first.folder
+    assert second.rig.driver_settings["part"] == "gypsum" and second.rig.camera("left").width_px == 648
+
+
+def test_a_damaged_program_file_is_a_card_that_says_so(workshop, tmp_path):
+    (tmp_path / "MeasureApp" / "programs" / "bracket.mpart").write_bytes(b"PK nothing")
+    workshop.operator.stock.reload()
+    workshop.wait(lambda: len(workshop.operator.shelf.cards) == 3)
+    last = workshop.operator.shelf.cards[-1]
+    assert last.name == "bracket.mpart" and "cannot be read as a part program" in last.problem
+    workshop.screens.home.grid.buttons[-1].click()
+    assert workshop.operator.step == "home" and "cannot be read" in workshop.screens._words.text()

@@ -1,0 +1,1 @@
+"""Operator mode: a workspace of its own, which fills the window."""

@@ -1,0 +1,197 @@
+"""Verdict screen: sign and word over the whole width, the worst dimensions, the part, and what comes next."""
+
+from __future__ import annotations
+
+from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtGui import QShowEvent
+from PySide6.QtWidgets import QFrame, QLabel, QWidget
+
+from measureapp.data.verdicts import part_verdict
+from ui.controllers.controllers import Controllers
+from ui.look.look import Look
+from ui.look.wording import several
+from ui.pages.inspection.part_picture import part_composer
+from ui.pages.operator.big import BigButton, big_card, big_label
+from ui.pages.operator.part_view import PartView
+from ui.pages.operator.style import letters_on
+from ui.pages.operator.worst import drawn, seen_from, shown_dimensions, words_of
+from ui.session import Session
+from ui.widgets.basic import clear, column, row
+
+SIGN_PX, WORD_PX = 96, 96
+SIDE_WIDTH = 520
+SIGNS = {"pass": "pass", "fail": "fail", "not proven": "not proven", "not measured": "not measured"}
+ALL_PASS = "All {count} pass."
+NO_DIMENSIONS = "The program evaluated no dimension: there is no verdict."
+DRIFTED = "A camera has moved since the calibration: the values may be wrong. Call the engineer."
+
+
+class VerdictBand(QFrame):
+    """The verdict in its colour, with sign and word; never by colour alone."""
+
+    def __init__(self, look: Look) -> None:
+        super().__init__()
+        self._look = look
+        self.verdict = "not measured"
+        self.sign, self.word = QLabel(), QLabel()
+        self.part, self.summary = QLabel(), QLabel()
+        for label in (self.part, self.summary):
+            label.setWordWrap(True)
+            label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        layout = row(self.sign, self.word, column(0, self.part, self.summary, 0, spacing=4), spacing=32)
+        layout.setContentsMargins(40, 8, 24, 8)
+        layout.setStretch(2, 1)
+        self.setLayout(layout)
+        self.setFixedHeight(SIGN_PX + 32)
+
+    def show_verdict(self, verdict: str, part: str, summary: str) -> None:
+        """Show a verdict, of which part, and the numbers of dimensions."""
+        self.verdict = verdict
+        letters, colour = letters_on(verdict), self._look.theme.verdict(verdict).name()
+        self.setStyleSheet(
+            f"VerdictBand {{ background: {colour}; border: none; }}"
+            f"VerdictBand QLabel {{ color: {letters}; font-size: 24px; font-weight: 600; background: transparent; }}"
+        )
+        self.word.setStyleSheet(f"color: {letters}; font-size: {WORD_PX}px; font-weight: 800;")
+        self.sign.setPixmap(_sign(verdict, letters))
+        self.word.setText(verdict.upper())
+        self.part.setText(part)
+        self.summary.setText(summary)
+        self.setAccessibleName(f"{verdict.upper()}. {part}. {summary}")
+
+
+def _sign(verdict: str, colour: str):  # type: ignore[no-untyped-def]
+    from ui.look.icons import icon
+
+    return icon(SIGNS[verdict], colour).pixmap(QSize(SIGN_PX, SIGN_PX))
+
+
+class WorstCard(QFrame):
+    """One dimension: sign, name, value, limit."""
+
+    def __init__(self, look: Look, name: str, value: str, limit: str, verdict: str) -> None:
+        super().__init__()
+        self.setObjectName("operator-card")
+        sign = QLabel()
+        sign.setPixmap(look.icon(verdict, "verdict_" + verdict.replace(" ", "_")).pixmap(QSize(40, 40)))
+        top = row(sign, big_label(name, "heading"), 0, big_label(value, "value"))
+        below = big_label(f"{verdict.upper()}: {limit}", "body", wrap=True)
+        layout = column(top, below, spacing=0)
+        layout.setContentsMargins(16, 6, 16, 8)
+        self.setLayout(layout)
+
+
+class VerdictScreen(QWidget):
+    """What came out, and what to do now."""
+
+    nextClicked = Signal()
+    repeatClicked = Signal()
+    detailsClicked = Signal()
+    reportClicked = Signal()
+    callClicked = Signal()
+
+    def __init__(self, look: Look, session: Session, controllers: Controllers) -> None:
+        super().__init__()
+        self._look, self._session, self._operator = look, session, controllers.operator
+        self.band = VerdictBand(look)
+        self.view = PartView(look, session, controllers.drawing)
+        self._cards = column(spacing=8)
+        self.filed = big_label("", "soft", wrap=True)
+        self.problem = big_label("", "error", wrap=True)
+        side = QWidget()
+        side.setFixedWidth(SIDE_WIDTH)
+        layout = column(self._cards, 0, self.problem, self.filed, spacing=8)
+        side.setLayout(layout)
+        middle = row(side, big_card(self.view, margin=2), spacing=16)
+        middle.setContentsMargins(24, 0, 24, 0)
+        middle.setStretch(1, 1)
+        whole = column(self.band, middle, self._buttons(look), spacing=12)
+        whole.setStretch(1, 1)
+        self.setLayout(whole)
+        self._operator.run.filedChanged.connect(self._show_filed)
+        self._operator.stock.changed.connect(self._show_filed)
+        look.changed.connect(self._show)
+
+    def _buttons(self, look: Look) -> QWidget:
+        self.next = BigButton("Next part", look, "run", "primary")
+        self.next.setMinimumWidth(280)
+        self.again = BigButton("Repeat", look, "again")
+        self.details = BigButton("Details", look, "inspection")
+        self.report = BigButton("Report", look, "report")
+        self.call = BigButton("Call the engineer", look, "person")
+        for button, signal in (
+            (self.next, self.nextClicked),
+            (self.again, self.repeatClicked),
+            (self.details, self.detailsClicked),
+            (self.report, self.reportClicked),
+            (self.call, self.callClicked),
+        ):
+            button.pressedOnce.connect(signal)
+        bar = QWidget()
+        layout = row(self.call, 0, self.report, self.details, self.again, self.next, spacing=16)
+        layout.setContentsMargins(24, 0, 24, 12)
+        bar.setLayout(layout)
+        return bar
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Show the newest result."""
+        super().showEvent(event)
+        self._show()
+        self.next.setFocus()
+
+    def _show(self) -> None:
+        measurement = self._session.measurement
+        if not self.isVisible() or measurement is None:
+            return
+        inspection = measurement.inspection
+        dimensions = () if inspection is None else inspection.dimensions
+        verdict = part_verdict(one.verdict for one in dimensions)
+        facts, entered = self._operator.facts, self._operator.entered
+        part = " · ".join(filter(None, ("" if facts is None else facts.name, entered.serial, entered.order)))
+        self.band.show_verdict(str(verdict), part, summary_words([str(one.verdict) for one in dimensions]))
+        clear(self._cards)
+        for dimension in shown_dimensions(dimensions):
+            words = words_of(dimension)
+            self._cards.addWidget(WorstCard(self._look, words.name, words.value, words.limit, words.verdict))
+        drift = measurement.validity.drift
+        self._drifted = drift is not None and drift.status == "drifted"
+        self.view.compose(part_composer(self._session, "surface", self._look.theme.shade))
+        if inspection is not None:
+            self.view.mark(*drawn(inspection, self._look.theme))
+            direction = seen_from(inspection)
+            if direction is not None:
+                self.view.look_from(direction)
+        self._show_filed()
+
+    def _show_filed(self) -> None:
+        if not self.isVisible():
+            return
+        filed = self._operator.filed
+        problems = [DRIFTED] if self._drifted else []
+        problems += [filed.problem] if filed is not None and filed.problem else []
+        self.problem.setText("\n".join(problems))
+        self.problem.setVisible(bool(problems))
+        words = "The result is being filed…"
+        if filed is not None:
+            name = {"name": "" if filed.report is None else filed.report.name}
+            words = "Report filed: {name}".format(**name) if filed.report is not None else ""
+            if filed.run is not None and not self._operator.counts():
+                words += "\nThe first run of this part counts."
+        self.filed.setText(words)
+        self.filed.setVisible(bool(words))
+
+
+def summary_words(verdicts: list[str]) -> str:
+    """Return how many dimensions have which verdict, the worst first."""
+    if not verdicts:
+        return NO_DIMENSIONS
+    if set(verdicts) == {"pass"}:
+        return ALL_PASS.format(count=several(len(verdicts), "dimension"))
+    words = {
+        "fail": "{n} fail",
+        "not proven": "{n} not proven",
+        "not measured": "{n} not measured",
+        "pass": "{n} pass",
+    }
+    counts = [words[name].format(n=verdicts.count(name)) for name in words if name in verdicts]
+    return f"{', '.join(counts)}, of {several(len(verdicts), 'dimension')}."

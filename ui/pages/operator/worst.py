@@ -1,0 +1,102 @@
+"""The worst dimensions of a part: in words, drawn on the part, and where to look from."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from measureapp.data.verdicts import worst_first
+from ui.look.theme import Theme
+from ui.look.wording import NOTHING, quantity
+from ui.pages.inspection.dimension_rows import dimension_words, features_of, unit_of
+from ui.pages.inspection.feature_lines import dimension_labels, feature_lines, verdict_rgb
+from ui.viewport.layers import Label, LineLayer
+
+if TYPE_CHECKING:
+    from measureapp.data.dimension import Dimension
+    from measureapp.data.feature import Feature
+    from measureapp.data.measurement import Inspection
+
+MOST = 3
+OBLIQUE = np.array([-0.45, -0.5, 0.55])  # added to the direction of a feature, so that its edges show
+
+
+@dataclass(frozen=True)
+class DimensionWords:
+    """One dimension as an operator reads it."""
+
+    name: str
+    value: str
+    limit: str
+    verdict: str
+
+
+def shown_dimensions(dimensions: Sequence[Dimension]) -> tuple[Dimension, ...]:
+    """Return the worst dimensions, at most three: those that do not pass, or of a part that passes those nearest to a limit."""
+    ordered = worst_first(dimensions)
+    open_ = [one for one in ordered if one.verdict != "pass"]
+    return tuple(open_[:MOST] or ordered[:MOST])
+
+
+def words_of(dimension: Dimension) -> DimensionWords:
+    """Return name, value, the limit that counts, and verdict."""
+    unit = unit_of(dimension)
+    value = quantity(dimension.measured, unit) if dimension.measured is not None else NOTHING
+    return DimensionWords(dimension_words(dimension.name), value, _limit(dimension, unit), str(dimension.verdict))
+
+
+def _limit(dimension: Dimension, unit: str) -> str:
+    lower, upper = dimension.nominal + dimension.lower_tolerance, dimension.nominal + dimension.upper_tolerance
+    if dimension.deviation is None:
+        return dimension.reason or "It could not be measured."
+    exceeded = dimension.deviation > dimension.upper_tolerance or dimension.deviation < dimension.lower_tolerance
+    above = dimension.deviation > (dimension.lower_tolerance + dimension.upper_tolerance) / 2
+    words = {"limit": quantity(upper if above else lower, unit), "u": quantity(dimension.round_uncertainty(), unit)}
+    if dimension.verdict == "not proven":
+        return ("at most {limit}, U = {u}" if above else "at least {limit}, U = {u}").format(**words)
+    past = dimension.deviation - (dimension.upper_tolerance if above else dimension.lower_tolerance)
+    words["past"] = quantity(abs(past), unit)
+    if exceeded:
+        return ("at most {limit}: {past} too large" if above else "at least {limit}: {past} too small").format(**words)
+    return ("at most {limit}" if above else "at least {limit}").format(**words)
+
+
+def drawn(inspection: Inspection, theme: Theme) -> tuple[list[LineLayer], list[Label]]:
+    """Return outlines and labels of the worst dimensions, each in the colour of its verdict; the worst one is drawn last."""
+    shown = shown_dimensions(inspection.dimensions)
+    lines: list[LineLayer] = []
+    for dimension in reversed(shown):
+        lines += feature_lines((), _features(inspection, dimension), dimension, None, verdict_rgb(theme, dimension))
+    return lines, dimension_labels(theme, shown, inspection.features, None)
+
+
+def seen_from(inspection: Inspection) -> tuple[float, float, float] | None:
+    """Return the direction from which the worst dimension is seen, in the nominal's frame; None where it has no place on the part."""
+    shown = shown_dimensions(inspection.dimensions)
+    features = _features(inspection, shown[0]) if shown else []
+    if not features:
+        return None
+    middle = np.mean([feature.point_mm for feature in inspection.features], axis=0)
+    outward = [_outward(feature, middle) for feature in features]
+    together = np.sum(outward, axis=0)
+    direction = together if np.linalg.norm(together) > 0.5 else outward[0]
+    seen = direction / max(float(np.linalg.norm(direction)), 1e-9) + OBLIQUE
+    return float(seen[0]), float(seen[1]), float(seen[2])
+
+
+def _features(inspection: Inspection, dimension: Dimension) -> list[Feature]:
+    known = {feature.name: feature for feature in inspection.features}
+    return [feature for _, feature in features_of(dimension, known) if feature is not None]
+
+
+def _outward(feature: Feature, middle: np.ndarray) -> np.ndarray:
+    """Return the direction of a feature, away from the middle of the part."""
+    away = np.asarray(feature.point_mm) - middle
+    direction = away if feature.direction is None else np.asarray(feature.direction)
+    size = float(np.linalg.norm(direction))
+    if size < 1e-9:
+        return np.array([0.0, 0.0, 1.0])
+    return direction / size * (-1.0 if feature.direction is not None and float(direction @ away) < 0 else 1.0)
