@@ -46,7 +46,7 @@ def build(application: QApplication) -> Application:
     settings = Settings(settings_file())
     look = Look(_shade(application, settings))
     look.apply_theme()
-    session = Session()
+    session = Session(settings)
     controllers = Controllers(session)
     window = MainWindow(look, session, controllers, settings)
     settings.changed.connect(lambda name: look.set_shade(_shade(application, settings)) if name == "theme" else None)
