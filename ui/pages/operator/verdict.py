@@ -11,11 +11,10 @@ from ui.controllers.controllers import Controllers
 from ui.look.icons import IconSet
 from ui.look.look import Look
 from ui.look.verdict_words import summary_words
-from ui.pages.inspection.part_picture import part_composer
 from ui.pages.operator.big import BigButton, big_card, big_label
 from ui.pages.operator.part_view import PartView
 from ui.pages.operator.style import letters_on
-from ui.pages.operator.worst import drawn, seen_from, shown_dimensions, words_of
+from ui.pages.operator.worst import drawn, part_composer, seen_from, shown_dimensions, words_of
 from ui.session import Session
 from ui.widgets.basic import clear, column, row
 
@@ -148,7 +147,7 @@ class VerdictScreen(QWidget):
             self._cards.addWidget(WorstCard(self._look, words.name, words.value, words.limit, words.verdict))
         drift = measurement.validity.drift
         self._drifted = drift is not None and drift.status == "drifted"
-        self.view.compose(part_composer(self._session, "surface", self._look.theme.shade))
+        self.view.compose(part_composer(measurement, self._look.theme.shade))
         if inspection is not None:
             self.view.mark(*drawn(inspection, self._look.theme))
             direction = seen_from(inspection)

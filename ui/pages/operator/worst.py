@@ -13,12 +13,16 @@ from ui.look.theme import Theme
 from ui.look.wording import NOTHING, quantity
 from ui.pages.inspection.dimension_rows import dimension_words, features_of, unit_of
 from ui.pages.inspection.feature_lines import dimension_labels, feature_lines, verdict_rgb
+from ui.pages.inspection.part_picture import GREYS
+from ui.pages.layers import mesh_layer, points_layer
+from ui.pages.viewport_page import Composer, Picture
 from ui.viewport.layers import Label, LineLayer
+from ui.workers.job import Job
 
 if TYPE_CHECKING:
     from measureapp.data.dimension import Dimension
     from measureapp.data.feature import Feature
-    from measureapp.data.measurement import Inspection
+    from measureapp.data.measurement import Inspection, Measurement
 
 MOST = 3
 OBLIQUE = np.array([-0.45, -0.5, 0.55])  # added to the direction of a feature, so that its edges show
@@ -75,6 +79,21 @@ def drawn(inspection: Inspection, theme: Theme) -> tuple[list[LineLayer], list[L
     for dimension in reversed(shown):
         lines += feature_lines((), _features(inspection, dimension), dimension, None, verdict_rgb(theme, dimension))
     return lines, dimension_labels(theme, shown, inspection.features, None)
+
+
+def part_composer(measurement: Measurement, shade: str) -> Composer | None:
+    """Return the composer of the measured surface, or of the points where there is none; None without an inspection."""
+    inspection, mesh, stitched = measurement.inspection, measurement.mesh, measurement.stitched
+    if inspection is None:
+        return None
+    nominal_from_part, grey = inspection.alignment.nominal_from_part, GREYS[shade]
+
+    def compose(_job: Job) -> Picture:
+        if mesh is not None:
+            return Picture(surface=mesh_layer(mesh, nominal_from_part, grey))
+        return Picture((points_layer(stitched, nominal_from_part, grey),))
+
+    return compose
 
 
 def seen_from(inspection: Inspection) -> tuple[float, float, float] | None:
