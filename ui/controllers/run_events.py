@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Slot
 
 from ui.look.wording import percent
-from ui.messages import CALIBRATION
+from ui.messages import CALIBRATION, SHOW_CALIBRATION
 from ui.session import RunNow, Session, ViewpointStatus
 from ui.workers.job import Job
 
@@ -156,9 +156,11 @@ class RunEvents(QObject):
         drift = event.validity.drift
         if drift is None:
             for warning in event.validity.warnings:
-                self._session.tell(warning, "", "warning", cause=CALIBRATION)
+                self._session.tell(warning, "", "warning", cause=CALIBRATION, remedy=SHOW_CALIBRATION)
         elif drift.status in ("watch", "drifted"):
-            self._session.tell(drift.sentence, "", "error" if drift.status == "drifted" else "warning", cause=CALIBRATION)
+            self._session.tell(
+                drift.sentence, "", "error" if drift.status == "drifted" else "warning", cause=CALIBRATION, remedy=SHOW_CALIBRATION
+            )
 
     def _report_end(self, event: RunEnded) -> None:
         if event.reason == "failed":
