@@ -361,3 +361,10 @@ def test_a_scan_of_which_everything_is_stored_has_no_time_left(application, page
     scanning = application.controllers.scanning
     scanning._apply(e.RunStarted("six views", ()))
     assert scanning.left() is None
+
+
+def test_the_dimensions_of_a_complete_scan_are_counted_the_worst_first(inspection):
+    from ui.controllers.scanning import verdict_counts
+
+    assert list(verdict_counts(inspection).items()) == [("fail", 1), ("not proven", 1), ("not measured", 1), ("pass", 1)]
+    assert verdict_counts(None) == {}

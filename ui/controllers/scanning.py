@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from measureapp.acquire.control import RunControl
     from measureapp.acquire.time_left import RunClock, TimeLeft
     from measureapp.data.calibration import RigCalibration
+    from measureapp.data.measurement import Inspection
     from measureapp.data.plan import ScanPlan
     from measureapp.data.rig import RigDescription
     from measureapp.pipeline.events import Event
@@ -31,6 +32,8 @@ if TYPE_CHECKING:
 
 NOT_PROCESSED = "The images are stored. They are not processed, because the project has no calibration."
 CALIBRATE_IT = "Calibrate the rig, then press Recompute on the page Scan."
+PASSED = "pass"
+VERDICTS = ("fail", "not proven", "not measured", PASSED, "no tolerance")  # the worst first
 PAUSES_FIRST = "The scan pauses before its first viewpoint; what comes before it can only be cancelled."
 
 
@@ -184,10 +187,11 @@ class ScanController(QObject):
             self._session.tell(NOT_PROCESSED, CALIBRATE_IT, "warning")
             return
         self._session.set_measurement(outcome.measurement, outcome.files, outcome.filters)
-        inspection = outcome.measurement.inspection
-        passing = sum(1 for dimension in inspection.dimensions if dimension.verdict == "pass") if inspection else 0
-        summary = f" {passing} of {several(len(inspection.dimensions), 'dimension')} pass." if inspection else ""
-        self._session.tell(f"The {self._subject} is complete.{summary}", "", "done")
+        counts = verdict_counts(outcome.measurement.inspection)
+        summary = f" Dimensions: {', '.join(f'{count} {words}' for words, count in counts.items())}." if counts else ""
+        self._session.tell(
+            f"The {self._subject} is complete.{summary}", "", "done" if set(counts) <= {PASSED, "no tolerance"} else "warning"
+        )
 
     @Slot()
     def _ended(self) -> None:
@@ -257,6 +261,14 @@ class ScanController(QObject):
         if folder is not None and plan is not None and rig is not None:
             begun = not self._session.calibration and (folder / "calibration" / "views").is_dir()  # with its calibration
             self.run("Scan", lambda _job: _stored_request(plan, rig, folder, calibrate=begun))
+
+
+def verdict_counts(inspection: Inspection | None) -> dict[str, int]:
+    """Return how many dimensions have which verdict, in words, the worst first."""
+    if inspection is None:
+        return {}
+    found = [dimension.verdict.value for dimension in inspection.dimensions]
+    return {verdict: found.count(verdict) for verdict in VERDICTS if verdict in found}
 
 
 def _prepared(request: ScanRequest) -> ScanPrepared:
