@@ -300,7 +300,7 @@ def check_scan(job: Job, choices: ScanChoices, make: MakeRequest, session: Sessi
     job.report(0, 1, "Checking the scan")
     try:
         request = make(job)
-        found = rehearse(request, session.connection)
+        found = rehearse(request, session.connection, job)
         stored = len(ProjectFolder.open(request.folder).stored_viewpoints()) if choices.is_existing else 0
     except MeasureError as error:
         return CheckedScan(choices, problem=error)
