@@ -10,13 +10,16 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal, Slot
 
+from measureapp.data.verdicts import part_verdict
 from measureapp.errors import InputError, MeasureError
 from ui.controllers.jobs import JobRunner
 from ui.controllers.rig_control import RigControl
 from ui.controllers.run_events import RunEvents
 from ui.controllers.scan_choices import CheckedScan, MakeRequest, ScanChoices, request_maker
 from ui.controllers.stored_sessions import project_on_disk
+from ui.look.verdict_words import summary_words
 from ui.look.wording import several
+from ui.messages import MOMENT
 from ui.session import RunNow, Session
 
 if TYPE_CHECKING:
@@ -196,11 +199,15 @@ class ScanController(QObject):
             self._session.tell(NOT_PROCESSED, CALIBRATE_IT, "warning")
             return
         self._session.set_measurement(outcome.measurement, outcome.files, outcome.filters)
-        counts = verdict_counts(outcome.measurement.inspection)
-        summary = f" Dimensions: {', '.join(f'{count} {words}' for words, count in counts.items())}." if counts else ""
-        self._session.tell(
-            f"The {self._subject} is complete.{summary}", "", "done" if set(counts) <= {PASSED, "no tolerance"} else "warning"
-        )
+        inspection = outcome.measurement.inspection
+        verdicts = [str(dimension.verdict) for dimension in inspection.dimensions] if inspection else []
+        words = f"The {self._subject} is complete."
+        if not verdicts or part_verdict(verdicts) == "pass":
+            self._session.tell(f"{words} {summary_words(verdicts)}" if verdicts else words, "", "done")
+        else:
+            self._session.tell(
+                f"{words} {summary_words(verdicts)}", "The page Inspect shows the worst dimension first.", "warning", cause=MOMENT
+            )
 
     @Slot()
     def _ended(self) -> None:
