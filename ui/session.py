@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Literal
 from PySide6.QtCore import QObject, Signal
 
 from ui.messages import BUSY, CALIBRATION, CANCEL, DEVICES, PROJECT, STOPPED, Level, Message, Messages
+from ui.settings.settings import Settings
 from ui.workers.mailbox import Mailboxes
 
 if TYPE_CHECKING:
@@ -116,8 +117,10 @@ class Session(QObject):
     appearanceChanged = Signal()
     unsavedAsked = Signal(object)  # what goes on when edits are saved or discarded
 
-    def __init__(self, parent: QObject | None = None) -> None:
+    def __init__(self, settings: Settings | None = None, parent: QObject | None = None) -> None:
+        """``settings``: what is remembered from start to start; None: only while the program runs."""
         super().__init__(parent)
+        self.settings = settings or Settings()
         self.images: Mailboxes[ImageTaken] = Mailboxes()  # one for each camera
         self.messages = Messages(self)
         self.messages.added.connect(self.messageAdded)

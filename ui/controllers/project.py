@@ -11,6 +11,7 @@ from PySide6.QtCore import QObject, Slot
 from measureapp.errors import StorageError
 from ui.controllers.jobs import JobRunner
 from ui.controllers.run_events import RunEvents
+from ui.messages import OPEN_PROJECT, RECOMPUTE
 from ui.session import Session
 
 if TYPE_CHECKING:
@@ -103,7 +104,7 @@ class ProjectController(QObject):
         """Recompute the open project from its stored images."""
         folder = self._session.folder
         if folder is None:
-            self._session.tell("No project is open.", "Open a project or run the demo first.", "warning")
+            self._session.tell("No project is open.", "Open a project or run the demo first.", "warning", remedy=OPEN_PROJECT)
             return
         if self._session.refuse_during_job():
             return
@@ -134,7 +135,7 @@ class ProjectController(QObject):
         session.set_validity(read.validity)
         session.tell(f"{read.name} is open.", "", "done")
         if read.damage is not None:
-            session.tell(read.damage.message, "Press Recompute on the page Scan; no new scan is needed.", "warning")
+            session.tell(read.damage.message, "Press Recompute on the page Scan; no new scan is needed.", "warning", remedy=RECOMPUTE)
         if read.lost is not None:
             session.tell(read.lost.message, read.lost.hint, "warning")
         if read.holder is not None:

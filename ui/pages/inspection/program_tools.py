@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Slot
-from PySide6.QtWidgets import QFileDialog, QWidget
+from PySide6.QtWidgets import QWidget
 
 from measureapp.data.length_unit import LengthUnit
 from ui.controllers.controllers import Controllers
@@ -18,6 +17,8 @@ from ui.look.wording import sentence_case
 from ui.pages.inspection.dimension_bar import DimensionBar
 from ui.pages.inspection.program_dialog import ProgramDialog
 from ui.session import Session
+from ui.settings.dialogs import choose_file
+from ui.settings.settings import Settings
 from ui.widgets.basic import Button
 from ui.widgets.unit_dialog import UnitDialog
 
@@ -34,16 +35,16 @@ PROGRAM_TIP = "Edit the inspection program as text: alignment, features, dimensi
 class NominalButton(Button):
     """Asks for a file, and for its unit if it is doubtful."""
 
-    def __init__(self, look: Look, nominal: NominalController) -> None:
+    def __init__(self, look: Look, nominal: NominalController, settings: Settings) -> None:
         super().__init__("Nominal…", look, "open", "quiet", NOMINAL_TIP)
-        self._look, self._nominal, self.dialog = look, nominal, None
+        self._look, self._nominal, self._settings, self.dialog = look, nominal, settings, None
         self.clicked.connect(self._choose)
         nominal.unitAsked.connect(self._ask)
 
     def _choose(self) -> None:
-        chosen, _ = QFileDialog.getOpenFileName(self, "Choose the nominal", str(Path.home()), NOMINAL_FILES)
-        if chosen:
-            self._nominal.use(Path(chosen))
+        chosen = choose_file(self, "Choose the nominal", NOMINAL_FILES, "nominals", self._settings)
+        if chosen is not None:
+            self._nominal.use(chosen)
 
     @Slot(object)
     def _ask(self, asked: NominalQuestion) -> None:
@@ -63,7 +64,7 @@ class ProgramTools(QObject):
         programming = self.programming
         self.bar, self.nominal, self.dialog = (
             DimensionBar(look),
-            NominalButton(look, controllers.nominal),
+            NominalButton(look, controllers.nominal, session.settings),
             ProgramDialog(look, programming, page),
         )
         self.text = Button("Program…", look, "report", "quiet", PROGRAM_TIP)
