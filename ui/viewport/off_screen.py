@@ -67,7 +67,8 @@ class OffScreenView(QWidget):
     def close_view(self) -> None:
         """Release the graphics memory."""
         self._more.stop()
-        self._window.leave(self, self._stage.scene)
+        self._window.take_out(self._stage.scene)
+        self._window.leave(self)
 
     def pick(self, place: QPointF) -> Pick:
         """Return what is at a place of the widget, in logical pixels from the top left corner."""
