@@ -70,6 +70,7 @@ def compose(
         failing=render_failing(measurement, scene),
         cross_sections=() if deviation is None or nominal is None or not pictures else render_sections(nominal, deviation),
         plan_lines=plan_lines(measurement, details),
+        compared=deviation,
     )
 
 

@@ -9,6 +9,7 @@ from measureapp.data.dimension import Dimension, Verdict
 from measureapp.data.identification import Identification
 from measureapp.data.measurement import Measurement
 from measureapp.data.plan import ScanPlan
+from measureapp.inspection.surface.deviation import Deviation
 from measureapp.report.template import Template
 
 
@@ -133,3 +134,4 @@ class ReportModel:
     failing: tuple[DimensionPicture, ...] = ()
     cross_sections: tuple[Picture, ...] = ()
     plan_lines: tuple[PlanLine, ...] = ()
+    compared: Deviation | None = None  # all points, for the 3-D view
