@@ -46,7 +46,7 @@ def build(application: QApplication) -> Application:
     settings = Settings(settings_file())
     look = Look(_shade(application, settings))
     look.apply_theme()
-    session = Session()
+    session = Session(settings)
     controllers = Controllers(session)
     window = MainWindow(look, session, controllers, settings)
     settings.changed.connect(lambda name: look.set_shade(_shade(application, settings)) if name == "theme" else None)
@@ -76,7 +76,7 @@ def run(project: Path | None = None, demo: bool = False) -> int:
     sys.excepthook = Reporter(built.session)
     built.window.show()
     QTimer.singleShot(0, built.controllers.startup.begin)
-    built.controllers.roles.begin()
+    built.controllers.roles.begin(in_operator_mode=built.settings.text("role") == "operator")
     if project is not None:
         built.controllers.project.open(project)
     elif demo:

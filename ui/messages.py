@@ -17,6 +17,7 @@ BUSY = "busy"  # a job runs; it ends with the job
 DEVICES = "devices"  # some are not ready
 STOPPED = "stopped"  # the rig was stopped and not reset
 CALIBRATION = "calibration"  # of the rig; it ends with a new one
+SHOW_RIG, SHOW_CALIBRATION, OPEN_PROJECT, RECOMPUTE = "page.rig", "page.calibration", "project.open", "project.compute"  # actions that help
 CANCEL = "job.cancel"  # action that ends the running job
 MOST = 1000  # messages kept
 

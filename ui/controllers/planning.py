@@ -15,6 +15,7 @@ from ui.controllers.plan_generation import Wanted, generate, order
 from ui.controllers.plan_part import PlanPart
 from ui.controllers.plan_prediction import PlanPrediction
 from ui.look.wording import percent, several
+from ui.messages import SHOW_RIG
 from ui.session import Session
 
 if TYPE_CHECKING:
@@ -153,7 +154,9 @@ class PlanningController(QObject):
 
         readback = self._session.cell.readback
         if readback is None:
-            self._session.tell("The position of the rig is not known.", "Connect the rig on the page Rig first.", "warning")
+            self._session.tell(
+                "The position of the rig is not known.", "Connect the rig on the page Rig first.", "warning", remedy=SHOW_RIG
+            )
             return
         flange = FlangePose.of(readback.base_from_flange)
         at = Viewpoint(id=self.free_name(), flange=flange, guide_mm=readback.guide_mm, table_deg=degrees(readback.table_rad))
@@ -171,7 +174,7 @@ class PlanningController(QObject):
 
         rig = self._session.rig
         if rig is None:
-            self._session.tell(*NO_RIG, "warning")
+            self._session.tell(*NO_RIG, "warning", remedy=SHOW_RIG)
             return
         try:
             found = viewpoint_facing(rig, self.prediction.arm_model, self.free_name(), point_mm, normal)
@@ -190,7 +193,7 @@ class PlanningController(QObject):
         """Replace the plan by a generated one: of a number of viewpoints, or as many as the coverage needs."""
         rig, part = self._session.rig, self.part.prepared
         if rig is None or part is None:
-            self._session.tell(*NO_RIG, "warning")
+            self._session.tell(*NO_RIG, "warning", remedy=SHOW_RIG)
             return
         asked = Wanted(self.plan, viewpoints, coverage)
         self._runner.run("Generating a plan", lambda job: generate(asked, rig, part, job), self._show_generated)

@@ -11,6 +11,7 @@ from PySide6.QtCore import QObject, Slot
 from measureapp.errors import StorageError
 from ui.controllers.jobs import JobRunner
 from ui.controllers.run_events import RunEvents
+from ui.messages import OPEN_PROJECT, RECOMPUTE
 from ui.session import Session
 
 if TYPE_CHECKING:
@@ -57,7 +58,7 @@ class ProjectController(QObject):
     @Slot(object)
     def open(self, folder: Path) -> None:
         """Open the project in ``folder``; refused while a job runs, because its results would go to the wrong project."""
-        if self._session.refuse_during_job():
+        if self._session.refuse_during_job() or self._session.ask_about_unsaved(lambda: self.open(folder)):
             return
         self._runner.run("Opening project", lambda job: read_project(folder, job), self._show)
 
@@ -65,7 +66,7 @@ class ProjectController(QObject):
     def create(self, folder: Path, part: str) -> None:
         """Make a project of the present rig in ``folder``, and open it."""
         rig = self._session.rig
-        if rig is None or self._session.refuse_during_job():
+        if rig is None or self._session.refuse_during_job() or self._session.ask_about_unsaved(lambda: self.create(folder, part)):
             return
 
         def work(job: Job) -> ReadProject:
@@ -103,7 +104,7 @@ class ProjectController(QObject):
         """Recompute the open project from its stored images."""
         folder = self._session.folder
         if folder is None:
-            self._session.tell("No project is open.", "Open a project or run the demo first.", "warning")
+            self._session.tell("No project is open.", "Open a project or run the demo first.", "warning", remedy=OPEN_PROJECT)
             return
         if self._session.refuse_during_job():
             return
@@ -134,7 +135,7 @@ class ProjectController(QObject):
         session.set_validity(read.validity)
         session.tell(f"{read.name} is open.", "", "done")
         if read.damage is not None:
-            session.tell(read.damage.message, "Press Recompute on the page Scan; no new scan is needed.", "warning")
+            session.tell(read.damage.message, "Press Recompute on the page Scan; no new scan is needed.", "warning", remedy=RECOMPUTE)
         if read.lost is not None:
             session.tell(read.lost.message, read.lost.hint, "warning")
         if read.holder is not None:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal, Slot
 
 from ui.controllers.jobs import JobRunner
-from ui.messages import DEVICES, STOPPED
+from ui.messages import DEVICES, SHOW_RIG, STOPPED
 from ui.session import CellState, Session
 from ui.workers.job import Job
 
@@ -76,7 +76,11 @@ class RigControl(QObject):
         unready = [device.name for device in cell.devices if not device.status.ready]
         if unready:
             self._session.tell(
-                f"Connected, but not ready: {', '.join(unready)}.", "See the remedy in the table of devices.", "warning", cause=DEVICES
+                f"Connected, but not ready: {', '.join(unready)}.",
+                "See the remedy in the table of devices.",
+                "warning",
+                cause=DEVICES,
+                remedy=SHOW_RIG,
             )
         else:
             self._session.tell("All devices are connected and ready.", "", "done")
@@ -198,7 +202,11 @@ class RigControl(QObject):
     def _report_stop(self, report: str) -> None:
         self._session.set_cell(replace(self._session.cell, stopped=BY_BUTTON, live=False))
         self._session.tell(
-            report or "Everything was stopped.", "Reset the stop on the Rig page before anything moves again.", "warning", cause=STOPPED
+            report or "Everything was stopped.",
+            "Reset the stop on the Rig page before anything moves again.",
+            "warning",
+            cause=STOPPED,
+            remedy=SHOW_RIG,
         )
 
     @Slot()

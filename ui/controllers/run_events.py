@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Slot
 
 from ui.look.wording import percent
-from ui.messages import CALIBRATION
+from ui.messages import CALIBRATION, SHOW_CALIBRATION
 from ui.session import RunNow, Session, ViewpointStatus
 from ui.workers.job import Job
 
@@ -121,6 +121,8 @@ class RunEvents(QObject):
             case e.ViewFailed():
                 session.set_viewpoint(event.viewpoint_id, "failed", event.reason)
                 session.tell(f"Viewpoint {event.viewpoint_id} has no cloud: {event.reason}", "Its images are stored.", "warning")
+            case e.PartElsewhere():
+                session.tell(event.sentence, "", "warning")
             case e.StitchReady():
                 session.set_stitched(event.stitched)
             case e.SurfaceFailed():
@@ -154,9 +156,11 @@ class RunEvents(QObject):
         drift = event.validity.drift
         if drift is None:
             for warning in event.validity.warnings:
-                self._session.tell(warning, "", "warning", cause=CALIBRATION)
+                self._session.tell(warning, "", "warning", cause=CALIBRATION, remedy=SHOW_CALIBRATION)
         elif drift.status in ("watch", "drifted"):
-            self._session.tell(drift.sentence, "", "error" if drift.status == "drifted" else "warning", cause=CALIBRATION)
+            self._session.tell(
+                drift.sentence, "", "error" if drift.status == "drifted" else "warning", cause=CALIBRATION, remedy=SHOW_CALIBRATION
+            )
 
     def _report_end(self, event: RunEnded) -> None:
         if event.reason == "failed":

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QImage, QPixmap, QResizeEvent, QShowEvent
-from PySide6.QtWidgets import QFileDialog, QLabel, QScrollArea, QSizePolicy, QWidget
+from PySide6.QtWidgets import QLabel, QScrollArea, QSizePolicy, QWidget
 
 from measureapp.data.identification import Identification
 from measureapp.project.file_names import safe_file_name
@@ -18,6 +18,7 @@ from ui.look.wording import part_words, sentence_case, when
 from ui.pages.page import Page
 from ui.pages.report_header import HeaderDialog
 from ui.session import Session
+from ui.settings.dialogs import choose_new
 from ui.widgets.basic import Button, card, clear, column, label, row
 from ui.widgets.empty_state import EmptyState
 from ui.widgets.properties_panel import Group, Properties
@@ -170,7 +171,7 @@ class ReportPage(Page):
 
     def _export(self, kind: str) -> None:
         words, _, ending = FORMATS[kind]
-        start = str(Path.home() / safe_file_name(self.session.project_name or "measurement", f".{ending}"))
-        chosen, _ = QFileDialog.getSaveFileName(self, words, start, f"*.{ending}")
-        if chosen:
-            self.controllers.documents.export(kind, Path(chosen).with_suffix(f".{ending}"))
+        name = safe_file_name(self.session.project_name or "measurement", f".{ending}")
+        chosen = choose_new(self, words, name, "exports", self.session.settings, f"*.{ending}")
+        if chosen is not None:
+            self.controllers.documents.export(kind, chosen.with_suffix(f".{ending}"))

@@ -6,7 +6,7 @@ import contextlib
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Final
+from typing import Final, Protocol
 
 from PySide6.QtCore import QObject, QSettings, Signal
 
@@ -32,9 +32,54 @@ KNOWN: Final[dict[str, Known]] = {
 }
 
 
+class Store(Protocol):
+    """Where settings are kept; QSettings is one."""
+
+    def value(self, key: str) -> object:
+        """Return a value; None if there is none."""
+
+    def setValue(self, key: str, value: str) -> None:
+        """Keep a value."""
+
+    def remove(self, key: str) -> None:
+        """Forget a value, or all of a group."""
+
+    def allKeys(self) -> list[str]:
+        """Return the names of all values."""
+
+    def sync(self) -> None:
+        """Write what was changed."""
+
+
 def settings_file() -> Path:
     """Return the file of the user's settings."""
     return Path.home() / "MeasureApp" / "settings.ini"
+
+
+class Memory:
+    """Keeps settings while the program runs, where no file is wanted."""
+
+    def __init__(self) -> None:
+        self._values: dict[str, str] = {}
+
+    def value(self, key: str) -> object:
+        """Return a value; None if there is none."""
+        return self._values.get(key)
+
+    def setValue(self, key: str, value: str) -> None:
+        """Keep a value."""
+        self._values[key] = value
+
+    def remove(self, key: str) -> None:
+        """Forget a value, or all of a group."""
+        self._values = {name: value for name, value in self._values.items() if name != key and not name.startswith(f"{key}/")}
+
+    def allKeys(self) -> list[str]:
+        """Return the names of all values."""
+        return list(self._values)
+
+    def sync(self) -> None:
+        """There is no file to write."""
 
 
 class Settings(QObject):
@@ -42,11 +87,11 @@ class Settings(QObject):
 
     changed = Signal(str)  # name of a setting
 
-    def __init__(self, file: Path, parent: QObject | None = None) -> None:
+    def __init__(self, file: Path | None = None, parent: QObject | None = None) -> None:
+        """``file``: None keeps them only while the program runs."""
         super().__init__(parent)
-        _set_aside(file)
         self.file = file
-        self._store = QSettings(str(file), QSettings.Format.IniFormat)
+        self._store: Store = Memory() if file is None else _open_file(file)
         self.is_newer = migrate(self._store)
 
     def text(self, name: str) -> str:
@@ -106,6 +151,11 @@ class Settings(QObject):
         self._store.sync()
 
 
+def _open_file(file: Path) -> QSettings:
+    _set_aside(file)
+    return QSettings(str(file), QSettings.Format.IniFormat)
+
+
 def _set_aside(file: Path) -> None:
     """Rename a file that holds anything but text, so that new settings can be kept."""
     try:
@@ -117,7 +167,7 @@ def _set_aside(file: Path) -> None:
         return
 
 
-def _from_1(store: QSettings) -> None:
+def _from_1(store: Store) -> None:
     """Version 1 kept the theme as a word of its own."""
     old = store.value("shade")
     if isinstance(old, str) and old in THEMES:
@@ -125,11 +175,11 @@ def _from_1(store: QSettings) -> None:
     store.remove("shade")
 
 
-MIGRATIONS: Final[dict[int, Callable[[QSettings], None]]] = {1: _from_1}
+MIGRATIONS: Final[dict[int, Callable[[Store], None]]] = {1: _from_1}
 """What leads from each schema to the next."""
 
 
-def migrate(store: QSettings) -> bool:
+def migrate(store: Store) -> bool:
     """Bring the settings to the present schema; return whether they are of a newer one, which is read as far as it is known."""
     stored = store.value("schema")
     if stored is None:

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QWidget
 
 from ui.viewport.clip_box import ClipBox
-from ui.viewport.stage import Stage
+
+if TYPE_CHECKING:
+    from ui.viewport.stage import Stage
 
 
 class SteeredView(QWidget):

@@ -118,3 +118,10 @@ def test_the_step_of_a_job_is_never_cut(window, qtbot, width, most):
     assert shown.text() == note
     needed = shown.heightForWidth(shown.width())
     assert needed <= shown.height() and needed <= most
+
+
+def test_every_remedy_that_a_message_names_is_an_action(window):
+    from ui import messages
+
+    for remedy in (messages.CANCEL, messages.SHOW_RIG, messages.SHOW_CALIBRATION, messages.OPEN_PROJECT, messages.RECOMPUTE):
+        assert window.actions_.action(remedy) is not None

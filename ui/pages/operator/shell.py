@@ -10,7 +10,6 @@ from ui.controllers.controllers import Controllers
 from ui.controllers.operator_roles import RoleController
 from ui.look.look import Look
 from ui.pages.operator.locking import EngineerLock
-from ui.pages.operator.setup_dialog import OperatorSetupDialog
 from ui.pages.operator.workspace import OperatorWorkspace
 from ui.session import Session
 
@@ -76,6 +75,8 @@ class Shell(QStackedWidget):
 
     def set_up(self) -> None:
         """Show the set-up of operator mode to the engineer."""
+        from ui.pages.operator.setup_dialog import OperatorSetupDialog
+
         self._setup = OperatorSetupDialog(self._look, self._controllers.operator, self._controllers.roles, self._window)
         self._setup.finished.connect(self._setup.deleteLater)
         self._setup.open()

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from datetime import datetime
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QKeySequence, QShortcut, QShowEvent
 from PySide6.QtWidgets import QFrame, QStackedWidget, QWidget
 
-from measureapp.data.series import SeriesRun
 from ui.controllers.controllers import Controllers
 from ui.controllers.operator_nouns import verdict_of
 from ui.look.look import Look
@@ -28,6 +28,9 @@ from ui.pages.operator.style import operator_sheet
 from ui.pages.operator.verdict import VerdictScreen
 from ui.session import Session
 from ui.widgets.basic import column, row
+
+if TYPE_CHECKING:
+    from measureapp.data.series import SeriesRun
 
 CLOCK_MS = 60_000
 RUNNING = "A measurement is running. Stop it before you close the window."

@@ -22,6 +22,7 @@ from ui.pages.plan.viewpoint_form import ViewpointForm
 from ui.pages.plan.viewpoint_properties import viewpoint_properties
 from ui.pages.viewport_page import Composer, ViewportPage
 from ui.session import Session
+from ui.settings.dialogs import choose_file
 from ui.widgets.basic import Button, card, column, label, row
 from ui.widgets.coverage_legend import CoverageLegend
 from ui.widgets.empty_state import EmptyState
@@ -86,6 +87,7 @@ class PlanPage(ViewportPage):
         picture.setStretch(1, 1)
         self.problem.hide()
         split = QSplitter(Qt.Orientation.Vertical)
+        split.setObjectName("plan")
         split.setChildrenCollapsible(False)
         upper = QWidget()
         upper.setLayout(column(self.tools, self.tree, spacing=8))
@@ -335,9 +337,9 @@ class PlanPage(ViewportPage):
 
     @Slot()
     def _choose_part(self) -> None:
-        chosen, _ = QFileDialog.getOpenFileName(self, "Choose the nominal of the part", str(self._folder()), NOMINALS)
-        if chosen:
-            self.planning.part.choose(Path(chosen))
+        chosen = choose_file(self, "Choose the nominal of the part", NOMINALS, "nominals", self.session.settings)
+        if chosen is not None:
+            self.planning.part.choose(chosen)
 
     def _folder(self) -> Path:
         if self.planning.file is not None:

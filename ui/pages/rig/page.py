@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import tomllib
-from pathlib import Path
 
 from PySide6.QtCore import QSize, QTimer, Slot
 from PySide6.QtGui import QHideEvent, QShowEvent
-from PySide6.QtWidgets import QComboBox, QFileDialog, QFrame, QStackedWidget, QWidget
+from PySide6.QtWidgets import QComboBox, QFrame, QStackedWidget, QWidget
 
 from measureapp.resources import resource
 from ui.controllers.controllers import Controllers
@@ -18,6 +17,7 @@ from ui.pages.page import Page
 from ui.pages.rig.device_rows import HEADERS, device_rows, rig_properties
 from ui.pages.rig.editing import Editing
 from ui.session import Session
+from ui.settings.dialogs import choose_file
 from ui.widgets.basic import Button, card, column, label, row, scrolled
 from ui.widgets.data_table import DataTable
 from ui.widgets.demo_form import DemoForm
@@ -149,10 +149,10 @@ class RigPage(Page):
         if chosen is None:
             return
         if chosen == "":
-            path, _ = QFileDialog.getOpenFileName(self, "Open a rig description", str(Path.home()), "Rig descriptions (*.toml)")
+            path = choose_file(self, "Open a rig description", "Rig descriptions (*.toml)", "rigs", self.session.settings)
             self._name_rig()
-            if path:
-                self.controllers.rig.choose(Path(path))
+            if path is not None:
+                self.controllers.rig.choose(path)
         else:
             self.controllers.rig.choose(chosen)
 
