@@ -10,6 +10,7 @@ from measureapp.data.identification import Identification
 from measureapp.data.measurement import Measurement
 from measureapp.data.plan import ScanPlan
 from measureapp.inspection.surface.deviation import Deviation
+from measureapp.inspection.surface.statistics import DeviationStatistics
 from measureapp.report.template import Template
 
 
@@ -89,18 +90,19 @@ class PlanLine:
     as_planned: bool | None  # whether the exposures are those of the plan; None: there is no plan
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class DeviationSummary:
     """Deviation of the cloud from the nominal, prepared for display."""
 
     alignment: str
-    figures_mm: Mapping[str, float]  # mean, rms, p95, min, max
-    unmeasured_share: float
-    limit_mm: float  # the colour scale ranges from -limit to +limit
+    statistics: DeviationStatistics  # the numbers of the window's legend
     histogram: tuple[float, ...]  # share of the points in equal bins over the scale; the outer bins include all beyond
-    beyond_share: float  # of the points beyond the scale
-    extremes_mm: Mapping[str, tuple[float, float, float]]  # where min and max are, in the nominal's frame
     pictures: tuple[Picture, ...]
+
+    @property
+    def limit_mm(self) -> float:
+        """The colour scale ranges from -limit to +limit."""
+        return self.statistics.range_mm[1]
 
 
 @dataclass(frozen=True, slots=True)

@@ -14,7 +14,7 @@ from measureapp.data.dimension import Verdict
 from measureapp.data.feature import Feature
 from measureapp.data.mesh import Mesh
 from measureapp.inspection.surface.deviation import Deviation
-from measureapp.report.deviation_pictures import NEAR_MM, nice_limit
+from measureapp.report.deviation_pictures import NEAR_MM
 from measureapp.report.model import ReportModel
 from measureapp.report.part_pictures import flag_text, on_feature, placed_mesh
 from measureapp.report.words import COLOURS
@@ -39,7 +39,7 @@ def scene_document(model: ReportModel) -> dict[str, Any] | None:
     used = simpler.vertices_mm[np.unique(simpler.triangles)]
     centre = (used.min(axis=0) + used.max(axis=0)) / 2
     radius = float(np.linalg.norm(used - centre, axis=1).max()) / FILLS
-    limit = 1.0 if model.compared is None else nice_limit(model.compared.p95_mm)
+    limit = 1.0 if model.deviation is None else model.deviation.limit_mm
     unit = 10 * limit / LARGEST
     values = np.full(len(simpler.vertices_mm), MISSING, np.int16)
     if model.compared is not None:
