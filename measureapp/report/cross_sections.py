@@ -21,7 +21,7 @@ NORMAL_TO = (("y", 1, (0, 2)), ("z", 2, (0, 1)))  # axis, its index, the axes dr
 
 
 def render_sections(nominal: Mesh, deviation: Deviation, limit: float) -> tuple[Picture, ...]:
-    """Return sections through the middle of the nominal, one upright and one level; ``limit`` (mm) ends the colour scale."""
+    """Return sections through the middle of the nominal, one upright and one level; larger deviations than ``limit`` (mm) are cut off."""
     low, high = nominal.vertices_mm.min(axis=0), nominal.vertices_mm.max(axis=0)
     middle = (low + high) / 2
     made = (_section(nominal, deviation, limit, name, axis, drawn, float(middle[axis])) for name, axis, drawn in NORMAL_TO)

@@ -240,12 +240,12 @@ def _deviation(deviation: DeviationSummary) -> dict[str, Any]:
     for name, extreme in (("Minimum", found.minimum), ("Maximum", found.maximum)):
         if extreme is not None:
             place = ", ".join(number(float(value), 1) for value in extreme.point_mm)
-            facts.append((name, f"{number(extreme.value_mm, signed=True)} mm at {place}"))
+            facts += [(name, f"{number(extreme.value_mm, signed=True)} mm"), (f"{name} at", place)]
     limits = "the scale" if found.tolerance_mm is None else format_tolerance(*found.tolerance_mm)
     facts += [
         (f"Points within {limits}", percent(found.inside)),
         ("Below, above", f"{percent(found.below)}, {percent(found.above)}"),
-        ("Not measured: not seen", percent(found.no_data.not_seen)),
+        ("Nominal not seen", percent(found.no_data.not_seen)),
         ("Filled, too far", f"{percent(found.no_data.filled)}, {percent(found.no_data.too_far)}"),
     ]
     return {
