@@ -73,7 +73,7 @@ def register(app: typer.Typer) -> None:
         }
         lines = _summary_lines(found, figures)
         statistics = _statistics(found, surface, measured, tolerance, search)
-        document["statistics"], lines = statistics_document(statistics), [*lines, *_statistics_lines(statistics)]
+        document["deviation_statistics"], lines = statistics_document(statistics), [*lines, *_statistics_lines(statistics)]
         if tolerance is not None:
             document["bands"] = _bands_document(found, tolerance, lines)
         if section:
