@@ -50,6 +50,7 @@ def build(application: QApplication) -> Application:
     controllers = Controllers(session)
     window = MainWindow(look, session, controllers, settings)
     settings.changed.connect(lambda name: look.set_shade(_shade(application, settings)) if name == "theme" else None)
+    session.appearanceChanged.connect(lambda: settings.set_text("role", session.role))
     return Application(settings, look, session, controllers, window)
 
 
@@ -76,6 +77,8 @@ def run(project: Path | None = None, demo: bool = False) -> int:
     sys.excepthook = Reporter(built.session)
     built.window.show()
     QTimer.singleShot(0, built.controllers.startup.begin)
+    if built.settings.text("role") == "operator":
+        built.session.set_role("operator")
     built.controllers.roles.begin()
     if project is not None:
         built.controllers.project.open(project)
