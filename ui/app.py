@@ -77,9 +77,7 @@ def run(project: Path | None = None, demo: bool = False) -> int:
     sys.excepthook = Reporter(built.session)
     built.window.show()
     QTimer.singleShot(0, built.controllers.startup.begin)
-    if built.settings.text("role") == "operator":
-        built.session.set_role("operator")
-    built.controllers.roles.begin()
+    built.controllers.roles.begin(in_operator_mode=built.settings.text("role") == "operator")
     if project is not None:
         built.controllers.project.open(project)
     elif demo:

@@ -32,6 +32,7 @@ from ui.shell.drops import DropActions, DropTarget
 from ui.shell.header_state import HeaderState
 from ui.shell.project_menu import ProjectMenu
 from ui.shell.support_log import save_support_log, support_lines
+from ui.shell.unsaved import UnsavedQuestion
 from ui.widgets.basic import column, row
 from ui.widgets.closing_bar import ClosingBar
 from ui.widgets.header import HeaderBar
@@ -94,7 +95,7 @@ class MainWindow(QMainWindow):
             DropActions(
                 open_project=self.controllers.project.open,
                 inspect=self.project_menu.inspect,
-                set_nominal=programming.set_nominal,
+                set_nominal=self.controllers.nominal.use,
                 set_program=lambda path: programming.replace(path.read_text(encoding="utf-8")),
                 open_plan=lambda path: (self.show_page("plan"), self.controllers.planning.open(path)),
                 open_rig=lambda path: (self.show_page("rig"), self.controllers.rig.choose(path)),
@@ -140,6 +141,9 @@ class MainWindow(QMainWindow):
             (self.shell.operator if self.shell.is_operators else self.closing).ask(running.title)
             event.ignore()
             return
+        if self.session.ask_about_unsaved(self.close):
+            event.ignore()
+            return
         keep_window(self, self.settings)
         self.settings.save()
         self.header_state.stop()
@@ -157,8 +161,9 @@ class MainWindow(QMainWindow):
     def _lay_out(self) -> None:
         middle = row(self.rail, self.stack, self.properties, spacing=0)
         middle.setStretch(1, 1)
-        whole = column(self.header, self.closing, middle, self.strip, spacing=0)
-        whole.setStretch(2, 1)
+        self.unsaved = UnsavedQuestion(self.look, self.session, self.controllers.programming, self)
+        whole = column(self.header, self.closing, self.unsaved.bar, middle, self.strip, spacing=0)
+        whole.setStretch(3, 1)
         centre = QWidget()
         centre.setLayout(whole)
         self.shell = Shell(self, centre, self.look, self.session, self.controllers)

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
@@ -28,7 +28,11 @@ if TYPE_CHECKING:
     from measureapp.devices.rig import Rig
     from measureapp.inspection.section_curves import SectionCurves
     from measureapp.inspection.surface.deviation import Deviation
+    from measureapp.inspection.surface.deviation_index import DeviationIndex
+    from measureapp.inspection.surface.deviation_map import DeviationMap
     from measureapp.inspection.surface.nominal import NominalSurface
+    from measureapp.inspection.surface.smoothing import Smoothed
+    from measureapp.inspection.surface.statistics import DeviationStatistics
     from measureapp.register.clouds.filter_chain import FilterChain
 
 ViewpointStatus = Literal["waiting", "moving", "settling", "capturing", "checking", "storing", "stored", "processed", "skipped", "failed"]
@@ -47,6 +51,10 @@ class Comparison:
     unmeasured_normals: np.ndarray  # (M, 3)
     surface: NominalSurface | None = None  # the drawing, ready to be cut
     sections: SectionCurves | None = None  # of the inspection program
+    index: DeviationIndex | None = None  # neighbours of the points, for probes
+    statistics: DeviationStatistics | None = None  # the numbers of legend, window, report and JSON
+    smoothed: Smoothed | None = None  # for the eye only
+    map: DeviationMap | None = None  # on the nominal
 
 
 @dataclass(frozen=True)
@@ -107,6 +115,7 @@ class Session(QObject):
     messageAdded = Signal(object)
     graphicsChanged = Signal()
     appearanceChanged = Signal()
+    unsavedAsked = Signal(object)  # what goes on when edits are saved or discarded
 
     def __init__(self, settings: Settings | None = None, parent: QObject | None = None) -> None:
         """``settings``: what is remembered from start to start; None: only while the program runs."""
@@ -116,6 +125,7 @@ class Session(QObject):
         self.messages = Messages(self)
         self.messages.added.connect(self.messageAdded)
         self.busy_with = ""
+        self.unsaved = ""  # what would be lost with the open project, in a sentence
         self.role: Role = "engineer"
         self.graphics: GraphicsState = "preparing"
         self.graphics_problem = ""
@@ -274,6 +284,17 @@ class Session(QObject):
         self.inspection = inspection
         self.inspectionChanged.emit()
 
+    def replace_inspection(self, inspection: Inspection) -> None:
+        """Replace the inspection of the measurement, by another program on the same clouds."""
+        if self.measurement is not None:
+            self.measurement = replace(self.measurement, inspection=inspection)
+        self.set_inspection(inspection)
+
+    def set_files(self, files: Mapping[str, Path]) -> None:
+        """Set the files of the results, which were written anew."""
+        self.files = dict(files)
+        self.reportChanged.emit()
+
     def set_comparison(self, comparison: Comparison | None) -> None:
         """Set the deviations from the nominal."""
         self.comparison = comparison
@@ -310,6 +331,12 @@ class Session(QObject):
                 f"{self.busy_with} is still running.", "Wait until it has finished, or cancel it.", "warning", cause=BUSY, remedy=CANCEL
             )
         return bool(self.busy_with)
+
+    def ask_about_unsaved(self, go_on: Callable[[], object]) -> bool:
+        """Return whether edits would be lost; if so, ask, and ``go_on`` when they are saved or discarded."""
+        if self.unsaved:
+            self.unsavedAsked.emit(go_on)
+        return bool(self.unsaved)
 
     def set_graphics(self, state: GraphicsState, problem: str = "") -> None:
         """Set the state of the 3-D graphics."""

@@ -13,7 +13,11 @@ from measureapp.data.raw_policy import RawPolicy
 
 def register(app: typer.Typer) -> None:
     """Add the commands."""
+    _register_raw(app)
+    _register_discard(app)
 
+
+def _register_raw(app: typer.Typer) -> None:
     @app.command()
     def raw(
         project: Annotated[Path, typer.Argument(help="Project folder.")],
@@ -67,6 +71,8 @@ def register(app: typer.Typer) -> None:
         }
         reply(document, "\n".join([*lines, f"{len(found)} viewpoints, {total / 1e6:.1f} MB of images."]), as_json)
 
+
+def _register_discard(app: typer.Typer) -> None:
     @app.command()
     def discard(
         project: Annotated[Path, typer.Argument(help="Project folder.")],

@@ -25,7 +25,7 @@ from measureapp.cli.outcome import exposures_line, report_warnings
 from measureapp.cli.reply import say
 from measureapp.data.plan import ScanPlan
 from measureapp.data.rig import RigDescription
-from measureapp.pipeline.events import Event, ExposuresChosen, ValidityKnown, ViewFailed
+from measureapp.pipeline.events import Event, ExposuresChosen, PartElsewhere, ValidityKnown, ViewFailed
 
 STATES = {
     ViewpointState.STORED: "stored",
@@ -58,6 +58,8 @@ class ScanLog:
                 say(exposures_line(event))
             case ValidityKnown():
                 report_warnings(event)
+            case PartElsewhere():
+                say(event.sentence)
             case RunPaused():
                 say(f"Paused: {event.message} {event.hint}".rstrip())
                 self._wait()

@@ -45,6 +45,14 @@ class ViewFailed:
     damaged: bool = False  # they are not what was stored
 
 
+@dataclass(frozen=True, slots=True)
+class PartElsewhere:
+    """The first cloud shows that the part is not where the plan assumes it, with what that means."""
+
+    viewpoint_id: str
+    sentence: str
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class StitchReady:
     """All clouds were stitched."""
@@ -75,6 +83,14 @@ class ValidityKnown:
 
 
 ProcessingEvent = (
-    ExposuresChosen | CalibrationReady | ViewReady | ViewFailed | StitchReady | SurfaceFailed | InspectionReady | ValidityKnown
+    ExposuresChosen
+    | CalibrationReady
+    | ViewReady
+    | ViewFailed
+    | PartElsewhere
+    | StitchReady
+    | SurfaceFailed
+    | InspectionReady
+    | ValidityKnown
 )
 Event = AcquisitionEvent | ProcessingEvent

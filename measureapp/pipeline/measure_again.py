@@ -74,6 +74,21 @@ def measure_again(
         return finish(project, measured, watch)
 
 
+def store_program(project: ProjectFolder, measurement: Measurement, program: str) -> Outcome:
+    """Store a program with its inspection in ``measurement``, which was evaluated before, and write the reports.
+
+    Raises
+    ------
+    StorageError
+        The project cannot be written.
+    """
+    watch = Stopwatch()
+    with project.lock():
+        project.save_program(program)
+        project.update_inspection(measurement)
+        return finish(project, measurement, watch)
+
+
 def _nominal(project: ProjectFolder, nominal_file: NominalFile | None) -> Mesh | None:
     if nominal_file is not None:
         return read_mesh(nominal_file.path, unit=nominal_file.unit)

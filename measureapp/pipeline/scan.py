@@ -19,6 +19,7 @@ from measureapp.fringe.exposures.bracket import BracketLimits
 from measureapp.fringe.patterns.draw import pattern_images
 from measureapp.pipeline.bracket import choose_at, propose_bracket
 from measureapp.pipeline.events import Event, ExposuresChosen, ValidityKnown
+from measureapp.pipeline.first_cloud import watch_part
 from measureapp.pipeline.kept_views import views_without_images
 from measureapp.pipeline.measure import check_space
 from measureapp.pipeline.part_on_table import part_on_table
@@ -94,7 +95,8 @@ def scan(
         on_event(ValidityKnown(check_before_scan(rig, calibration)))
     before = set(project.stored_viewpoints())
     check_space(project, rig.description, plan, options.retake)
-    with Processing(project, calibration, on_event, watch, registration_cache) as sink:
+    heard = watch_part(project, calibration, rig.description, on_event)
+    with Processing(project, calibration, heard, watch, registration_cache) as sink:
         kept = views_without_images(project) if before and calibration is not None else {}
         for viewpoint_id in before.difference(options.retake):
             if viewpoint_id in kept:

@@ -33,6 +33,11 @@ def write_documents(
     StorageError
         A document cannot be written, or the template has an error.
     """
+    return {kind: write_document(model, kind, folder / safe_file_name(stem, f".{kind}")) for kind in kinds}
+
+
+def write_document(model: ReportModel, kind: DocumentKind, path: Path) -> Path:
+    """Write one document, whole or not at all, and return ``path``. Raises StorageError."""
     writers: dict[DocumentKind, Callable[[ReportModel, Path], Path]] = {
         "pdf": write_pdf,
         "csv": write_csv,
@@ -40,7 +45,7 @@ def write_documents(
         "json": write_report_json,
         "html": write_html,
     }
-    return {kind: writers[kind](model, folder / safe_file_name(stem, f".{kind}")) for kind in kinds}
+    return writers[kind](model, path)
 
 
 def write_report_json(model: ReportModel, path: Path) -> Path:

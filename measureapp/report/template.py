@@ -5,11 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from pathlib import Path
 
+import tomli_w
 from pydantic import ValidationError
 
-from measureapp.data.model import first_problem
+from measureapp.data.model import first_problem, toml_values
 from measureapp.data.report_template import ReportTemplate
 from measureapp.errors import InputError
+from measureapp.project.atomic import replacing, write_text
 from measureapp.project.text_document import read_toml
 from measureapp.resources import resource
 
@@ -63,6 +65,33 @@ def read_template(path: Path) -> Template:
     if layout is not None and not layout.is_file():
         raise InputError(f"{layout} does not exist.", f"Correct `layout` in {path / FILE}.")
     return Template(description, read_logo(path / description.logo) if description.logo else None, layout)
+
+
+def save_own_template(company: str, logo: Path | None) -> None:
+    """Store company and logo in this user's template; the rest of it stays as it is.
+
+    Raises
+    ------
+    InputError
+        The logo is none, or the template so far is not valid.
+    StorageError
+        The folder cannot be written.
+    """
+    folder = own_template_folder()
+    former = default_template().description
+    content = None if logo is None else read_logo(logo)
+    name = "" if content is None else f"logo{content[0]}"
+    if content is not None:
+        with replacing(folder / name) as temporary:
+            temporary.write_bytes(content[1])
+    changed = former.model_copy(update={"name": "own" if former.name == "built-in" else former.name, "company": company, "logo": name})
+    write_text(folder / FILE, tomli_w.dumps({"schema_version": 1, **toml_values(changed)}))
+
+
+def own_logo() -> Path | None:
+    """Return the logo of this user's template. Raises InputError where the template is not valid."""
+    name = default_template().description.logo
+    return own_template_folder() / name if name else None
 
 
 def read_logo(path: Path) -> tuple[str, bytes]:

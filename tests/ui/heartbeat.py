@@ -33,6 +33,7 @@ FIRST_LOOK_MS, LOOKS = 70.0, 6  # silence until the first stack is taken; furthe
 LOOP_MS = 17.0  # CPU time of `_loop` on an idle core of the machine with 2 cores and software OpenGL on which the limit was set
 ROOT = str(Path(__file__).resolve().parents[2]) + os.sep
 FRAME = re.compile(r'  File "(.+)", line (\d+) in (.+)')
+JOB, JOB_FRAMES = "ui/workers/job.py", 4  # of a job, which may hold the interpreter lock, the innermost frames
 
 
 @dataclass(frozen=True)
@@ -190,11 +191,14 @@ def _stack_of(thread: int) -> str:
         file.seek(0)
         blocks = file.read().split("\n\n")
     block = next((block for block in blocks if f"0x{thread:016x}" in block), "")
+    jobs = [FRAME.findall(other) for other in blocks if JOB in other]
     stack = [(name, int(line), function) for name, line, function in FRAME.findall(block)][::-1]
     library = os.sep + "site-packages" + os.sep
     own = [frame for frame in stack if library not in frame[0] or frame is stack[-1]]
     inside = [place for place, frame in enumerate(own) if frame[0].startswith(ROOT)]
     kept = own[inside[0] :] if inside else own[-3:]
-    return "\n".join(
+    lines = [
         f"    {name.removeprefix(ROOT)}:{line} in {function}: {linecache.getline(name, line).strip()}" for name, line, function in kept
-    )
+    ]
+    running = [f"    (job: {' < '.join(f'{name.removeprefix(ROOT)}:{line}' for name, line, _ in job[:JOB_FRAMES])})" for job in jobs]
+    return "\n".join((*running, *lines))

@@ -92,7 +92,7 @@ def test_on_the_inspection_page_a_click_shows_view_and_position_in_the_nominal_a
     page.shape.setValue("points")
     page.view.pointPicked.emit(0, 10)
     assert page.properties.title == "Point"
-    assert len(page.view._labels) == 2  # of the point and of the dimension selected
+    assert len(page.view._labels) == 1 and len(page.view._flags) == 1  # the point, and the dimension selected
     page.shape.setValue("surface")
     page.distance.button.setChecked(True)
     assert page.shape.value() == "points"

@@ -10,11 +10,13 @@ import pytest
 from measureapp.data.mesh import Mesh
 from ui.controllers import comparison as comparisons
 from ui.look.look import Look
-from ui.pages.inspection.deviation_card import DeviationCard, scale_end_mm
+from ui.pages.inspection.deviation_card import DeviationCard
+from ui.pages.inspection.deviation_display import DeviationDisplay, usual_legend
 from ui.pages.inspection.section_bar import CutPlane, cut_lines
-from ui.pages.layers import deviation_layers, vertex_normals
+from ui.pages.layers import deviation_layers, deviation_surface, vertex_normals
 from ui.session import Comparison
-from ui.viewport.colouring import DIVERGING, UNKNOWN
+from ui.viewport.colouring import UNKNOWN
+from ui.viewport.overlay.legend import Legend
 from ui.widgets.histogram import BINS, Histogram
 
 
@@ -52,58 +54,65 @@ def test_points_outside_the_nominal_deviate_by_their_distance_and_what_no_point_
 
 
 def test_places_not_measured_are_grey_and_never_a_colour_of_the_scale(compared):
-    points, missing = deviation_layers(compared, np.zeros_like(compared.deviation.points_mm), scale_end_mm(compared))
+    points, missing = deviation_layers(compared, np.zeros_like(compared.deviation.points_mm), usual_legend(compared))
     assert (missing.colours == UNKNOWN).all()
     assert points.to_read and missing.to_read
     assert not (np.abs(points.colours.astype(int) - UNKNOWN).max(axis=1) == 0).any()
+    surface = deviation_surface(compared, usual_legend(compared))
+    assert np.mean((surface.colours == UNKNOWN).all(axis=1)) == pytest.approx(0.5, abs=0.1)
 
 
-def test_the_card_sums_up_the_deviations_in_words(qtbot, compared):
-    card = DeviationCard(Look("light"))
-    qtbot.addWidget(card)
-    card.show_comparison(compared)
-    assert "rms" in card.words.text()
-    assert "mm" in card.words.text()
+@pytest.fixture
+def card(qtbot, compared):
+    """The card with the display that it shows."""
+    display = DeviationDisplay()
+    made = DeviationCard(Look("light"), display)
+    qtbot.addWidget(made)
+    made.show_comparison(compared)
+    display.show_comparison(compared)
+    return made
+
+
+def test_the_card_sums_up_the_deviations_in_words(card, compared):
+    assert "rms" in card.words.text() and "mm" in card.words.text()
+    assert "Maximum" in card.extremes.text() or "maximum" in card.extremes.text()
     assert card.unmeasured.words.text().startswith("Not measured: ")
     assert card.histogram.counts.sum() == len(compared.stitched)
-    card.show_comparison(None)
-    assert card.isHidden()
 
 
-def test_a_tolerance_is_marked_on_the_scale_and_percentages_are_shown(qtbot, compared):
-    card = DeviationCard(Look("light"))
-    qtbot.addWidget(card)
-    card.show_comparison(compared)
-    card.resize(500, 400)
-    distances = compared.deviation.distances_mm
-    limit = round(float(np.percentile(np.abs(distances), 80)), 3)
-    card.histogram.end_mm = 2 * limit
-    card.tolerance.setValue(2 * limit)  # at the end of the scale: nothing to mark
-    plain = card.histogram.grab().toImage()
+def test_the_tolerance_band_of_the_card_is_that_of_the_legend_and_its_shares_are_those_of_the_core(card, compared):
+    display, statistics = card._display, compared.statistics
+    assert display.legend.tolerance == statistics.tolerance_mm and display.shares()[0] == statistics.inside
+    limit = round(float(np.percentile(np.abs(compared.deviation.distances_mm), 80)), 3)
     card.tolerance.setValue(limit)
-    share = 100 * np.mean(np.abs(distances) <= limit)
+    share = 100 * np.mean(np.abs(compared.deviation.distances_mm) <= limit)
+    assert display.legend.tolerance == (-limit, limit)
     assert card.bands.text().replace("\u00a0", " ").startswith(f"{share:.1f} % within")
-    marked = card.histogram.grab().toImage()
-    changed = {x for x in range(plain.width()) for y in range(20) if plain.pixel(x, y) != marked.pixel(x, y)}
-    ratio = plain.width() / card.histogram.width()
-    expected = [ratio * card.histogram.width() * place for place in (0.25, 0.75)]
-    assert changed and all(min(abs(x - one) for one in expected) <= 3 * ratio for x in changed)
+    assert display.legend.fractions.inside == pytest.approx(share / 100)
+    display.take_legend(display.legend.with_tolerance(-0.2, 0.2))
+    assert card.tolerance.value() == 0.2
 
 
-def test_the_histogram_counts_what_lies_beyond_its_scale_in_the_outermost_bars(qtbot):
+def test_the_legend_says_whether_colours_are_smoothed_and_keeps_what_was_set_when_the_part_is_compared_again(card, compared):
+    display = card._display
+    assert display.legend.note == "Mean of the points nearby"
+    card.on.setValue("points")
+    assert display.legend.note.startswith("Smoothed, radius ")
+    card.smooth.setChecked(False)
+    assert display.legend.note == "Each point"
+    display.take_legend(display.legend.with_range(-0.5, 0.5))
+    display.show_comparison(compared)
+    assert (display.legend.low, display.legend.high) == (-0.5, 0.5)
+    display.forget()
+    display.show_comparison(compared)
+    assert (display.legend.low, display.legend.high) == compared.statistics.range_mm
+
+
+def test_the_histogram_counts_what_lies_beyond_its_scale_in_the_outermost_bars_in_the_colours_of_the_legend(qtbot):
     histogram = Histogram(Look("light"))
     qtbot.addWidget(histogram)
-    histogram.show_values(np.array([-9.0, -0.001, 0.001, 0.002, 7.0, 8.0]), DIVERGING, 0.05)
-    assert histogram.counts[0] == 1
-    assert histogram.counts[-1] == 2
-    assert histogram.counts.sum() == 6
-    assert len(histogram.counts) == BINS
-
-
-def test_the_histogram_has_the_colours_of_the_picture(qtbot):
-    histogram = Histogram(Look("light"))
-    qtbot.addWidget(histogram)
-    histogram.show_values(np.linspace(-0.05, 0.05, 500), DIVERGING, 0.05)
+    histogram.show_values(np.array([-9.0, -0.001, 0.001, 0.002, 7.0, 8.0]), Legend("Deviation", -0.05, 0.05))
+    assert (histogram.counts[0], histogram.counts[-1], histogram.counts.sum(), len(histogram.counts)) == (1, 2, 6, BINS)
     histogram.resize(480, 160)
     picture = histogram.grab().toImage()
     left, right = picture.pixelColor(6, 160 - 20 - 10), picture.pixelColor(474, 160 - 20 - 10)
@@ -121,10 +130,13 @@ def test_the_inspection_page_shows_deviations_once_they_are_known_and_forgets_th
     assert not page.side.deviation.isVisible()
     session.set_comparison(compared)
     assert page.shape.value() == "deviation"
+    page.side.list.setValue("deviation")
     assert page.side.deviation.isVisible()
+    qtbot.waitUntil(lambda: page.view._surface is not None and page.view.legend is not None, timeout=10_000)
+    page.side.deviation.on.setValue("points")
     qtbot.waitUntil(lambda: len(page.view._clouds) == 2, timeout=10_000)
     session.open_project("other", "gear", None)
-    assert session.comparison is None
+    assert session.comparison is None and page.side.list.value() == "dimensions"
     assert page.shape.value() == "surface"
 
 
@@ -162,8 +174,8 @@ def test_the_inspection_page_cuts_where_the_bar_says_and_labels_all_dimensions(q
     page.cut.button.setChecked(False)
     assert len(page.view._lines) == before
     page.labels.setChecked(True)
-    assert [label.text.split()[0] for label in page.view._labels] == ["a", "b", "c"]  # d has no features
-    assert [label.text.split("   ")[-1] for label in page.view._labels] == ["pass", "fail", "not proven"]
+    flags = {flag.title: flag.verdict for flag in page.view._flags if flag.verdict}
+    assert flags == {"a": "pass", "b": "fail", "c": "not proven"}  # d has no features
 
 
 def test_residuals_of_single_points_are_signed_before_merging_and_rms_on_the_merged_cloud(application, window, measurement, qtbot):

@@ -185,19 +185,22 @@ def test_clouds_can_be_coloured_in_every_stage(filled, drawn):
 def test_the_inspection_page_shows_value_error_and_verdict(filled):
     page = filled.pages["inspection"]
     rows = [[plain(text) for text in row] for row in page.side.table.texts()]
-    assert rows[0] == ["a", "120.000", "120.021", "+0.021", "0.018", "Pass"]
-    assert rows[3] == ["d", "10.000", "–", "–", "–", "Not measured"]
-    assert [label.text() for label in page.side.summary.values()] == ["1 pass", "1 fail", "1 not proven", "1 not measured"]
+    assert rows[0] == ["a", "120.000", "± 0.100", "120.021", "+0.021", "0.018", "Pass"]
+    assert rows[3] == ["d", "10.000", "± 0.100", "–", "–", "–", "Not measured"]
+    shown = [chip.accessibleName() for chip in page.side.filter.buttons.values() if not chip.isHidden()]
+    assert shown == ["1 fail", "1 not proven", "1 not measured", "1 pass"]
+    assert [row.name for row in page.side.table.shown_rows] == ["b", "c", "d", "a"]  # the worst first
 
 
 def test_selecting_a_dimension_labels_it_in_the_viewport(filled):
     page = filled.pages["inspection"]
     filled.show_page("inspection")
     page.side.table.select(0)
-    assert [label.text for label in page.view._labels] == ["a 120.021 mm   pass"]
+    (flag,) = page.view._flags
+    assert (flag.title, plain(flag.value), flag.verdict) == ("a", "120.021 mm", "pass")
     assert len(page.view._lines[-1].lines) == 3
     page.side.table.select(3)
-    assert page.view._labels == ()
+    assert page.view._flags == ()
     assert page.properties.note == "No points lie near the feature."
 
 

@@ -72,7 +72,8 @@ def opened(application, window, project, qtbot, monkeypatch):
 
 
 def settled(application, qtbot):
-    runners = (application.controllers.jobs, application.controllers.background)
+    controllers = application.controllers
+    runners = (controllers.jobs, controllers.background, controllers.inspecting)
     qtbot.waitUntil(lambda: not any(one.queue.busy for one in runners) and not application.session.busy_with, timeout=PATIENCE_MS)
     return application.session.messages[-1]
 
@@ -108,27 +109,34 @@ def test_a_grown_feature_joins_the_program_with_a_dimension_and_both_are_undone(
     added = session.inspection.dimensions[-1]
     assert (added.name, added.nominal, added.upper_tolerance, added.features) == ("distance 1", 50.0, 0.25, ("plane 1", "ball"))
     assert added.measured == pytest.approx(50.0, abs=1e-3)  # the points are exact to single precision
-    assert opened.side.table.selected() == (1, -1)
-    assert project.program_text(has_nominal=False).startswith(PROGRAM)
+    assert opened.side.table.current_row().name == "distance 1"
+    assert project.program_text(has_nominal=False) == PROGRAM and application.controllers.programming.is_modified
+    application.controllers.programming.save()
+    settled(application, qtbot)
+    assert not application.controllers.programming.is_modified
+    text = project.program_text(has_nominal=False)
+    assert text.startswith("# by hand") and "# the only one" in text and 'name = "distance 1"' in text
     assert [one.name for one in project.measurement().inspection.dimensions] == ["size", "distance 1"]
     for left in (["size"], ["size"]):
         opened.undo.click()
         settled(application, qtbot)
         assert [one.name for one in session.inspection.dimensions] == left
-    assert project.program_text(has_nominal=False) == PROGRAM and not application.controllers.programming.can_undo
+    programming = application.controllers.programming
+    assert programming.text() == PROGRAM and not programming.can_undo and programming.is_modified  # than what is saved
 
 
 def test_a_dimension_is_removed_and_a_feature_that_it_needs_is_not(application, opened, project, qtbot):
-    opened.side.table.select(0, 0)
+    opened.side.list.setValue("features")
+    opened.side.features.select_names(["ball"])
     assert opened.properties.title == "Ball" and opened.properties.decision == REMOVE
     opened.decide()
     told = settled(application, qtbot)
-    assert told.level == "error" and "'size' needs feature 'ball'" in told.text
-    assert project.program_text(has_nominal=False) == PROGRAM
+    assert told.level == "error" and told.text == "ball is used by size."
+    opened.side.list.setValue("dimensions")
     opened.side.table.select(0)
     opened.decide()
     settled(application, qtbot)
-    assert application.session.inspection.dimensions == () and "# the only one" in project.program_text(has_nominal=False)
+    assert application.session.inspection.dimensions == () and "# the only one" in application.controllers.programming.text()
 
 
 def test_a_click_on_a_feature_of_the_list_chooses_it_for_the_dimension(application, opened):
@@ -159,7 +167,7 @@ def test_a_program_that_is_none_stays_in_its_window_with_the_reason(application,
 
 def test_the_unit_of_a_nominal_in_inches_is_asked_for_and_never_assumed(application, opened, project, qtbot, tmp_path):
     path = ball_mesh(tmp_path / "ball.stl", scale=1 / 25.4)
-    take, dialog_of = application.controllers.programming.set_nominal, opened.program.nominal
+    take, dialog_of = application.controllers.nominal.use, opened.program.nominal
     take(path)
     settled(application, qtbot)
     assert dialog_of.dialog.value() is LengthUnit.INCH and project.nominal is None
@@ -176,7 +184,7 @@ def test_the_unit_of_a_nominal_in_inches_is_asked_for_and_never_assumed(applicat
 
 
 def test_a_nominal_that_replaces_another_can_be_undone(application, opened, project, qtbot, tmp_path):
-    take = application.controllers.programming.set_nominal
+    take = application.controllers.nominal.use
     take(ball_mesh(tmp_path / "first.stl"))
     settled(application, qtbot)
     assert not application.controllers.programming.can_undo  # there was none before
@@ -200,7 +208,7 @@ def test_a_nominal_that_cannot_be_used_is_reported_and_changes_nothing(applicati
         header = "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n1 2 3\n"
         path.write_text("" if content == "nothing" else header, encoding="ascii")
     before = application.session.inspection
-    application.controllers.programming.set_nominal(path)
+    application.controllers.nominal.use(path)
     told = settled(application, qtbot)
     assert told.level == "error" and told.text.endswith(".") and told.hint
     assert project.nominal is None and application.session.inspection is before and opened.program.nominal.isEnabled()

@@ -12,7 +12,8 @@ from measureapp.inspection.section_curves import SectionCurves
 from measureapp.inspection.surface.section import Section
 from ui.look.look import Look
 from ui.pages.inspection.dimension_rows import feature_words
-from ui.pages.inspection.feature_lines import OUTLINE, dimension_labels, feature_lines
+from ui.pages.inspection.feature_lines import OUTLINE, feature_lines
+from ui.pages.inspection.flags import dimension_flags
 from ui.pages.inspection.section_bar import CutPlane, SectionBar
 from ui.pages.inspection.section_lines import GAINS, Whiskers, measured_lines
 
@@ -69,8 +70,8 @@ def test_a_line_profile_shows_its_deviations_magnified_by_the_factor_its_label_n
     lengths = [np.linalg.norm(one[1] - one[0]) for one in whiskers[0].lines]
     assert np.allclose(lengths, gain * 0.02)
     assert np.allclose([one[0][1] for one in whiskers[0].lines], 0.0)
-    (label,) = dimension_labels(Look("light").theme, [ridge], [plane], SECTIONS)
-    assert label.text.endswith(f"pass   magnified x {gain}")
+    (flag,) = dimension_flags([ridge], [plane], SECTIONS, {})
+    assert flag.verdict == "pass" and flag.more == (f"Whiskers × {gain}",)
 
 
 def test_a_gross_deviation_does_not_stick_out_of_the_picture():

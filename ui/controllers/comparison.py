@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
 NEAR_MM = 2.0  # the nominal counts as not measured without a point this close
 PLACES = 60_000
+USUAL_TOLERANCE_MM = (-0.1, 0.1)  # of the legend, until another one is set
 
 
 class ComparisonController(QObject):
@@ -76,7 +77,11 @@ def compute_comparison(
     from measureapp.inspection.measured_points import sample_mesh
     from measureapp.inspection.section_curves import find_section_curves
     from measureapp.inspection.surface.deviation import compute_deviation
+    from measureapp.inspection.surface.deviation_index import DeviationIndex
+    from measureapp.inspection.surface.deviation_map import map_deviation
     from measureapp.inspection.surface.nominal import NominalSurface
+    from measureapp.inspection.surface.smoothing import smooth_for_eye
+    from measureapp.inspection.surface.statistics import compute_statistics
 
     found = compute_deviation(stitched, nominal, alignment, near_mm=NEAR_MM, progress=progress)
     places = sample_mesh(nominal, PLACES)
@@ -85,4 +90,18 @@ def compute_comparison(
     normals = np.zeros_like(places.points_mm) if places.normals is None else places.normals
     surface = NominalSurface(nominal)
     sections = None if program is None else find_section_curves(found, surface, program, progress=progress)
-    return Comparison(stitched, found, places.points_mm[missing], normals[missing], surface, sections)
+    progress.report(0, 1, "statistics of the deviations")
+    index = DeviationIndex(found)
+    statistics = compute_statistics(found, nominal, tolerance_mm=USUAL_TOLERANCE_MM, search_mm=NEAR_MM, index=index)
+    return Comparison(
+        stitched,
+        found,
+        places.points_mm[missing],
+        normals[missing],
+        surface,
+        sections,
+        index,
+        statistics,
+        smooth_for_eye(index),
+        map_deviation(found, nominal, NEAR_MM),
+    )

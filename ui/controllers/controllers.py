@@ -8,6 +8,7 @@ from PySide6.QtCore import QElapsedTimer, QObject
 
 from ui.controllers.calibrating import CalibratingController
 from ui.controllers.comparison import ComparisonController
+from ui.controllers.creating import CreatingController
 from ui.controllers.demo import DemoController
 from ui.controllers.documents import DocumentsController
 from ui.controllers.extending import ExtendingController
@@ -16,6 +17,7 @@ from ui.controllers.filtering import FilteringController
 from ui.controllers.growing import GrowingController
 from ui.controllers.holes import HolesController
 from ui.controllers.jobs import JobRunner
+from ui.controllers.nominal import NominalController
 from ui.controllers.operator import OperatorController
 from ui.controllers.operator_roles import RoleController
 from ui.controllers.planning import PlanningController
@@ -48,6 +50,7 @@ class Controllers(QObject):
         self.solving = JobRunner(session, self)
         self.editing = JobRunner(session, self)
         self.predicting = JobRunner(session, self)
+        self.inspecting = JobRunner(session, self)
         self.operating = JobRunner(session, self)
         self.rig = RigControl(session, self.jobs, self)
         self.rig_editing = RigEditing(session, self.editing, self.rig, self)
@@ -65,7 +68,9 @@ class Controllers(QObject):
         self.files = FilesController(session, self.jobs, self)
         self.filtering = FilteringController(session, self.jobs, self)
         self.growing = GrowingController(session, self.jobs, self)
-        self.programming = ProgrammingController(session, self.jobs, self)
+        self.programming = ProgrammingController(session, self.jobs, self.inspecting, self)
+        self.nominal = NominalController(session, self.jobs, self.programming, self)
+        self.creating = CreatingController(session, self.drawing, self.programming, self)
         self.planning = PlanningController(session, self.jobs, self.predicting, self)
         self.roles = RoleController(session, self.operating, self.jobs, self)
         self.operator = OperatorController(session, self.operating, self.jobs, self.scanning, self.rig, self)
@@ -82,7 +87,7 @@ class Controllers(QObject):
 
     @property
     def runners(self) -> tuple[JobRunner, ...]:
-        """All queues: foreground jobs, background jobs, drawing, explanation of views, solving of calibrations, editing of rigs, plans, operator mode."""
+        """All queues: foreground and background jobs, drawing, explanation of views, solving, editing, plans, inspection, operator mode."""
         return (
             self.jobs,
             self.background,
@@ -91,6 +96,7 @@ class Controllers(QObject):
             self.solving,
             self.editing,
             self.predicting,
+            self.inspecting,
             self.operating,
         )
 

@@ -65,7 +65,7 @@ class DemoController(QObject):
     @Slot()
     def run(self) -> None:
         """Choose the virtual rig, calibrate it, scan, stitch, measure and report."""
-        if self._session.refuse_during_job():
+        if self._session.refuse_during_job() or self._session.ask_about_unsaved(self.run):
             return
         settings = self.settings
         folder = next_demo_folder(self.folder or demo_folder(settings))

@@ -15,17 +15,21 @@ from ui.session import Session
 
 if TYPE_CHECKING:
     from measureapp.data.cloud import StitchedCloud
+    from measureapp.data.identification import Identification
     from measureapp.data.measurement import Measurement
     from ui.workers.job import Job
 
 FORMATS = {  # words, the file of the project, ending
     "pdf": ("PDF report", "report_pdf", "pdf"),
+    "html": ("Report with 3-D view (HTML)", "report_pdf", "html"),
+    "xlsx": ("Table of dimensions (XLSX)", "report_pdf", "xlsx"),
     "csv": ("Table of dimensions (CSV)", "report_csv", "csv"),
     "json": ("Everything as JSON", "report_json", "json"),
     "ply": ("Stitched cloud (PLY)", "stitched_cloud", "ply"),
     "stl": ("Surface mesh (STL)", "mesh", "stl"),
     "open": ("Open patch (STL)", "", "stl"),
 }
+DOCUMENTS = ("pdf", "html", "xlsx", "csv", "json")
 
 
 class DocumentsController(QObject):
@@ -33,6 +37,7 @@ class DocumentsController(QObject):
 
     pagesReady = Signal(object)  # tuple of PNG files as bytes
     pagesFailed = Signal()
+    headerReady = Signal(object)  # identification, company, logo
 
     def __init__(self, session: Session, runner: JobRunner, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -61,6 +66,29 @@ class DocumentsController(QObject):
         self.pagesFailed.emit()
 
     @Slot()
+    def ask_header(self) -> None:
+        """Read what the header states, to be edited; `headerReady` follows."""
+        folder = self._session.folder
+        if folder is not None:
+            self._runner.run("Reading the report header", lambda job: read_header(folder, job), self._show_header, quiet=True)
+
+    @Slot(object)
+    def _show_header(self, header: tuple[Identification, str, Path | None]) -> None:
+        self.headerReady.emit(header)
+
+    @Slot(object, str, object)
+    def set_header(self, identification: Identification, company: str, logo: Path | None) -> None:
+        """Store the header, and draw the pages again."""
+        folder = self._session.folder
+        if folder is not None:
+            header, measurement = (identification, company, logo), self._session.measurement
+            self._runner.run("Saving the report header", lambda job: save_header(folder, header, measurement, job), self._header_saved)
+
+    @Slot(object)
+    def _header_saved(self, _nothing: object) -> None:
+        self.preview()
+
+    @Slot()
     def open_pdf(self) -> None:
         """Open the PDF in the default viewer."""
         path = self._session.files.get("report_pdf")
@@ -83,11 +111,13 @@ class DocumentsController(QObject):
         if measurement is None:
             self._session.tell("There is no measurement yet.", "Run the demo, or open a project.", "warning")
             return
-        source = self._session.files.get(FORMATS[kind][1])
+        source, folder = self._session.files.get(FORMATS[kind][1]), self._session.folder
         cloud = self._session.filtered or measurement.stitched
         work = (
             (lambda job: export_open(cloud, target, job))
             if kind == "open"
+            else (lambda job: export_document(kind, folder, measurement, target, job))
+            if kind in DOCUMENTS and source is not None and folder is not None and (folder / "project.json").exists()
             else (lambda job: export(kind, source, measurement, target, job))
         )
         self._runner.run(f"Exporting {target.name}", work, self._report_export)
@@ -109,6 +139,42 @@ def page_images(measurement: Measurement, folder: Path | None, job: Job) -> tupl
     model = compose_project(ProjectFolder.open(folder), measurement) if folder is not None and stored else compose(measurement)
     job.report(1, 2, "Rendering the pages")
     return pages_of(model)
+
+
+def export_document(kind: str, folder: Path, measurement: Measurement, target: Path, job: Job) -> Path:
+    """Write one document of the report as it is now; runs on a job's thread."""
+    job.report(0, 1, target.name)
+    from measureapp.project.folder import ProjectFolder
+    from measureapp.report.documents import write_document
+    from measureapp.report.project import compose_project
+
+    return write_document(compose_project(ProjectFolder.open(folder), measurement, progress=job), kind, target)  # type: ignore[arg-type]
+
+
+def read_header(folder: Path, job: Job) -> tuple[Identification, str, Path | None]:
+    """Return identification, company and logo; runs on a job's thread."""
+    job.report(0, 1, "Report header")
+    from measureapp.project.identification_file import read_identification
+    from measureapp.report.template import default_template, own_logo
+
+    return read_identification(folder), default_template().description.company, own_logo()
+
+
+def save_header(folder: Path, header: tuple[Identification, str, Path | None], measurement: Measurement | None, job: Job) -> None:
+    """Store identification, company and logo, and write the project's documents anew; runs on a job's thread."""
+    job.report(0, 2, "Report header")
+    from measureapp.pipeline.documents import write_reports
+    from measureapp.project.folder import ProjectFolder
+    from measureapp.project.identification_file import save_identification
+    from measureapp.report.template import default_template, own_logo, save_own_template
+
+    identification, company, logo = header
+    if (company, logo) != (default_template().description.company, own_logo()):
+        save_own_template(company, logo)
+    save_identification(folder, identification)
+    job.report(1, 2, "Documents")
+    if measurement is not None:
+        write_reports(ProjectFolder.open(folder), measurement)
 
 
 def export(kind: str, source: Path | None, measurement: Measurement, target: Path, job: Job) -> Path:

@@ -66,7 +66,7 @@ class FilesController(QObject):
     @Slot(object)
     def measure(self, files: FilesToMeasure) -> None:
         """Read the files, align, inspect and compare."""
-        if self._session.refuse_during_job():
+        if self._session.refuse_during_job() or self._session.ask_about_unsaved(lambda: self.measure(files)):
             return
         self._runner.run(f"Measuring {files.cloud.name}", lambda job: measure_file(files, job), self._show)
 

@@ -47,14 +47,13 @@ class RoleController(QObject):
 
         return has_pin(pin_file())
 
-    @Slot()
-    def begin(self) -> None:
-        """Begin in operator mode where a PIN is set, so that a restart opens nothing."""
+    def begin(self, *, in_operator_mode: bool = False) -> None:
+        """Begin in operator mode where it is wanted or a PIN is set, so that a restart opens nothing."""
         from measureapp.project.operator_settings import operator_file, read_operator_settings
 
         with suppress(StorageError):  # damaged settings are told where operator mode reads them
             self.set_idle_minutes(read_operator_settings(operator_file()).idle_minutes)
-        if self.has_pin:
+        if in_operator_mode or self.has_pin:
             self._session.set_role("operator")
 
     def set_idle_minutes(self, minutes: float) -> None:

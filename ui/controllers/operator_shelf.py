@@ -38,8 +38,10 @@ class ShelfController(QObject):
         """Read the part programs and the runs again."""
         from measureapp.project.operator_settings import operator_file
 
-        file = operator_file()
-        self._reading.run("Reading the part programs", lambda job: work.read_shelf(job, file), self._show, on_failed=self._fail, quiet=True)
+        file, rig = operator_file(), self._session.rig
+        self._reading.run(
+            "Reading the part programs", lambda job: work.read_shelf(job, file, rig), self._show, on_failed=self._fail, quiet=True
+        )
 
     @Slot(object)
     def _show(self, shelf: work.Shelf) -> None:

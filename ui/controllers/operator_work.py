@@ -35,7 +35,7 @@ class Shelf:
     problems: tuple[str, ...] = ()  # series that cannot be read
 
 
-def read_shelf(job: Job, file: Path) -> Shelf:
+def read_shelf(job: Job, file: Path, rig: RigDescription | None) -> Shelf:
     """Read settings, part programs and runs; sample programs are made where no folder of programs was set or made before."""
     from measureapp.pipeline.sample_program import write_sample_programs
     from measureapp.project.operator_settings import read_operator_settings
@@ -50,11 +50,11 @@ def read_shelf(job: Job, file: Path) -> Shelf:
         paths = sorted(path for path in folder.iterdir() if path.suffix.lower() == ".mpart")
     except OSError as error:
         raise InputError(f"The part programs in {folder} cannot be read: {error.strerror or error}.", CALL) from error
-    cards = [_card(path, settings, runs) for path in paths]
+    cards = [_card(path, settings, runs, rig) for path in paths]
     return Shelf(settings, tuple(sorted(cards, key=lambda card: (bool(card.problem), card.name.casefold()))), runs, problems)
 
 
-def _card(path: Path, settings: OperatorSettings, runs: tuple[SeriesRun, ...]) -> ProgramCard:
+def _card(path: Path, settings: OperatorSettings, runs: tuple[SeriesRun, ...], rig: RigDescription | None) -> ProgramCard:
     from measureapp.acquire.time_left import planned_seconds
     from measureapp.project.part_program_file import read_part_program
 
@@ -64,9 +64,10 @@ def _card(path: Path, settings: OperatorSettings, runs: tuple[SeriesRun, ...]) -
         return ProgramCard(path, problem=f"{error.message} {error.hint}".strip())
     name = program.facts.name
     last = next((run for run in reversed(runs) if run.program == name), None)
-    usual = settings.usual_seconds(name)
-    planned = sum(planned_seconds(program.plan, tuple(program.plan)).values()) if usual is None else usual
-    return ProgramCard(path, program, "", last, planned)
+    seconds = settings.usual_seconds(name)
+    if seconds is None and rig is not None:
+        seconds = sum(planned_seconds(program.plan, tuple(program.plan), rig).values())
+    return ProgramCard(path, program, "", last, seconds)
 
 
 def _read_runs() -> tuple[tuple[SeriesRun, ...], tuple[str, ...]]:

@@ -1,192 +1,306 @@
-"""Changes of the inspection program or the nominal: the part is measured again immediately, and every change can be undone."""
+"""Edits of the inspection program: what they change is measured again at once, and every edit can be undone until it is saved."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal, Slot
+from PySide6.QtGui import QUndoCommand, QUndoStack
 
-from measureapp.data.length_unit import LengthUnit
-from measureapp.errors import InputError, UnitQuestion
+from measureapp.errors import MeasureError
 from ui.controllers.jobs import JobRunner
+from ui.controllers.program_jobs import (
+    MeasuredProgram,
+    ProgramState,
+    read_state,
+    save_copy,
+    save_state,
+)
+from ui.controllers.program_measuring import ProgramMeasuring
+from ui.controllers.program_rows import DimensionRow, Status, changed_names
 from ui.session import Session
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from measureapp.data.measurement import Measurement
+    from measureapp.data.dimension import Dimension
+    from measureapp.data.inspection_program import InspectionProgram
     from measureapp.pipeline import Outcome
-    from ui.workers.job import Job
 
-TITLE = "Measuring again"
-
-
-@dataclass(frozen=True)
-class FormerProgram:
-    """A former program, and the former nominal if it was changed."""
-
-    program: str
-    former_nominal: Path | None = None
+    Edit = Callable[[InspectionProgram], InspectionProgram]
 
 
-@dataclass(frozen=True, eq=False)
-class ChangedMeasurement:
-    """Result with a changed program or nominal, and the former ones."""
-
-    former: FormerProgram | None  # None: no undo, as there was no nominal
-    outcome: Outcome
-    words: str
+UNSAVED = "The inspection program has edits that are not saved."
 
 
-@dataclass(frozen=True, eq=False)
-class NominalQuestion:
-    """A nominal whose unit is doubtful."""
+class EditCommand(QUndoCommand):
+    """One edit: the program before and after it."""
 
-    path: Path
-    question: UnitQuestion
+    def __init__(self, use: Callable[[ProgramState], None], before: ProgramState, after: ProgramState, words: str) -> None:
+        super().__init__(words)
+        self._use, self._before, self._after = use, before, after
+
+    def redo(self) -> None:
+        """Use the edited program."""
+        self._use(self._after)
+
+    def undo(self) -> None:
+        """Use the program before the edit."""
+        self._use(self._before)
 
 
 class ProgrammingController(QObject):
-    """Measures the open project again after a change; if that fails, nothing is changed."""
+    """Holds the edited program of the open project; views watch it through `changed`."""
 
-    changed = Signal()
-    unitAsked = Signal(object)  # Asked
+    saved = Signal()
+    changed = Signal()  # program, results or status
 
-    def __init__(self, session: Session, runner: JobRunner, parent: QObject | None = None) -> None:
+    def __init__(self, session: Session, runner: JobRunner, measuring: JobRunner, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._session, self._runner = session, runner
-        self._former: list[FormerProgram] = []
+        self.stack = QUndoStack(self)
+        self.state: ProgramState | None = None
+        self._measured: MeasuredProgram | None = None
+        self._is_own = False
+        self._reader = measuring
+        self._measuring = ProgramMeasuring(session, measuring, self)
+        self._measuring.measured.connect(self._keep)
+        self._measuring.stopped.connect(self.changed)
         session.projectChanged.connect(self._forget)
+        session.inspectionChanged.connect(self._take)
+
+    @property
+    def folder(self) -> Path | None:
+        """Folder of the measured project on disk, if there is one."""
+        folder = self._session.folder
+        measured = self._session.measurement is not None and folder is not None
+        return folder if measured and folder is not None and (folder / "project.json").exists() else None
 
     @property
     def can_change(self) -> bool:
-        """Whether there is a measured project on disk, and no other job is running."""
-        folder = self._session.folder
-        measured = self._session.measurement is not None and folder is not None
-        return measured and not self._session.busy_with and folder is not None and (folder / "project.json").exists()
+        """Whether the program of a measured project on disk is at hand, and no other job is running."""
+        return self.state is not None and not self._session.busy_with and self.folder is not None
 
     @property
     def can_undo(self) -> bool:
-        """Whether a change of program or nominal can be undone."""
-        return bool(self._former) and self.can_change
+        """Whether an edit can be undone."""
+        return self.stack.canUndo() and self.can_change
 
-    @Slot(str, str)
+    @property
+    def is_modified(self) -> bool:
+        """Whether the program has edits that are not saved."""
+        return self.state is not None and not self.stack.isClean()
+
+    @property
+    def is_measuring(self) -> bool:
+        """Whether edits are being measured."""
+        return self._measuring.is_running
+
+    @property
+    def is_current(self) -> bool:
+        """Whether all results belong to the edited program."""
+        return self.state is None or (self._measured is not None and self._measured.state is self.state)
+
+    def rows(self) -> tuple[DimensionRow, ...]:
+        """Return the rows of the table, in the order of the program; without a program, the last results."""
+        inspection, state = self._session.inspection, self.state
+        if inspection is None:
+            return ()
+        if state is None:
+            found = inspection.dimensions
+            return tuple(DimensionRow(place, one.name, None, one, _current(one)) for place, one in enumerate(found))
+        measured = self._measured
+        stale = changed_names(None if measured is None else measured.state.program, state.program)
+        results = MeasuredProgram(state, inspection).results() if measured is None else measured.results()
+        return tuple(
+            DimensionRow(number, entry.name, entry, results.get(number), self._status(entry.name in stale, results.get(number)))
+            for number, entry in zip(state.ids, state.program.dimensions, strict=True)
+        )
+
+    def _status(self, is_stale: bool, found: Dimension | None) -> Status:
+        if is_stale or found is None:
+            return "calculating" if self.is_measuring else "stale"
+        return _current(found)
+
+    def text(self) -> str:
+        """Return the text of the edited program."""
+        return "" if self.state is None else self.state.text()
+
     def add(self, lines: str, name: str) -> None:
-        """Add a feature or dimension to the program."""
-        from measureapp.project.program_text import add_entry
+        """Add a feature or dimension, given as the lines of its entry."""
+        import tomllib
 
-        self._change(lambda text: add_entry(text, lines), f"{name} added to the inspection program.")
+        from measureapp.inspection.programming import edits
+
+        document = tomllib.loads(lines)
+        kind = "feature" if "features" in document else "dimension"
+        entries = document[f"{kind}s"]
+        self.edit(lambda program: edits.add(program, kind, *entries), f"{name} added to the inspection program.")
 
     @Slot(str)
     def remove(self, name: str) -> None:
-        """Remove a feature or dimension from the program."""
-        from measureapp.project.program_text import remove_entry
+        """Remove a dimension or feature by its name."""
+        from measureapp.inspection.programming import edits
+        from measureapp.inspection.session.graph import Node
 
-        self._change(lambda text: remove_entry(text, name), f"{name} removed from the inspection program.")
-
-    def text(self) -> str:
-        """Return the program of the open project. Raises StorageError if it cannot be read."""
-        from measureapp.project.folder import ProjectFolder
-
-        if self._session.folder is None:
-            return ""
-        project = ProjectFolder.open(self._session.folder)
-        return project.program_text(has_nominal=project.nominal is not None)
+        if self.state is not None:
+            kind = "dimension" if name in edits.names_of(self.state.program, "dimension") else "feature"
+            self.edit(lambda program: edits.remove(program, [Node(kind, name)]), f"{name} removed from the inspection program.")
 
     def replace(self, text: str) -> None:
-        """Measure with another program. Raises InputError if it is invalid."""
-        from measureapp.project.program_file import parse_program
+        """Use another text. Raises InputError if it is not valid."""
+        if self.state is not None:
+            self._push(ProgramState.of(text, self.state), "Inspection program changed.")
 
-        parse_program(text)
-        self._change(lambda _text: text, "Inspection program changed.")
+    def edit(self, change: Edit, words: str) -> bool:
+        """Edit the program; an edit that is not possible is refused with a message. Return whether it was made."""
+        if self.state is None or not self.can_change:
+            return False
+        try:
+            after = change(self.state.program)
+        except MeasureError as error:
+            self._session.tell(error.message, error.hint, "error")
+            return False
+        if after != self.state.program:
+            self._push(self.state.edited(after), words)
+        return True
+
+    def _push(self, after: ProgramState, words: str) -> None:
+        assert self.state is not None
+        self.stack.push(EditCommand(self._use, self.state, after, words))
+        self._show_edit()
+        self._session.tell(words, "", "done")
+
+    def _show_edit(self) -> None:
+        """Show what the stack of edits says now; while an edit is made it is still that of before."""
+        self._session.unsaved = UNSAVED if self.is_modified else ""
+        self.changed.emit()
+
+    def _use(self, state: ProgramState) -> None:
+        self.state = state
+        self.measure()
+
+    @Slot()
+    def measure(self) -> None:
+        """Measure what the results lack."""
+        if self.state is not None and self.folder is not None:
+            self._measuring.measure(self.state, self._measured)
+        self.changed.emit()
 
     @Slot()
     def undo(self) -> None:
-        """Undo the last change."""
-        folder, measurement = self._session.folder, self._session.measurement
-        if folder is not None and measurement is not None and self.can_undo:
-            former = self._former[-1]
-            self._runner.run(TITLE, lambda job: measure_former(folder, measurement, former, job), self._undo_finished)
+        """Undo the last edit."""
+        if self.can_undo:
+            self.stack.undo()
+            self._show_edit()
+            self._session.tell("Last change undone.", "", "done")
+
+    @Slot()
+    def redo(self) -> None:
+        """Make the edit again that was undone last."""
+        if self.stack.canRedo() and self.can_change:
+            self.stack.redo()
+            self._show_edit()
+
+    @Slot()
+    def save(self) -> None:
+        """Save the edited program with the project, and the results with the report if they belong to it."""
+        folder, measurement, state = self.folder, self._session.measurement, self.state
+        if folder is None or measurement is None or state is None or not self.can_change:
+            return
+        current = self.is_current
+        self._runner.run(
+            "Saving the program",
+            lambda job: (state, save_state(folder, measurement, state, is_measured=current, job=job)),
+            self._show_saved,
+        )
+
+    @Slot()
+    def discard(self) -> None:
+        """Drop all edits since the program was saved."""
+        while self.stack.canUndo() and not self.stack.isClean():
+            self.stack.undo()
+        self.stack.setClean()
+        self._show_edit()
 
     @Slot(object)
-    def set_nominal(self, path: Path, unit: LengthUnit = LengthUnit.MM) -> None:
-        """Use another nominal; its unit is asked for if it is doubtful."""
-        folder, measurement = self._session.folder, self._session.measurement
-        if folder is not None and measurement is not None and self.can_change:
-            self._runner.run(
-                "Changing the nominal", lambda job: measure_with_nominal(folder, measurement, path, unit, job), self._show_nominal
-            )
-
-    def _change(self, edit: Callable[[str], str], words: str) -> None:
-        folder, measurement = self._session.folder, self._session.measurement
-        if folder is not None and measurement is not None and self.can_change:
-            self._runner.run(TITLE, lambda job: measure_changed(folder, measurement, edit, words, job), self._keep)
+    def save_as(self, path: Path) -> None:
+        """Write the edited program to a file of its own."""
+        state = self.state
+        if state is not None:
+            self._runner.run(f"Saving {path.name}", lambda _job: save_copy(path, state), self._show_copied)
 
     @Slot(object)
-    def _keep(self, found: ChangedMeasurement) -> None:
-        if found.former is not None:
-            self._former.append(found.former)
-        self._show(found.outcome, found.words)
-
-    @Slot(object)
-    def _undo_finished(self, outcome: Outcome) -> None:
-        self._former.pop()
-        self._show(outcome, "Last change undone.")
-
-    @Slot(object)
-    def _show_nominal(self, found: ChangedMeasurement | NominalQuestion) -> None:
-        if isinstance(found, NominalQuestion):
-            self.unitAsked.emit(found)
+    def _show_saved(self, found: tuple[ProgramState, Outcome | None]) -> None:
+        state, outcome = found
+        if state is self.state:
+            self.stack.setClean()
+            self._session.unsaved = ""
+        if outcome is None:
+            self._session.tell("Program saved.", "The stored results are those of the program before.", "warning")
         else:
-            self._keep(found)
+            self._session.set_files(outcome.files)
+            self._session.tell("Program and results saved.", "", "done")
+        self.changed.emit()
+        self.saved.emit()
 
-    def _show(self, outcome: Outcome, words: str) -> None:
+    @Slot(object)
+    def _show_copied(self, path: Path) -> None:
+        self._session.tell(f"Program saved as {path.name}.", "", "done")
+
+    def take_outcome(self, outcome: Outcome, state: ProgramState) -> None:
+        """Use a measurement of another nominal, which was stored with the program."""
+        self.state = state
+        self._measuring.forget()
+        self._is_own = True
         self._session.set_measurement(outcome.measurement, outcome.files, outcome.filters)
-        self._session.tell(words, "", "done")
+        self._is_own = False
+        if outcome.measurement.inspection is not None:
+            self._measured = MeasuredProgram(state, outcome.measurement.inspection)
+        self.stack.setClean()
+        self._show_edit()
+
+    @Slot(object)
+    def _keep(self, found: MeasuredProgram) -> None:
+        self._measured, self._is_own = found, True
+        self._session.replace_inspection(found.inspection)
+        self._is_own = False
         self.changed.emit()
 
     @Slot()
     def _forget(self) -> None:
-        self._former.clear()
+        self._measuring.forget()
+        self.state = self._measured = None
+        self.stack.clear()
+        self._show_edit()
+
+    @Slot()
+    def _take(self) -> None:
+        """Read the program of a measurement that came from elsewhere."""
+        folder = self.folder
+        if self._is_own:
+            return
+        self._measuring.forget()
+        if folder is None or self._session.inspection is None:
+            return
+        self._reader.run("Reading the program", lambda _job: read_state(folder), self._show_read, quiet=True)
+
+    @Slot(object)
+    def _show_read(self, read: ProgramState) -> None:
+        inspection = self._session.inspection
+        if inspection is None or self.folder is None:
+            return
+        names = {one.name for one in inspection.dimensions}
+        is_same = names == {one.name for one in read.program.dimensions}
+        if not self.is_modified or self.state is None:
+            self.state = read
+            self.stack.clear()
+            self._session.unsaved = ""
+        self._measured = MeasuredProgram(read, inspection) if is_same else None  # else the file was changed since it was measured
+        if self.state is not read:
+            self.measure()
         self.changed.emit()
 
 
-def measure_changed(folder: Path, measurement: Measurement, edit: Callable[[str], str], words: str, job: Job) -> ChangedMeasurement:
-    """Measure with a changed program; runs on a job's thread."""
-    from measureapp.pipeline.measure_again import measure_again
-    from measureapp.project.folder import ProjectFolder
-
-    project = ProjectFolder.open(folder)
-    former = project.program_text(has_nominal=project.nominal is not None)
-    return ChangedMeasurement(FormerProgram(former), measure_again(project, measurement, job, program=edit(former)), words)
-
-
-def measure_former(folder: Path, measurement: Measurement, former: FormerProgram, job: Job) -> Outcome:
-    """Measure with the program and nominal before a change; runs on a job's thread."""
-    from measureapp.pipeline.measure_again import NominalFile, measure_again
-    from measureapp.project.folder import ProjectFolder
-
-    nominal = None if former.former_nominal is None else NominalFile(former.former_nominal)
-    return measure_again(ProjectFolder.open(folder), measurement, job, program=former.program, nominal_file=nominal)
-
-
-def measure_with_nominal(
-    folder: Path, measurement: Measurement, path: Path, unit: LengthUnit, job: Job
-) -> ChangedMeasurement | NominalQuestion:
-    """Measure with another nominal, or return the question for its unit; runs on a job's thread."""
-    from measureapp.pipeline.measure_again import NominalFile, measure_again
-    from measureapp.project.folder import ProjectFolder
-
-    project = ProjectFolder.open(folder)
-    had_one, former = project.nominal is not None, project.program_text(has_nominal=True)
-    try:
-        outcome = measure_again(project, measurement, job, nominal_file=NominalFile(path, unit))
-    except UnitQuestion as question:
-        if question.what == "nominal" and unit is LengthUnit.MM:
-            return NominalQuestion(path, question)
-        raise InputError(question.message, "Choose the nominal of this part, or export it in millimetres.") from question
-    return ChangedMeasurement(
-        FormerProgram(former, project.former_nominals()[-1]) if had_one else None, outcome, f"Nominal changed to {path.name}."
-    )
+def _current(found: Dimension) -> Status:
+    return "failed" if found.measured is None else "current"

@@ -58,7 +58,7 @@ class ProjectController(QObject):
     @Slot(object)
     def open(self, folder: Path) -> None:
         """Open the project in ``folder``; refused while a job runs, because its results would go to the wrong project."""
-        if self._session.refuse_during_job():
+        if self._session.refuse_during_job() or self._session.ask_about_unsaved(lambda: self.open(folder)):
             return
         self._runner.run("Opening project", lambda job: read_project(folder, job), self._show)
 
@@ -66,7 +66,7 @@ class ProjectController(QObject):
     def create(self, folder: Path, part: str) -> None:
         """Make a project of the present rig in ``folder``, and open it."""
         rig = self._session.rig
-        if rig is None or self._session.refuse_during_job():
+        if rig is None or self._session.refuse_during_job() or self._session.ask_about_unsaved(lambda: self.create(folder, part)):
             return
 
         def work(job: Job) -> ReadProject:

@@ -121,6 +121,8 @@ class RunEvents(QObject):
             case e.ViewFailed():
                 session.set_viewpoint(event.viewpoint_id, "failed", event.reason)
                 session.tell(f"Viewpoint {event.viewpoint_id} has no cloud: {event.reason}", "Its images are stored.", "warning")
+            case e.PartElsewhere():
+                session.tell(event.sentence, "", "warning")
             case e.StitchReady():
                 session.set_stitched(event.stitched)
             case e.SurfaceFailed():

@@ -52,7 +52,7 @@ NAMES = {
     "fail": "x",
     "not proven": "question",
     "not measured": "minus",
-    "no tolerance": "dot",
+    "no tolerance": "circle",
     "info": "info",
     "warning": "warning",
     "error": "warning-circle",

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 from ui.look.theme import Theme
-from ui.viewport.colouring import DIVERGING, UNKNOWN, along, by_grey, plain, upper_end
+from ui.viewport.colouring import UNKNOWN, by_grey, plain, upper_end
 from ui.viewport.layers import CloudLayer, SurfaceLayer
 from ui.viewport.overlay.legend import Histogram, Legend
 from ui.viewport.prepared_surface import SurfacePart, coarse
@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from measureapp.data.mesh import Mesh
     from measureapp.geometry.transform import RigidTransform
     from ui.session import Comparison
+    from ui.viewport.overlay.legend import Legend
 
 DENSE_TRIANGLES = 150_000  # so dense that smoothed edges are invisible
 RESIDUAL_RANGE = 3.0  # in rms of a view: contains nearly all of its points
@@ -134,14 +135,24 @@ def stitched_layer(
     )
 
 
-def deviation_layers(comparison: Comparison, normals: np.ndarray, end_mm: float) -> list[CloudLayer]:
+def deviation_layers(comparison: Comparison, normals: np.ndarray, legend: Legend, *, smooth: bool = False) -> list[CloudLayer]:
     """Return the points coloured by their deviation, and the unmeasured parts of the nominal in grey."""
-    found = comparison.deviation
+    found, smoothed = comparison.deviation, comparison.smoothed
+    distances = smoothed.distances_mm if smooth and smoothed is not None else found.distances_mm
     grey = (int(UNKNOWN[0]), int(UNKNOWN[1]), int(UNKNOWN[2]))
     return [
-        CloudLayer(found.points_mm, along(DIVERGING, found.distances_mm, -end_mm, end_mm), normals, to_read=True),
+        CloudLayer(found.points_mm, legend.colours(distances), normals, to_read=True),
         CloudLayer(comparison.unmeasured_mm, plain(grey, len(comparison.unmeasured_mm)), comparison.unmeasured_normals, to_read=True),
     ]
+
+
+def deviation_surface(comparison: Comparison, legend: Legend) -> SurfaceLayer | None:
+    """Return the nominal coloured by the mean deviation of the points nearby, grey where nothing was measured; None without a nominal."""
+    found = comparison.map
+    if found is None:
+        return None
+    colours = legend.colours(np.where(found.measured, found.distances_mm, np.nan))
+    return SurfaceLayer(found.mesh.vertices_mm, found.mesh.triangles, colours, to_read=True)
 
 
 def points_layer(stitched: StitchedCloud, frame: RigidTransform, shade: tuple[int, int, int]) -> CloudLayer:

@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QImage, QPixmap, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QLabel, QScrollArea, QSizePolicy, QWidget
 
+from measureapp.data.identification import Identification
+from measureapp.project.file_names import safe_file_name
 from ui.controllers.controllers import Controllers
 from ui.controllers.documents import FORMATS
 from ui.look.look import Look
 from ui.look.wording import part_words, sentence_case, when
 from ui.pages.page import Page
+from ui.pages.report_header import HeaderDialog
 from ui.session import Session
 from ui.settings.dialogs import choose_new
 from ui.widgets.basic import Button, card, clear, column, label, row
@@ -47,9 +51,14 @@ class ReportPage(Page):
         self._scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._scroll.setWidget(self._sheet)
         self.exports = {kind: self._export_button(kind) for kind in FORMATS}
+        self.header_button = Button("Header, company, logo…", look, "labels")
+        self.header_button.clicked.connect(controllers.documents.ask_header)
+        controllers.documents.headerReady.connect(self._edit_header)
         folder = Button("Show in folder", look, "open", "quiet")
         folder.clicked.connect(controllers.documents.open_folder)
         side = card(
+            self.header_button,
+            8,
             label("Export", "heading"),
             label("Saves a copy to a folder of your choice.", "soft", wrap=True),
             8,
@@ -154,9 +163,15 @@ class ReportPage(Page):
             scaled.setDevicePixelRatio(ratio)
             shown.setPixmap(QPixmap.fromImage(scaled))
 
+    def _edit_header(self, header: tuple[Identification, str, Path | None]) -> None:
+        dialog = HeaderDialog(self.look, *header, parent=self)
+        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+        dialog.chosen.connect(self.controllers.documents.set_header)
+        dialog.open()
+
     def _export(self, kind: str) -> None:
         words, _, ending = FORMATS[kind]
-        name = f"{self.session.project_name or 'measurement'}.{ending}"
+        name = safe_file_name(self.session.project_name or "measurement", f".{ending}")
         chosen = choose_new(self, words, name, "exports", self.session.settings, f"*.{ending}")
         if chosen is not None:
             self.controllers.documents.export(kind, chosen.with_suffix(f".{ending}"))

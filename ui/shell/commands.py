@@ -136,8 +136,7 @@ def _register_project(actions: Actions, window: CommandedWindow) -> None:
 
 def _page_action(window: CommandedWindow, name: str, word: str, place: int) -> Action:
     def reason() -> str:
-        shown = window.session.role == "engineer" or window.pages[name].for_operator
-        return "" if shown else "This page belongs to the engineer's role."
+        return "" if window.session.role == "engineer" else "This page belongs to the engineer's role."
 
     return Action(
         f"page.{name}", f"Go to {word}", lambda: window.show_page(name), "page", shortcut=f"Ctrl+{place + 1}", why_not=reason, bound=False

@@ -5,7 +5,7 @@ from __future__ import annotations
 FRAME_S = 0.075  # of 0.1 s; the rest is for everything else
 LEARNING = 0.4  # weight of the newest frame
 LEAST_POINTS = 10_000
-SPARE = 0.8  # of the time of a frame, within which a finer subsample is tried
+FINER = 1.25  # expected time of a finer subsample, which has four times the points but covers the same pixels, over that of the present one
 SOFTWARE_S_PER_POINT, HARDWARE_S_PER_POINT = 4e-7, 5e-9  # until the first frame is measured
 SOFTWARE_NAMES = ("llvmpipe", "softpipe", "swr", "software", "swiftshader", "gdi generic", "basic render")
 
@@ -43,11 +43,11 @@ class LevelChoice:
     def place(self, count: int) -> int:
         """Return the subsample for the next frame, of so many."""
         if self._place is None or self._place >= count:
-            self._place = count - 1
+            self._place = max(0, count - 2)  # the coarsest one is for the slowest computers
         here = self._seconds.get(self._place)
         if here is not None and here > FRAME_S and self._place < count - 1:
             self._place += 1
-        elif here is not None and self._place > 0 and self._expected(self._place - 1, here) < SPARE * FRAME_S:
+        elif here is not None and self._place > 0 and self._expected(self._place - 1, here) < FRAME_S:
             self._place -= 1
         return self._place
 
@@ -58,8 +58,8 @@ class LevelChoice:
             self._seconds[self._place] = seconds if former is None else former + LEARNING * (seconds - former)
 
     def _expected(self, place: int, coarser_s: float) -> float:
-        """Return the time of a finer subsample: as it was; never drawn, twice that of the coarser one, which has a quarter of its points."""
-        return self._seconds.get(place, 2.0 * coarser_s)
+        """Return the time of a finer subsample: as it was when it was drawn, else by experience."""
+        return self._seconds.get(place, FINER * coarser_s)
 
 
 def is_software(capabilities: str) -> bool:

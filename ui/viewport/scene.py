@@ -23,7 +23,7 @@ from ui.viewport.voxel_grid import Level
 
 FRAMING_POINTS = 4_000
 CLOSEST_MM, ROOM = 15.0, 1.8
-SPLAT, LARGEST_SPLAT_PX = 1.9, 14.0  # size of the points of a level, in edges of its cubes
+SPLAT, LARGEST_SPLAT_PX = 1.5, 32.0  # size of the points of a level, in edges of its cubes
 TRIANGLE_COST = 1.2  # of a triangle, in points
 TRANSPARENT = 0.35
 

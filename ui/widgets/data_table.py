@@ -15,7 +15,7 @@ from ui.look.look import Look
 Index = QModelIndex | QPersistentModelIndex
 ROW_HEIGHT = 36
 SIGN_ROLE = Qt.ItemDataRole.UserRole
-VERDICT_WORDS = {"pass": "Pass", "fail": "Fail", "not proven": "Not proven", "not measured": "Not measured"}
+VERDICT_WORDS = {"pass": "Pass", "fail": "Fail", "not proven": "Not proven", "not measured": "Not measured", "no tolerance": "No tolerance"}
 
 
 @dataclass(frozen=True)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ctypes
 import os
 import shutil
 import subprocess
@@ -13,9 +14,20 @@ from PySide6.QtGui import QImage
 
 ROOT = Path(__file__).resolve().parents[3]
 LEAST_COLOURS = 200
+
+
+def _loads(library: str) -> bool:
+    try:
+        ctypes.CDLL(library)
+    except OSError:
+        return False
+    return True
+
+
 pytestmark = [
     pytest.mark.slow,
     pytest.mark.skipif(shutil.which("Xvfb") is None, reason="install Xvfb (Debian: apt-get install xvfb) for a screen in memory"),
+    pytest.mark.skipif(not _loads("libxcb-cursor.so.0"), reason="install libxcb-cursor0, which Qt needs for X windows"),
 ]
 
 

@@ -1,75 +1,121 @@
-"""Deviations from the nominal: histogram, legend and key figures."""
+"""Deviations from the nominal in figures: histogram, key figures, extremes, what was not measured; and how they are displayed."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-import numpy as np
-from PySide6.QtWidgets import QDoubleSpinBox, QFrame
+from PySide6.QtWidgets import QCheckBox, QDoubleSpinBox, QFrame
 
 from ui.look.look import Look
-from ui.look.wording import millimetres, percent
-from ui.viewport.colouring import DIVERGING, upper_end
+from ui.look.wording import counted, millimetres, percent
+from ui.pages.inspection.deviation_display import DeviationDisplay
+from ui.viewport.overlay.legend import Legend
 from ui.widgets.basic import column, label, row
 from ui.widgets.histogram import Histogram
 from ui.widgets.not_measured import NotMeasuredLegend
+from ui.widgets.segments import Segments
 
 if TYPE_CHECKING:
     from ui.session import Comparison
 
 
-USUAL_TOLERANCE_MM = 0.1  # initial value
-TOLERANCE = "Symmetric tolerance about the nominal in mm, for display only; it does not affect verdicts"
+TOLERANCE = "Symmetric tolerance band of the colours in mm; it does not affect verdicts"
+CARRIERS = {"cad": "On the CAD model", "points": "On the points"}
+SMOOTH = "Smooth the colours for the eye"
+SMOOTH_TIP = "Average the colours of neighbouring points; values, extremes and the histogram use every point as measured"
 
 
 class DeviationCard(QFrame):
-    """Histogram with the scale of the picture."""
+    """Figures of the deviations beside the picture; the legend is in the picture."""
 
-    def __init__(self, look: Look) -> None:
+    def __init__(self, look: Look, display: DeviationDisplay) -> None:
         super().__init__()
         self.setObjectName("card")
+        self._display = display
         self.histogram = Histogram(look)
-        self.words = label("", "soft", wrap=True)
+        self.words, self.bands, self.extremes = (label("", "soft", wrap=True) for _ in range(3))
         self.unmeasured = NotMeasuredLegend(look)
-        self.tolerance, self.bands = QDoubleSpinBox(), label("", "soft", wrap=True)
+        self.on = Segments(CARRIERS, name="Colours")
+        self.on.valueChanged.connect(display.set_carrier)
+        self.smooth = QCheckBox(SMOOTH)
+        self.smooth.setToolTip(SMOOTH_TIP)
+        self.smooth.setChecked(display.smooth)
+        self.smooth.toggled.connect(display.set_smooth)
+        self.tolerance = QDoubleSpinBox()
         self.tolerance.setRange(0.001, 100.0)
         self.tolerance.setDecimals(3)
         self.tolerance.setSingleStep(0.01)
         self.tolerance.setSuffix(" mm")
-        self.tolerance.setValue(USUAL_TOLERANCE_MM)
-        self.tolerance.setFixedWidth(112)
+        self.tolerance.setFixedWidth(120)
         self.tolerance.setAccessibleName(TOLERANCE)
         self.tolerance.setToolTip(TOLERANCE)
-        self.tolerance.valueChanged.connect(self._show_bands)
-        self._distances_mm: np.ndarray = np.empty(0)
-        heading = row(label("Deviation", "heading"), 0, label("Tolerance ±", "soft"), self.tolerance)
-        self.setLayout(column(heading, self.words, self.bands, self.histogram, self.unmeasured, margin=16, spacing=8))
+        self.tolerance.valueChanged.connect(display.set_tolerance)
+        band = row(label("Tolerance band ±", "soft"), self.tolerance, 0)
+        self.setLayout(
+            column(
+                row(self.on, 0),
+                self.smooth,
+                band,
+                self.words,
+                self.bands,
+                self.extremes,
+                self.histogram,
+                self.unmeasured,
+                margin=16,
+                spacing=8,
+            )
+        )
+        display.changed.connect(self._show_display)
+        self._comparison: Comparison | None = None
 
     def show_comparison(self, comparison: Comparison | None) -> None:
         """Show these deviations, or nothing."""
-        self.setVisible(comparison is not None)
+        self._comparison = comparison
         if comparison is None:
             return
-        found = comparison.deviation
-        self._distances_mm = found.distances_mm
-        self._show_bands()
-        self.histogram.show_values(found.distances_mm, DIVERGING, scale_end_mm(comparison))
-        self.words.setText(
-            f"Mean {millimetres(found.mean_mm, signed=True)}, rms {millimetres(found.rms_mm)}; 95 % within {millimetres(found.p95_mm)}."
+        found, statistics = comparison.deviation, comparison.statistics
+        mean, rms, p95 = (
+            (found.mean_mm, found.rms_mm, found.p95_mm)
+            if statistics is None
+            else (statistics.mean_mm, statistics.rms_mm, statistics.p95_mm)
         )
+        self.words.setText(f"Mean {millimetres(mean, signed=True)}, rms {millimetres(rms)}; 95 % within {millimetres(p95)}.")
         self.unmeasured.say(f"Not measured: {percent(found.unmeasured_share)} of the nominal's surface")
+        if statistics is not None:
+            self.extremes.setText(_extremes(comparison))
+            missing = statistics.no_data
+            self.unmeasured.say(
+                f"Not measured: {percent(missing.total)} of the nominal's surface "
+                f"(not seen {percent(missing.not_seen)}, filled {percent(missing.filled)}, too far {percent(missing.too_far)})"
+            )
+        self._show_display()
 
-    def _show_bands(self) -> None:
-        """Mark the tolerance, and show the share of points within it."""
-        from measureapp.inspection.surface.histogram import bin_deviations
+    def _show_display(self) -> None:
+        legend = self._display.legend
+        if self._comparison is None or legend is None:
+            return
+        self.smooth.setEnabled(self._display.on == "points")
+        self._show_legend(legend)
+        inside, below, above = self._display.shares()
+        self.bands.setText(f"{percent(inside)} within the tolerance band, {percent(below)} below, {percent(above)} above.")
 
-        limit = self.tolerance.value()
-        self.histogram.mark(limit)
-        if len(self._distances_mm):
-            found = bin_deviations(self._distances_mm, -limit, limit)
-            self.bands.setText(f"{percent(found.within)} within, {percent(found.below)} below, {percent(found.above)} above")
+    def _show_legend(self, legend: Legend) -> None:
+        assert self._comparison is not None
+        self.histogram.show_values(self._comparison.deviation.distances_mm, legend)
+        if legend.tolerance is not None:
+            blocked = self.tolerance.blockSignals(True)
+            self.tolerance.setValue(max(abs(limit) for limit in legend.tolerance))
+            self.tolerance.blockSignals(blocked)
 
 
-def scale_end_mm(comparison: Comparison) -> float:
-    """Return the end of the symmetrical colour scale."""
-    return upper_end(abs(comparison.deviation.distances_mm))
+def _extremes(comparison: Comparison) -> str:
+    statistics = comparison.statistics
+    assert statistics is not None
+    found = [
+        f"{words} {millimetres(one.value_mm, signed=True)}"
+        for words, one in (("Minimum", statistics.minimum), ("maximum", statistics.maximum))
+        if one is not None
+    ]
+    words = ", ".join(found) + ", each confirmed by its neighbours." if found else "No extreme that its neighbours confirm."
+    lost = f" {counted(statistics.lost)} points lie farther than {millimetres(statistics.search_mm, 1)} from the nominal."
+    return words + (lost if statistics.lost else "")

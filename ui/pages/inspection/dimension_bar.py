@@ -89,7 +89,7 @@ class DimensionBar(QWidget):
         self.nominal.setValue(UNSET)
         self.tolerance.setRange(0.001, LIMIT)
         self.tolerance.setValue(0.1)
-        self.add = Button("Add", look, "", tip="Add it to the inspection program and measure again")
+        self.add = Button("Add", look, "", tip="Add it to the inspection program and measure it")
         self.add.clicked.connect(self.asked)
         above = row(self.kind, self.first, self.joined, self.second, spacing=8)
         above.setStretch(1, 1)
@@ -151,7 +151,7 @@ class DimensionBar(QWidget):
         has_nominal = kind.is_zone or self.nominal.value() > UNSET
         self.add.setEnabled(has_features and has_nominal)
         missing = "Too few features: grow some first" if not has_features else "" if has_nominal else "Enter the nominal value"
-        self.add.setToolTip(missing or "Add it to the inspection program and measure again")
+        self.add.setToolTip(missing or "Add it to the inspection program and measure it")
 
 
 def _number(words: str) -> QDoubleSpinBox:

@@ -8,17 +8,13 @@ from typing import TYPE_CHECKING
 
 from measureapp.data.dimension import CONTRIBUTION_DIGITS
 from ui.look.wording import counted, millimetres, percent, quantity, sentence, sentence_case, several
-from ui.widgets.data_table import Cell, number, verdict_cell
-from ui.widgets.data_tree import Branch
 from ui.widgets.properties_panel import Group, Properties
 
 if TYPE_CHECKING:
     from measureapp.data.dimension import Dimension
     from measureapp.data.feature import Feature
-    from measureapp.data.measurement import Alignment, Inspection
+    from measureapp.data.measurement import Alignment
 
-DIGITS = {"mm": 3, "deg": 3, "°": 3}
-OTHERS = "Other features"
 DATUM_LETTERS = "ABC"
 
 
@@ -32,20 +28,6 @@ def dimension_words(name: str) -> str:
     return name if len(name) == 1 else sentence_case(name)
 
 
-def dimension_cells(dimension: Dimension) -> list[Cell]:
-    """Return one row of the table."""
-    unit = "" if dimension.unit == "mm" else unit_of(dimension)
-    digits = DIGITS.get(dimension.unit, 3)
-    return [
-        Cell(dimension_words(dimension.name)),
-        number(quantity(dimension.nominal, unit, digits)),
-        number(quantity(dimension.measured, unit, digits)),
-        number(quantity(dimension.deviation, unit, digits, signed=True)),
-        number(quantity(dimension.round_uncertainty(digits), unit, digits)),
-        verdict_cell(str(dimension.verdict), tip=dimension.reason),
-    ]
-
-
 def is_blade(feature: Feature) -> bool:
     """Return whether a feature is a blade section: a measured point feature without a direction."""
     return feature.shape == "point" and feature.points > 0 and feature.direction is None
@@ -55,10 +37,11 @@ def feature_words(feature: Feature, role: str = "") -> str:
     """Return one line about a feature: name, shape, number of points and form deviation."""
     form = "" if is_blade(feature) else f", form {millimetres(feature.form_error_mm)}"
     found = f"{several(feature.points, 'point')}{form}" if feature.points else "constructed"
-    return f"{role}{sentence_case(feature.name)}: {_shape_words(feature)}, {found}"
+    return f"{role}{sentence_case(feature.name)}: {shape_words(feature)}, {found}"
 
 
-def _shape_words(feature: Feature) -> str:
+def shape_words(feature: Feature) -> str:
+    """Return the shape of a feature in words."""
     return "blade section" if is_blade(feature) else feature.shape
 
 
@@ -74,54 +57,12 @@ def features_of(dimension: Dimension, known: dict[str, Feature]) -> list[tuple[s
     return [(name, known.get(name)) for name in dict.fromkeys((*dimension.features, *dimension.datums))]
 
 
-def branches_of(dimensions: Sequence[Dimension], features: Sequence[Feature]) -> list[Branch]:
-    """Return a row for each dimension with its features and datums below it; then the features that no dimension uses."""
-    known = {feature.name: feature for feature in features}
-    rows = []
-    for dimension in dimensions:
-        leaves = []
-        for name, feature in features_of(dimension, known):
-            role = "" if name in dimension.features else "Datum: " if len(dimension.datums) > 3 else _letter(dimension, name)
-            leaves.append(f"{role}{sentence_case(name)}: not found" if feature is None else feature_words(feature, role))
-        rows.append(Branch(tuple(dimension_cells(dimension)), tuple(leaves)))
-    others = other_features(dimensions, features)
-    if others:
-        blank = [Cell("")] * 5
-        rows.append(Branch((Cell(OTHERS), *blank), tuple(feature_words(feature) for feature in others)))
-    return rows
-
-
-def other_features(dimensions: Sequence[Dimension], features: Sequence[Feature]) -> list[Feature]:
-    """Return the features that no dimension uses."""
-    used = {name for dimension in dimensions for name in (*dimension.features, *dimension.datums)}
-    return [feature for feature in features if feature.name not in used]
-
-
 @dataclass(frozen=True)
 class Selection:
-    """The dimension and features of a selected row or leaf."""
+    """The selected dimension with its features, or the selected features."""
 
-    dimension: Dimension | None = None  # None for the row of other features
-    features: tuple[Feature, ...] = ()  # of the dimension, or of the leaf
-    is_leaf: bool = False
-
-
-def find_selection(inspection: Inspection | None, place: int, leaf: int) -> Selection:
-    """Return dimension and features of a row of the tree; empty if none is selected (-1)."""
-    if inspection is None or place < 0:
-        return Selection()
-    dimensions = inspection.dimensions
-    if place >= len(dimensions):
-        dimension, features = None, list(other_features(dimensions, inspection.features))
-    else:
-        known = {feature.name: feature for feature in inspection.features}
-        dimension, features = dimensions[place], [feature for _, feature in features_of(dimensions[place], known)]
-    shown = features if leaf < 0 else features[leaf : leaf + 1]
-    return Selection(dimension, tuple(feature for feature in shown if feature is not None), leaf >= 0)
-
-
-def _letter(dimension: Dimension, name: str) -> str:
-    return f"Datum {DATUM_LETTERS[dimension.datums.index(name)]}: "
+    dimension: Dimension | None = None  # None: features are selected
+    features: tuple[Feature, ...] = ()  # of the dimension, or those selected
 
 
 def tolerance(lower: float | None, upper: float | None, unit: str) -> str:
@@ -185,7 +126,7 @@ def dimension_properties(dimension: Dimension, features: Sequence[Feature], alig
 def feature_group(feature: Feature) -> Group:
     """Return the figures of a fit."""
     return Group(
-        f"{sentence_case(feature.name)} ({_shape_words(feature)})",
+        f"{sentence_case(feature.name)} ({shape_words(feature)})",
         (
             ("Points", counted(feature.points)),
             ("Rejected", counted(feature.left_out)),

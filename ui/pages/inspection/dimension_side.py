@@ -1,110 +1,172 @@
-"""Side panel of the Inspection page: verdict, dimensions, decision rule, deviations."""
+"""Side panel of the Inspection page: verdict, dimensions and features, decision rule, deviations."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QResizeEvent, QShortcut
-from PySide6.QtWidgets import QWidget
+from PySide6.QtCore import Signal
+from PySide6.QtGui import QResizeEvent
+from PySide6.QtWidgets import QStackedWidget, QWidget
 
+from ui.controllers.controllers import Controllers
+from ui.controllers.program_rows import DimensionRow
 from ui.look.look import Look
+from ui.pages.inspection.cell_edits import apply_edit
+from ui.pages.inspection.create_bar import CreateBar
 from ui.pages.inspection.deviation_card import DeviationCard
-from ui.pages.inspection.dimension_rows import Selection, branches_of, decision_rule, find_selection, rule_name
+from ui.pages.inspection.deviation_display import DeviationDisplay
+from ui.pages.inspection.dimension_model import Column
+from ui.pages.inspection.dimension_rows import Selection, decision_rule, features_of, rule_name
+from ui.pages.inspection.dimension_table import DimensionTable
+from ui.pages.inspection.feature_table import FeatureTable
+from ui.pages.inspection.filter_bar import FilterBar
+from ui.pages.inspection.row_actions import RowActions
+from ui.pages.inspection.save_bar import SaveBar
 from ui.widgets.basic import column, label, row
-from ui.widgets.data_tree import DataTree
+from ui.widgets.segments import Segments
 from ui.widgets.verdict_banner import VerdictBanner
 
 if TYPE_CHECKING:
-    from measureapp.data.dimension import Dimension
     from measureapp.data.measurement import Inspection
     from ui.session import Comparison
 
-HEADERS = ["Dimension", "Nominal", "Measured", "Deviation", "U", "Verdict"]
-VERDICTS = ("pass", "fail", "not proven", "not measured")
-UNLIMITED = 16_777_215  # Qt's largest height of a widget
-TABLE_WIDTH, DEVIATION_HEIGHT = 584, 400
-SHARES = (0, 0, 1000, 0, 500, 1)  # stretch factors: space is left empty only if table and histogram are at full size
+TABLE_WIDTH = 680  # px
+NARROW = 620  # px: without the nominal, which the properties show
+LISTS = {"dimensions": "Dimensions", "features": "Features", "deviation": "Deviation"}
 
 
 class DimensionSide(QWidget):
     """Shows an inspection, and holds its selected row."""
 
-    rowSelected = Signal(int, int)  # row, leaf below it; -1: the row itself
+    selected = Signal()
     closerAsked = Signal()
 
-    def __init__(self, look: Look) -> None:
+    def __init__(self, look: Look, controllers: Controllers, display: DeviationDisplay) -> None:
         super().__init__()
-        self._look = look
+        self._look, self._programming = look, controllers.programming
+        programming = self._programming
         self._inspection: Inspection | None = None
-        self._is_compared = False
-        self.banner, self.deviation = VerdictBanner(look), DeviationCard(look)
-        self.deviation.setMaximumHeight(DEVIATION_HEIGHT)
-        self.summary = {verdict: label("", "strong") for verdict in VERDICTS}
-        self.counts = QWidget()
-        self.counts.setLayout(row(*self.summary.values(), 0, spacing=16))
-        self.table = DataTree(look, HEADERS, numeric=(1, 2, 3, 4), stretch=0)
-        self.table.setAccessibleName("Dimensions")
-        self.table.setAccessibleDescription("The right arrow expands a row, Enter zooms to its features.")
-        QShortcut(Qt.Key.Key_Return, self.table, self.closerAsked, context=Qt.ShortcutContext.WidgetShortcut)
-        self.table.rowSelected.connect(self.rowSelected)
-        self.table.heightChanged.connect(self._share_height)
-        self.table.setExpandsOnDoubleClick(False)
-        self.table.doubleClicked.connect(self.closerAsked)
+        self._is_filter_offered = True
+        self.banner, self.deviation = VerdictBanner(look), DeviationCard(look, display)
+        self.list = Segments(LISTS, name="List")
+        self.filter, self.save = FilterBar(look), SaveBar(look, programming)
+        self.table = DimensionTable(look, self._edit)
+        self.features = FeatureTable(look)
+        self.create = CreateBar(look, controllers.creating, self.features)
+        self.create.dimensionAdded.connect(self._await)
+        self._awaited = ""  # name of the dimension that was added last
+        self.actions = RowActions(self.table, programming)
+        self.table.rowSelected.connect(self._tell)
+        self.features.chosen.connect(self._tell)
+        self.list.valueChanged.connect(self._show_list)
+        self.filter.changed.connect(lambda: self.table.set_filter(self.filter.chips(), self.filter.words()))
+        self.table.closerAsked.connect(self.closerAsked)
+        self.features.doubleClicked.connect(self.closerAsked)
         self.rule = label("", "small", wrap=True)
-        beside = column(self.banner, self.counts, self.table, self.rule, self.deviation, 0, spacing=12)
-        for place, share in enumerate(SHARES):
-            beside.setStretch(place, share)
+        self._show_create()
+        self._lists = QStackedWidget()
+        self._lists.addWidget(self.table)
+        self._lists.addWidget(self.features)
+        self._lists.addWidget(self.deviation)
+        beside = column(self.banner, row(self.list, 0), self.filter, self._lists, self.create, self.save, self.rule, spacing=8)
+        beside.setStretch(3, 1)
         self.setLayout(beside)
 
     @property
-    def dimensions(self) -> Sequence[Dimension]:
-        """Return the dimensions shown."""
-        return () if self._inspection is None else self._inspection.dimensions
+    def rows(self) -> Sequence[DimensionRow]:
+        """The dimensions, in the order of the program."""
+        return self.table.rows
 
     @property
     def selection(self) -> Selection:
-        """Return dimension and features of the selected row or leaf."""
-        return find_selection(self._inspection, *self.table.selected())
+        """Return dimension and features of the selected row, or the selected features."""
+        if self._inspection is None:
+            return Selection()
+        known = {feature.name: feature for feature in self._inspection.features}
+        if self.list.value() == "features":
+            return Selection(None, tuple(known[name] for name in self.features.names() if name in known))
+        chosen = self.table.current_row()
+        if chosen is None or chosen.found is None:
+            return Selection()
+        features = [feature for _, feature in features_of(chosen.found, known) if feature is not None]
+        return Selection(chosen.found, tuple(features))
 
     def show_inspection(self, inspection: Inspection | None) -> None:
-        """Show these dimensions; None keeps the present ones behind the empty page."""
+        """Show these dimensions and features; None keeps the present ones behind the empty page."""
         self._inspection = inspection
         if inspection is None:
             return
-        for name, shown in self.summary.items():
-            count = sum(found.verdict == name for found in inspection.dimensions)
-            shown.setText(f"{count} {name}")
-            shown.setStyleSheet(f"color: {self._look.theme.verdict(name).name()}")
-            shown.setVisible(count > 0)
+        self.show_rows()
+        self.features.show_features(inspection.features)
         self.rule.setText(f"Lengths in mm, U for k = 2, verdicts by {rule_name()}.")
         self.rule.setToolTip(decision_rule())
-        self.table.set_branches(branches_of(inspection.dimensions, inspection.features))
         self.banner.show_verdicts([found.verdict for found in inspection.dimensions])
-        self._share_height()
+
+    def show_rows(self) -> None:
+        """Show the rows of the edited program; the worst is selected if none was."""
+        rows = self._programming.rows()
+        had_none = self.table.current_id() < 0
+        self.table.set_rows(rows)
+        self.filter.show_rows(rows)
+        added = next((row.id for row in rows if row.name == self._awaited), None)
+        if added is not None:
+            self._awaited = ""
+            self.table.select(added)
+        elif had_none:
+            self.table.select_first()
+        self._show_create()
 
     def show_comparison(self, comparison: Comparison | None) -> None:
-        """Show the deviations from the nominal, or use their space for the table."""
-        self._is_compared = comparison is not None
+        """Show the deviations from the nominal, if there are any."""
         self.deviation.show_comparison(comparison)
-        self._share_height()
+        self.list.set_available("deviation", comparison is not None)
+        if comparison is None and self.list.value() == "deviation":
+            self.list.setValue("dimensions")
 
     def show_role(self, *, is_operator: bool) -> None:
-        """Show operators one large verdict, engineers the number of each."""
-        self.banner.setVisible(is_operator and bool(self.dimensions))
-        self.counts.setVisible(not is_operator)
+        """Show operators one large verdict, engineers the filter."""
+        self.banner.setVisible(is_operator and bool(self.rows))
+        self.list.setVisible(not is_operator)
+        self._is_filter_offered = not is_operator
+        self.filter.setVisible(not is_operator and self.list.value() == "dimensions")
 
     def select_failing(self) -> None:
-        """Select the first dimension that does not pass."""
-        failing = [place for place, found in enumerate(self.dimensions) if found.verdict != "pass"]
-        self.table.select(failing[0] if failing else 0)
+        """Select the worst dimension."""
+        self.list.setValue("dimensions")
+        self.table.sort_worst_first()
+        self.table.select_first()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Hide the nominal values in a narrow table; the properties show them."""
+        was_narrow = event.oldSize().width() < NARROW
         super().resizeEvent(event)
-        self.table.setColumnHidden(HEADERS.index("Nominal"), self.width() < TABLE_WIDTH)
+        is_narrow = self.width() < NARROW
+        if is_narrow != was_narrow or not event.oldSize().isValid():
+            self.table.setColumnHidden(Column.NOMINAL, is_narrow)
 
-    def _share_height(self) -> None:
-        """Give the histogram the height that the table does not need."""
-        self.table.setMaximumHeight(self.table.fitted_height() if self._is_compared else UNLIMITED)
+    def _edit(self, edit):  # type: ignore[no-untyped-def]
+        return apply_edit(self._programming, self.table.rows, edit)
+
+    def _show_list(self) -> None:
+        shown = {"dimensions": self.table, "features": self.features, "deviation": self.deviation}
+        self._lists.setCurrentWidget(shown[self.list.value()])
+        self.filter.setVisible(self.list.value() == "dimensions" and self._is_filter_offered)
+        self.rule.setVisible(self.list.value() == "dimensions")
+        self._show_create()
+        self.selected.emit()
+
+    def _show_create(self) -> None:
+        offered = self.list.value() == "features" and self._is_filter_offered and self._programming.state is not None
+        self.create.setVisible(offered)
+        if not offered:
+            self.create.pick.setChecked(False)
+
+    def _await(self, name: str) -> None:
+        """Select a new dimension in its table, also before it is measured."""
+        self._awaited = name
+        self.list.setValue("dimensions")
+        self.show_rows()
+
+    def _tell(self) -> None:
+        self.selected.emit()

@@ -5,20 +5,22 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-import numpy as np
-from PySide6.QtGui import QGuiApplication, QShowEvent
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QGuiApplication, QKeySequence, QShortcut, QShowEvent
 from PySide6.QtWidgets import QHBoxLayout
 
 from ui.controllers.controllers import Controllers
 from ui.look.look import Look
-from ui.look.wording import millimetres, percent, sentence_case
+from ui.look.wording import millimetres, percent, sentence_case, several
 from ui.pages.clicked_distance import ClickedPoint
 from ui.pages.inspection.clicking import ClickingTools
 from ui.pages.inspection.cutting import Cutting
+from ui.pages.inspection.deviation_display import DeviationDisplay
 from ui.pages.inspection.dimension_rows import decision_rule, dimension_properties, feature_group
 from ui.pages.inspection.dimension_side import TABLE_WIDTH, DimensionSide
-from ui.pages.inspection.feature_lines import OUTLINE, dimension_labels, feature_lines, verdict_rgb
 from ui.pages.inspection.part_picture import SHAPE_TIPS, SHAPES, filled_in, mesh_of, part_composer
+from ui.pages.inspection.picture_content import PictureContent
+from ui.pages.inspection.probing import Probing
 from ui.pages.inspection.program_tools import ProgramTools
 from ui.pages.inspection.section_bar import SectionBar
 from ui.pages.layers import rgb
@@ -26,6 +28,7 @@ from ui.pages.picked_point import merged_point, point_properties
 from ui.pages.viewport_page import Composer, ViewportPage
 from ui.session import Session
 from ui.viewport.layers import Label
+from ui.viewport.pick import Pick
 from ui.widgets.basic import Button, card, column, label, row
 from ui.widgets.empty_state import EmptyState
 from ui.widgets.not_measured import NotMeasuredLegend
@@ -33,7 +36,7 @@ from ui.widgets.properties_panel import Properties
 from ui.widgets.segments import Segments
 
 if TYPE_CHECKING:
-    from measureapp.inspection.section_curves import SectionCurves
+    pass
 
 EMPTY = (
     "Nothing measured yet",
@@ -56,24 +59,35 @@ class InspectionPage(ViewportPage):
         self.shape = Segments(SHAPES, name="Picture", tips=SHAPE_TIPS)
         self.shape.set_available("deviation", False)
         self.shape.valueChanged.connect(self.redraw)
-        self._point: Label | None = None  # of the last clicked point
         self._entry: tuple[Properties, str] | None = None  # of the program, while its properties are shown
         self.filled = NotMeasuredLegend(look)
         self.filled.setContentsMargins(12, 4, 12, 4)
+        self.display = DeviationDisplay(self)
+        self.side, self.side_width = DimensionSide(look, self.controllers, self.display), TABLE_WIDTH
+        self.content = PictureContent(look, session, self.view, self.side, self.display)
         tools = self._tools(look)
-        self.side, self.side_width = DimensionSide(look), TABLE_WIDTH
-        self.side.rowSelected.connect(self._select)
-        self.side.closerAsked.connect(self._look_closer)
+        self.side.selected.connect(self._select)
+        self.side.closerAsked.connect(self.content.look_closer)
         middle = row(card(self.view, self.filled, self.cut, self.grow, self.program.bar, margin=1, spacing=4), self.side, spacing=16)
         middle.setStretch(0, 1)
         layout = column(tools, middle, spacing=12)
         layout.setStretch(1, 1)
         self.body.setLayout(layout)
+        programming = self.controllers.programming
+        for key, act in (
+            (QKeySequence.StandardKey.Save, programming.save),
+            (QKeySequence("Ctrl+Y"), programming.redo),
+            (QKeySequence.StandardKey.Find, self.side.filter.search.setFocus),
+        ):
+            QShortcut(key, self, act, context=Qt.ShortcutContext.WidgetWithChildrenShortcut)
         session.inspectionChanged.connect(self._show)
         session.cloudsChanged.connect(self.redraw)
         session.cloudsChanged.connect(self._forget_distances)
         session.comparisonChanged.connect(self._show_comparison)
-        look.changed.connect(self._highlight)
+        session.projectChanged.connect(self.display.forget)
+        look.changed.connect(self.content.show)
+        self.view.legendEdited.connect(self.display.take_legend)
+        self.display.changed.connect(self._show_display)
         session.busyChanged.connect(self._show_busy)
         session.appearanceChanged.connect(self._show_undo)
         self._show_comparison()
@@ -86,23 +100,27 @@ class InspectionPage(ViewportPage):
         fit.clicked.connect(self.view.reset_camera)
         self.labels = Button("Labels", look, "labels", "quiet", "Show the value of every dimension in the picture")
         self.labels.setCheckable(True)
-        self.labels.toggled.connect(self._highlight)
+        self.labels.toggled.connect(self._show_all_flags)
         self.clicking = ClickingTools(look, self.controllers.growing, self)
         self.distance, self.grow = self.clicking.distance, self.clicking.grow
         self.distance.changed.connect(self._show_distances)
         self.undo = Button("Undo", look, "undo", "quiet", UNDO)
         self.undo.clicked.connect(self._undo)
         self.hint = label("", "soft")
-        self.program = ProgramTools(look, self.session, self.controllers.programming, self)
+        self.program = ProgramTools(look, self.session, self.controllers, self)
         self.see_report = Button("See the report", look, "report", "primary")
         for widget in (self.hint, self.undo, self.program.text, self.program.nominal, self.see_report):
             self.action_row.addWidget(widget)
-        self.controllers.programming.changed.connect(self._show_undo)
+        self.controllers.programming.changed.connect(self._show_program)
         self.cut = SectionBar(look)
         self.cutting = Cutting(self.session, self.cut, self.controllers.drawing, self)
-        self.cutting.changed.connect(self._highlight)
+        self.cutting.changed.connect(self.content.show)
+        self.probing = Probing(self.session, self.controllers.drawing, self)
+        self.probing.changed.connect(self.content.show)
+        self.content.use(self.cutting, self.clicking, self.probing)
         self.grow.changed.connect(self._show_grown)
         self.view.pointPicked.connect(self._show_point)
+        self.view.picked.connect(self._pick_surface)
         self.tool_buttons = (fit, self.labels, self.distance.button, self.cut.button, self.grow.button, self.program.bar.button)
         return row(self.shape, *self.tool_buttons, 0)
 
@@ -125,6 +143,7 @@ class InspectionPage(ViewportPage):
     def _show_comparison(self) -> None:
         comparison = self.session.comparison
         self.side.show_comparison(comparison)
+        self.display.show_comparison(comparison)
         self.cut.show_extent(None if comparison is None or comparison.surface is None else comparison.surface)
         self.shape.set_available("deviation", comparison is not None)
         if comparison is not None:
@@ -144,24 +163,22 @@ class InspectionPage(ViewportPage):
         alignment = inspection.alignment
         self.state.setText(f"{sentence_case(inspection.program)}. Aligned by {alignment.name}, {millimetres(alignment.rms_mm)} rms.")
         self.program.show_inspection(inspection)
-        table, new = self.side.table, self.program.newest(inspection.dimensions)
-        if new is not None or (table.selected()[0] < 0 and inspection.dimensions):
-            table.select(new or 0)
         self._select()
         if self.isVisible():
             self.controllers.comparison.compare()
         self.redraw()
 
     def _select(self) -> None:
-        self._point = None
+        self.content.point = None
         inspection, chosen = self.session.inspection, self.side.selection
         dimension, features = chosen.dimension, chosen.features
-        if inspection is not None and dimension is not None and not chosen.is_leaf:
+        if inspection is not None and dimension is not None:
             self._show_entry(dimension_properties(dimension, features, inspection.alignment, decision_rule()), dimension.name)
-        elif features and chosen.is_leaf:
-            self._show_entry(Properties(sentence_case(features[0].name), (feature_group(features[0]),)), features[0].name)
-            self.program.bar.take(features[0].name)
-        self._highlight()
+        elif features:
+            title = sentence_case(features[0].name) if len(features) == 1 else several(len(features), "feature")
+            self._show_entry(Properties(title, tuple(feature_group(one) for one in features)), features[-1].name)
+            self.program.bar.take(features[-1].name)
+        self.content.show()
 
     def _show_entry(self, properties: Properties, name: str) -> None:
         """Show an entry of the program, with the button that removes it."""
@@ -177,37 +194,29 @@ class InspectionPage(ViewportPage):
     def composer(self) -> Composer | None:
         """Compose the part in the nominal's frame."""
         self.shape.set_available("surface", mesh_of(self.session) is not None)
+        self.content.is_deviation = self.shape.value() == "deviation"
+        self.content.show()
         filled = filled_in(self.session, self.shape.value())
         self.filled.say(f"{FILLED}: {percent(filled)} of the surface" if filled else "")
-        return part_composer(self.session, self.shape.value(), self.look.theme.shade)
+        return part_composer(self.session, self.shape.value(), self.look.theme.shade, self.display)
 
-    def _highlight(self) -> None:
-        """Outline all features in grey and those of the selected row in colour; a dimension is labelled with its value."""
-        inspection, chosen = self.session.inspection, self.side.selection
-        if inspection is None:
-            return
-        dimension = None if chosen.is_leaf else chosen.dimension
-        theme = self.look.theme
-        accent = rgb(theme, "accent")
-        colour = accent if chosen.dimension is None else verdict_rgb(theme, chosen.dimension)
-        lines = feature_lines(inspection.features, chosen.features, dimension, self._sections(), colour)
-        labels = []
-        if self.labels.isChecked():
-            labels = dimension_labels(theme, inspection.dimensions, inspection.features, self._sections())
-        elif dimension is not None:
-            labels = dimension_labels(theme, (dimension,), inspection.features, self._sections())
-        self.view.set_lines([*lines, *self.cutting.lines, *self.clicking.lines(accent)])
-        self.view.set_labels([*labels, *self.clicking.labels(theme), *([self._point] if self._point is not None else [])])
+    def _show_display(self) -> None:
+        """Draw the deviations in their present colours."""
+        if self.shape.value() == "deviation":
+            self.redraw()
 
-    def _look_closer(self) -> None:
-        """Zoom to the features of the selected row."""
-        chosen = self.side.selection
-        if chosen.features:
-            layers = feature_lines(chosen.features, chosen.features, chosen.dimension, self._sections(), OUTLINE)
-            self.view.look_at(np.vstack([line for layer in layers for line in layer.lines]))
+    def _show_all_flags(self, shown: bool) -> None:
+        self.content.all_flags = shown
+        self.content.show()
 
-    def _sections(self) -> SectionCurves | None:
-        return None if self.session.comparison is None else self.session.comparison.sections
+    def _show_program(self) -> None:
+        """Show the rows of the edited program, and select a dimension that was added."""
+        self.side.show_rows()
+        new = self.program.newest(self.side.rows)
+        if new is not None:
+            self.side.list.setValue("dimensions")
+            self.side.table.select(new)
+        self._show_undo()
 
     def _show_undo(self) -> None:
         self.undo.setVisible(self.clicking.can_undo or self.program.programming.can_undo)
@@ -227,6 +236,7 @@ class InspectionPage(ViewportPage):
     def end_clicking(self) -> None:
         """Stop measuring and growing by clicking."""
         self.clicking.end()
+        self.side.create.pick.setChecked(False)
 
     def _undo(self) -> None:
         """Undo the last click; without one, the last change of the program."""
@@ -255,13 +265,13 @@ class InspectionPage(ViewportPage):
     def _show_grown(self) -> None:
         """Show the grown features, and what to click next."""
         self._show_undo()
-        if self.grow.is_on and self.shape.value() == "surface":
-            self.shape.setValue("points")  # the surface has no measured points to click
+        if self.grow.is_on and not self._has_points:
+            self.shape.setValue("points")  # surfaces have no measured points to click
         if self.grow.is_on:
-            self._point = None
+            self.content.point = None
             shown = self.grow.properties()
             self.show_properties(shown if self.program.programming.can_change else replace(shown, decision=""))
-        self._highlight()
+        self.content.show()
 
     def act(self) -> None:
         """Copy the program lines of the last grown feature to the clipboard."""
@@ -273,16 +283,33 @@ class InspectionPage(ViewportPage):
         """Show the measured distances, and what to click next."""
         self.hint.setText(self.distance.hint)
         self._show_undo()
-        if self.distance.is_on and self.shape.value() == "surface":
-            self.shape.setValue("points")  # the surface has no measured points to click
+        if self.distance.is_on and not self._has_points:
+            self.shape.setValue("points")  # surfaces have no measured points to click
         if self.distance.is_on or self.distance.distances:
-            self._point = None
+            self.content.point = None
             self.show_properties(self.distance.properties())
-        self._highlight()
+        self.content.show()
+
+    @property
+    def _has_points(self) -> bool:
+        """Whether the picture shows measured points."""
+        shown = self.shape.value()
+        return shown == "points" or (shown == "deviation" and (self.display.on == "points" or self.session.comparison is None))
+
+    def _pick_surface(self, pick: Pick) -> None:
+        """Select the face that is clicked, or read the deviation where the coloured CAD model is clicked."""
+        is_tool = self.distance.is_on or self.grow.is_on
+        if self.side.create.pick.isChecked() and pick.position_mm is not None:
+            self.controllers.creating.pick(pick.position_mm)
+            return
+        if not pick.is_point and pick.position_mm is not None and self.shape.value() == "deviation" and not is_tool:
+            self.probing.probe(pick.position_mm)
 
     def _show_point(self, layer: int, place: int) -> None:
         """Show source and deviation of a picked point; or measure from it, or grow a feature."""
         stitched, inspection, comparison = self.session.stitched, self.session.inspection, self.session.comparison
+        if self.side.create.pick.isChecked():  # `_pick_surface` takes the click
+            return
         if stitched is None or inspection is None or layer > 0:  # an unmeasured part of the nominal
             return
         point = merged_point(stitched, place, self.session.views)
@@ -295,10 +322,14 @@ class InspectionPage(ViewportPage):
         if self.grow.is_on:
             self.grow.click(position)
             return
+        if comparison is not None and comparison.index is not None and self.shape.value() == "deviation":
+            self.probing.probe(position)
+            self.show_properties(point_properties(replace(point, position_mm=position, deviation_mm=None)))
+            return
         off = float(comparison.deviation.distances_mm[place]) if comparison is not None and self.shape.value() == "deviation" else None
         self.show_properties(point_properties(replace(point, position_mm=position, deviation_mm=off)))
         self.propertiesAsked.emit()
         words = f"{point.viewpoint_id}   sigma {millimetres(point.sigma_mm)}" if off is None else millimetres(off, signed=True)
         words = words.replace("\u00a0", " ").replace("\u2212", "-")
-        self._point = Label(words, position, rgb(self.look.theme, "text"), rgb(self.look.theme, "surface"))
-        self._highlight()
+        self.content.point = Label(words, position, rgb(self.look.theme, "text"), rgb(self.look.theme, "surface"))
+        self.content.show()

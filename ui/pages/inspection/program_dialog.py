@@ -27,7 +27,7 @@ class ProgramDialog(QDialog):
         self.text.setAccessibleName("Inspection program")
         self.text.setTabChangesFocus(True)
         self.problem = label("", wrap=True)
-        self.measure = Button("Measure again", look, "again", "primary", "Check the program, measure with it, and save it with the project")
+        self.measure = Button("Measure again", look, "again", "primary", "Check the program and measure what has changed")
         self.measure.clicked.connect(self._measure)
         close = Button("Close", look, "", "normal", "Discard the changes")
         close.clicked.connect(self.reject)

@@ -9,7 +9,9 @@ from PySide6.QtCore import QObject, Slot
 from PySide6.QtWidgets import QWidget
 
 from measureapp.data.length_unit import LengthUnit
-from ui.controllers.programming import NominalQuestion, ProgrammingController
+from ui.controllers.controllers import Controllers
+from ui.controllers.nominal import NominalController
+from ui.controllers.program_jobs import NominalQuestion
 from ui.look.look import Look
 from ui.look.wording import sentence_case
 from ui.pages.inspection.dimension_bar import DimensionBar
@@ -21,9 +23,9 @@ from ui.widgets.basic import Button
 from ui.widgets.unit_dialog import UnitDialog
 
 if TYPE_CHECKING:
-    from measureapp.data.dimension import Dimension
     from measureapp.data.measurement import Inspection
     from ui.controllers.growing import GrownFeature
+    from ui.controllers.program_rows import DimensionRow
 
 NOMINAL_FILES = "Nominals (*.stl *.ply *.obj *.step *.stp)"
 NOMINAL_TIP = "Choose the nominal of the part: a mesh or a STEP file"
@@ -33,22 +35,22 @@ PROGRAM_TIP = "Edit the inspection program as text: alignment, features, dimensi
 class NominalButton(Button):
     """Asks for a file, and for its unit if it is doubtful."""
 
-    def __init__(self, look: Look, programming: ProgrammingController, settings: Settings) -> None:
+    def __init__(self, look: Look, nominal: NominalController, settings: Settings) -> None:
         super().__init__("Nominal…", look, "open", "quiet", NOMINAL_TIP)
-        self._look, self._programming, self._settings, self.dialog = look, programming, settings, None
+        self._look, self._nominal, self._settings, self.dialog = look, nominal, settings, None
         self.clicked.connect(self._choose)
-        programming.unitAsked.connect(self._ask)
+        nominal.unitAsked.connect(self._ask)
 
     def _choose(self) -> None:
         chosen = choose_file(self, "Choose the nominal", NOMINAL_FILES, "nominals", self._settings)
         if chosen is not None:
-            self._programming.set_nominal(chosen)
+            self._nominal.use(chosen)
 
     @Slot(object)
     def _ask(self, asked: NominalQuestion) -> None:
         question = asked.question
         dialog = self.dialog = UnitDialog(self._look, question.what, question.finding, LengthUnit(question.unit), parent=self)
-        dialog.chosen.connect(lambda unit: self._programming.set_nominal(asked.path, unit))
+        dialog.chosen.connect(lambda unit: self._nominal.use(asked.path, unit))
         dialog.finished.connect(dialog.deleteLater)
         dialog.open()
 
@@ -56,12 +58,13 @@ class NominalButton(Button):
 class ProgramTools(QObject):
     """Available to engineers for a measured project on disk."""
 
-    def __init__(self, look: Look, session: Session, programming: ProgrammingController, page: QWidget) -> None:
+    def __init__(self, look: Look, session: Session, controllers: Controllers, page: QWidget) -> None:
         super().__init__(page)
-        self._session, self.programming = session, programming
+        self._session, self.programming = session, controllers.programming
+        programming = self.programming
         self.bar, self.nominal, self.dialog = (
             DimensionBar(look),
-            NominalButton(look, programming, session.settings),
+            NominalButton(look, controllers.nominal, session.settings),
             ProgramDialog(look, programming, page),
         )
         self.text = Button("Program…", look, "report", "quiet", PROGRAM_TIP)
@@ -86,11 +89,11 @@ class ProgramTools(QObject):
         """Offer the measured features."""
         self.bar.show_features([feature.name for feature in inspection.features], [found.name for found in inspection.dimensions])
 
-    def newest(self, dimensions: Sequence[Dimension]) -> int | None:
-        """Return the row of the last added dimension, once."""
-        place = next((place for place, found in enumerate(dimensions) if found.name == self._added), None)
-        self._added = self._added if place is None else ""
-        return place
+    def newest(self, rows: Sequence[DimensionRow]) -> int | None:
+        """Return the number of the dimension that was added last, once."""
+        found = next((row.id for row in rows if row.name == self._added), None)
+        self._added = self._added if found is None else ""
+        return found
 
     def add_feature(self, grown: GrownFeature) -> None:
         """Add a grown feature to the program."""

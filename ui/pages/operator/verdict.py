@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtGui import QShowEvent
+from PySide6.QtGui import QColor, QShowEvent
 from PySide6.QtWidgets import QFrame, QLabel, QWidget
 
 from measureapp.data.verdicts import part_verdict
 from ui.controllers.controllers import Controllers
+from ui.look.icons import IconSet
 from ui.look.look import Look
 from ui.look.wording import several
 from ui.pages.inspection.part_picture import part_composer
@@ -20,7 +21,6 @@ from ui.widgets.basic import clear, column, row
 
 SIGN_PX, WORD_PX = 96, 96
 SIDE_WIDTH = 520
-SIGNS = {"pass": "pass", "fail": "fail", "not proven": "not proven", "not measured": "not measured"}
 ALL_PASS = "All {count} pass."
 NO_DIMENSIONS = "The program evaluated no dimension: there is no verdict."
 DRIFTED = "A camera has moved since the calibration: the values may be wrong. Call the engineer."
@@ -33,6 +33,7 @@ class VerdictBand(QFrame):
         super().__init__()
         self._look = look
         self.verdict = "not measured"
+        self._icons = IconSet(lambda verdict: QColor(letters_on(verdict)))
         self.sign, self.word = QLabel(), QLabel()
         self.part, self.summary = QLabel(), QLabel()
         for label in (self.part, self.summary):
@@ -53,17 +54,11 @@ class VerdictBand(QFrame):
             f"VerdictBand QLabel {{ color: {letters}; font-size: 24px; font-weight: 600; background: transparent; }}"
         )
         self.word.setStyleSheet(f"color: {letters}; font-size: {WORD_PX}px; font-weight: 800;")
-        self.sign.setPixmap(_sign(verdict, letters))
+        self.sign.setPixmap(self._icons.icon(verdict, verdict).pixmap(QSize(SIGN_PX, SIGN_PX)))
         self.word.setText(verdict.upper())
         self.part.setText(part)
         self.summary.setText(summary)
         self.setAccessibleName(f"{verdict.upper()}. {part}. {summary}")
-
-
-def _sign(verdict: str, colour: str):  # type: ignore[no-untyped-def]
-    from ui.look.icons import icon
-
-    return icon(SIGNS[verdict], colour).pixmap(QSize(SIGN_PX, SIGN_PX))
 
 
 class WorstCard(QFrame):

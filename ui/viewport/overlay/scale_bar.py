@@ -23,7 +23,8 @@ def bar_length_mm(mm_per_px: float, longest_px: float = LONGEST_PX) -> float:
     rounded = one_two_five(longest)
     if rounded <= longest * (1 + 1e-9):
         return rounded
-    return next(rounded * part for part in (0.5, 0.4, 0.2) if one_two_five(rounded * part) == round(rounded * part, 12))
+    shorter = (round(rounded * part, 12) for part in (0.5, 0.4, 0.2))
+    return next(length for length in shorter if one_two_five(length) == length)
 
 
 def paint_scale_bar(painter: QPainter, camera: CameraView, style: OverlayStyle) -> None:

@@ -1,4 +1,4 @@
-"""Dimensions as a tree: what they are, what they rest on, and by which rule they are judged."""
+"""What the page says about dimensions: what they are, what they rest on, and by which rule they are judged."""
 
 from __future__ import annotations
 
@@ -11,11 +11,8 @@ from measureapp.data.dimension import Dimension, Verdict
 from measureapp.data.feature import Feature
 from measureapp.data.measurement import Alignment
 from measureapp.geometry.transform import RigidTransform
-from ui.look.look import Look
-from ui.pages.inspection.dimension_rows import branches_of, datum_words, dimension_properties, tolerance
+from ui.pages.inspection.dimension_rows import datum_words, dimension_properties, tolerance
 from ui.pages.layers import filled_share
-from ui.widgets.data_table import Cell
-from ui.widgets.data_tree import Branch, DataTree
 from ui.widgets.properties_panel import Properties
 
 ALIGNMENT = Alignment("best fit", RigidTransform.identity("nominal", "part"), 0.021, 0.93, ("rotation about z",), {"bore": 0.004})
@@ -35,18 +32,6 @@ def plain_groups(properties: Properties) -> dict[str, list[tuple[str, str]]]:
 
 def feature(name: str, shape: str, points: int = 40) -> Feature:
     return Feature(name, shape, np.zeros(3), np.array([0, 0, 1.0]), points=points, form_error_mm=0.05)  # type: ignore[arg-type]
-
-
-def test_below_a_dimension_lie_its_features_and_its_datums_with_their_letters():
-    features = [feature("boss", "cylinder"), feature("gear face", "plane"), feature("spare", "plane", 0)]
-    first, others = branches_of([ZONE], features)
-    assert [plain(leaf) for leaf in first.leaves] == [
-        "Boss: cylinder, 40 points, form 0.050 mm",
-        "Datum A: Gear face: plane, 40 points, form 0.050 mm",
-        "Datum B: Bore: not found",
-    ]
-    assert others.cells[0].text == "Other features"
-    assert others.leaves == ("Spare: plane, constructed",)
 
 
 def test_the_properties_of_a_zone_name_kind_datums_origin_and_rule():
@@ -79,23 +64,6 @@ def test_datums_of_a_pattern_have_no_letters():
     assert datum_words(("a", "b", "c", "d")) == "A, B, C, D"
 
 
-def test_a_tree_keeps_selection_and_open_rows_when_its_rows_are_set_anew(qtbot):
-    tree = DataTree(Look("light"), ["Name", "Value"], numeric=(1,))
-    qtbot.addWidget(tree)
-    rows = [Branch((Cell("one"), Cell("1", "number")), ("leaf a", "leaf b")), Branch((Cell("two"), Cell("2", "number")))]
-    tree.set_branches(rows)
-    told = []
-    tree.rowSelected.connect(lambda row, leaf: told.append((row, leaf)))
-    closed = tree.fitted_height()
-    tree.select(0, 1)
-    assert told == [(0, 1)]
-    assert tree.fitted_height() > closed
-    tree.set_branches(rows)
-    assert tree.selected() == (0, 1)
-    tree.select(1)
-    assert tree.selected() == (1, -1)
-
-
 def test_the_page_prints_the_rule_and_states_what_was_filled_without_points(application, window, measurement, qtbot):
     page = window.pages["inspection"]
     application.session.set_measurement(measurement, {})
@@ -110,10 +78,11 @@ def test_the_page_prints_the_rule_and_states_what_was_filled_without_points(appl
     assert not page.filled.isVisible()
 
 
-def test_a_feature_below_a_dimension_shows_its_fit(application, window, measurement):
+def test_a_feature_of_the_list_shows_its_fit(application, window, measurement):
     page = window.pages["inspection"]
     application.session.set_measurement(measurement, {})
     window.show_page("inspection")
-    page.side.table.select(0, 1)
+    page.side.list.setValue("features")
+    page.side.features.select_names(["equator"])
     assert page.properties.title == "Equator"
-    assert page.view._labels == ()
+    assert page.view._flags == ()

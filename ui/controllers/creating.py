@@ -1,0 +1,180 @@
+"""New features and dimensions by clicking: faces of the nominal become features, selected features propose dimensions."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from PySide6.QtCore import QObject, Signal, Slot
+
+from measureapp.errors import MeasureError
+from ui.controllers.jobs import JobRunner
+from ui.controllers.programming import ProgrammingController
+from ui.session import Session
+
+if TYPE_CHECKING:
+    from measureapp.data.feature import Feature
+    from measureapp.data.inspection_program import InspectionProgram
+    from measureapp.inspection.programming.proposals import Proposal
+    from measureapp.inspection.surface.nominal import NominalSurface
+
+SAME_MM, SAME_DIRECTION = 0.01, 0.99999  # of a face that is a feature already
+OFFSET_MM = 10.0  # of a new offset plane or point on an axis, to be changed in the program
+
+
+class CreatingController(QObject):
+    """Adds to the program what is clicked and chosen."""
+
+    picked = Signal(str)  # name of the feature of the clicked face
+
+    def __init__(self, session: Session, runner: JobRunner, programming: ProgrammingController, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._session, self._runner, self._programming = session, runner, programming
+
+    @property
+    def program(self) -> InspectionProgram | None:
+        """The edited program."""
+        return None if self._programming.state is None else self._programming.state.program
+
+    def pick(self, place_mm: np.ndarray) -> None:
+        """Find the face of the nominal at a place; it becomes a feature unless it is one."""
+        comparison = self._session.comparison
+        if comparison is not None and comparison.surface is not None and self._programming.can_change:
+            surface = comparison.surface
+            self._runner.run("Finding the face", lambda _job: find_face(surface, place_mm), self._keep, quiet=True)
+
+    @Slot(object)
+    def _keep(self, entry: Mapping[str, Any]) -> None:
+        from measureapp.inspection.programming import edits
+
+        program = self.program
+        if program is None:
+            return
+        known = same_feature(program, entry)
+        if known:
+            self.picked.emit(known)
+            return
+        name = edits.unique_name(program, "feature", f"{str(entry['shape']).replace('_', ' ')} 1")
+        new = {**entry, "name": name}
+        if self._programming.edit(lambda program: edits.add(program, "feature", new), f"{name} added to the inspection program."):
+            self.picked.emit(name)
+
+    def proposals(self, names: Sequence[str]) -> tuple[Proposal, ...]:
+        """Return the dimensions that fit features, the most usual first."""
+        from measureapp.inspection.programming.proposals import propose_dimensions
+
+        program = self.program
+        return () if program is None or not names else propose_dimensions(program, names, self._features(program))
+
+    def add(self, proposal: Proposal) -> str:
+        """Add the entries of a proposal; return the name of its first dimension, empty if that was refused."""
+        from measureapp.inspection.programming import edits
+
+        name = str(proposal.dimensions[0]["name"])
+
+        def change(program: InspectionProgram) -> InspectionProgram:
+            if proposal.features:
+                program = edits.add(program, "feature", *proposal.features)
+            program = edits.add(program, "dimension", *proposal.dimensions)
+            return _linked(program, [str(one["name"]) for one in proposal.dimensions])
+
+        return name if self._programming.edit(change, f"{name} added to the inspection program.") else ""
+
+    def constructions(self, names: Sequence[str]) -> tuple[str, ...]:
+        """Return the shapes that can be constructed from features."""
+        from measureapp.data.feature_program import PARENTS, THROUGH_POINTS, WITH_DISTANCE
+
+        program = self.program
+        if program is None or not names:
+            return ()
+        features = self._features(program)
+        return tuple(shape for shape in (*PARENTS, *WITH_DISTANCE, *THROUGH_POINTS) if _is_possible(shape, names, features))
+
+    def construct(self, shape: str, names: Sequence[str]) -> str:
+        """Add a constructed feature; return its name, empty if that was refused."""
+        from measureapp.inspection.programming import edits
+
+        if self.program is None:
+            return ""
+        name = edits.unique_name(self.program, "feature", f"{shape.replace('_', ' ')} 1")
+        entry = _construction(name, shape, names)
+        added = self._programming.edit(lambda program: edits.add(program, "feature", entry), f"{name} added to the inspection program.")
+        return name if added else ""
+
+    def _features(self, program: InspectionProgram) -> dict[str, Feature]:
+        """Return the nominal features, and the measured ones that have no nominal."""
+        from measureapp.inspection.programming.nominals import nominals_of
+
+        inspection = self._session.inspection
+        measured = {} if inspection is None else {one.name: one for one in inspection.features}
+        return {**measured, **nominals_of(program)}
+
+
+def find_face(surface: NominalSurface, place_mm: np.ndarray) -> Mapping[str, Any]:
+    """Return the entry of the face at a place; runs on a job's thread."""
+    from measureapp.inspection.programming.picking import pick_on_nominal
+
+    return pick_on_nominal(surface, place_mm, "face").entry
+
+
+def same_feature(program: InspectionProgram, entry: Mapping[str, Any]) -> str:
+    """Return the name of a measured feature with the shape and position of ``entry``; empty: there is none."""
+    from measureapp.data.inspection_program import MeasuredFeature
+
+    place = np.asarray(entry["point_mm"], float)
+    axis = None if entry.get("direction") is None else _unit(entry["direction"])
+    for one in program.features:
+        if not isinstance(one, MeasuredFeature) or one.shape != entry["shape"] or one.point_mm is None:
+            continue
+        away = np.asarray(one.point_mm, float) - place
+        if axis is not None and one.direction is not None:
+            if abs(float(axis @ _unit(one.direction))) < SAME_DIRECTION:
+                continue
+            along = float(away @ axis) * axis
+            away = along if one.shape == "plane" else away - along if one.shape == "cylinder" else away
+        radii = entry.get("radius_mm"), one.radius_mm
+        if np.linalg.norm(away) < SAME_MM and (radii[0] is None or radii[1] is None or abs(radii[0] - radii[1]) < SAME_MM):
+            return one.name
+    return ""
+
+
+def _unit(direction: Sequence[float]) -> np.ndarray:
+    made = np.asarray(direction, float)
+    return made / np.linalg.norm(made)
+
+
+def _linked(program: InspectionProgram, names: Sequence[str]) -> InspectionProgram:
+    """Link the nominals that follow from nominal features."""
+    from measureapp.inspection.programming import edits
+
+    for name in names:
+        try:
+            program = edits.link_nominal(program, name)
+        except MeasureError:  # a zone, or a feature without a nominal position
+            continue
+    return program
+
+
+def _construction(name: str, shape: str, names: Sequence[str]) -> dict[str, Any]:
+    from measureapp.data.feature_program import WITH_DISTANCE
+
+    entry: dict[str, Any] = {"name": name, "shape": shape, "of": list(names)}
+    return {**entry, "distance_mm": OFFSET_MM} if shape in WITH_DISTANCE else entry
+
+
+def _is_possible(shape: str, names: Sequence[str], features: Mapping[str, Feature]) -> bool:
+    from pydantic import ValidationError
+
+    from measureapp.data.feature_program import ConstructedFeature
+    from measureapp.inspection.features.constructions import MAKERS
+
+    parents = [features[name] for name in names if name in features]
+    if len(parents) < len(names):
+        return False
+    try:
+        described = ConstructedFeature.model_validate(_construction("one", shape, names))
+        MAKERS[described.shape]("one", described.distance_mm or 0.0, parents)
+    except (ValidationError, MeasureError, ValueError, TypeError):
+        return False
+    return True

@@ -1,0 +1,108 @@
+"""Below the list of features: pick faces, add a proposed dimension, construct a feature from those selected."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import Qt, Signal, Slot
+from PySide6.QtGui import QShortcut
+from PySide6.QtWidgets import QFrame, QMenu
+
+from ui.controllers.creating import CreatingController
+from ui.look.look import Look
+from ui.look.wording import millimetres, quantity, sentence_case
+from ui.pages.inspection.feature_table import FeatureTable
+from ui.widgets.basic import Button, CalmComboBox, column, label, row
+
+if TYPE_CHECKING:
+    from measureapp.inspection.programming.proposals import Proposal
+
+HOW = "Select features in the list, or pick faces of the CAD model in the picture. Fitting dimensions are then proposed."
+NONE_FITS = "No dimension fits these features together."
+CONSTRUCTIONS = {
+    "midpoint": "Midpoint",
+    "midplane": "Mid-plane",
+    "symmetry": "Symmetry",
+    "intersection": "Intersection",
+    "projection": "Projection of the first onto the second",
+    "offset": "Offset plane",
+    "point_on_axis": "Point on the axis",
+    "best_fit_line": "Line through the points",
+    "best_fit_plane": "Plane through the points",
+    "best_fit_circle": "Circle through the points",
+    "pitch_circle": "Pitch circle",
+}
+
+
+class CreateBar(QFrame):
+    """Creates from the selected features."""
+
+    dimensionAdded = Signal(str)
+
+    def __init__(self, look: Look, creating: CreatingController, features: FeatureTable) -> None:
+        super().__init__()
+        self.setObjectName("sunken")
+        self._creating, self._features = creating, features
+        self._proposals: tuple[Proposal, ...] = ()
+        self.pick = Button("Pick faces", look, "grow", "quiet", "Click faces of the CAD model to select them as features; Esc ends")
+        self.pick.setCheckable(True)
+        self.words = label(HOW, "small", wrap=True)
+        self.choice = CalmComboBox()
+        self.choice.setAccessibleName("Proposed dimension")
+        self.choice.setMinimumContentsLength(10)
+        self.add = Button("Add dimension", look, "add", "normal", "Add the proposed dimension to the program and measure it (Enter)")
+        self.construct = Button("Construct", look, "", "quiet", "Construct a feature from those selected")
+        self.menu = QMenu(self.construct)
+        self.construct.setMenu(self.menu)
+        self.add.clicked.connect(self.accept)
+        QShortcut(Qt.Key.Key_Return, features, self.accept, context=Qt.ShortcutContext.WidgetShortcut)
+        choose = row(self.choice, self.add, spacing=8)
+        choose.setStretch(0, 1)
+        self.setLayout(column(row(self.pick, self.construct, 0), self.words, choose, margin=8, spacing=8))
+        features.chosen.connect(self.show_proposals)
+        creating.picked.connect(self._take)
+        self.show_proposals()
+
+    @Slot()
+    def show_proposals(self) -> None:
+        """Propose what fits the selected features."""
+        names = self._features.names()
+        self._proposals = self._creating.proposals(names)
+        self.choice.clear()
+        self.choice.addItems([proposal_words(one) for one in self._proposals])
+        self.words.setText(HOW if not names else ", ".join(sentence_case(name) for name in names) if self._proposals else NONE_FITS)
+        for widget in (self.choice, self.add):
+            widget.setVisible(bool(self._proposals))
+        shapes = self._creating.constructions(names)
+        self.menu.clear()
+        for shape in shapes:
+            self.menu.addAction(CONSTRUCTIONS[shape], lambda shape=shape: self._construct(shape))
+        self.construct.setVisible(bool(shapes))
+
+    @Slot()
+    def accept(self) -> None:
+        """Add the chosen dimension."""
+        place = self.choice.currentIndex()
+        if 0 <= place < len(self._proposals):
+            name = self._creating.add(self._proposals[place])
+            if name:
+                self.dimensionAdded.emit(name)
+
+    @Slot(str)
+    def _take(self, name: str) -> None:
+        self._features.toggle(name)
+
+    def _construct(self, shape: str) -> None:
+        name = self._creating.construct(shape, self._features.names())
+        if name:
+            self._features.select_names([name])
+
+
+def proposal_words(proposal: Proposal) -> str:
+    """Return a proposal in words: kind and nominal, or the width of the zone."""
+    entry = proposal.dimensions[0]
+    kind = sentence_case(proposal.kind)
+    if "nominal" not in entry:
+        return f"{kind}, width {millimetres(float(entry.get('upper_tolerance', 0.1)))}"
+    unit = "°" if proposal.kind in ("angle", "cone_angle") else "mm"
+    return f"{kind} {quantity(float(entry['nominal']), unit)}"

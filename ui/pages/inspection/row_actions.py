@@ -1,0 +1,128 @@
+"""Actions on rows of the table of dimensions: duplicate, delete, move, copy; by menu and by key."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from PySide6.QtCore import QObject, Qt
+from PySide6.QtGui import QKeySequence, QShortcut
+from PySide6.QtWidgets import QMenu
+
+from ui.controllers.program_rows import DimensionRow
+from ui.controllers.programming import ProgrammingController
+from ui.look.wording import several
+from ui.pages.inspection.cell_edits import apply_edit, one_after_the_other
+from ui.pages.inspection.dimension_model import CellEdit, Column
+from ui.pages.inspection.dimension_table import DimensionTable
+
+if TYPE_CHECKING:
+    from measureapp.data.inspection_program import InspectionProgram
+    from measureapp.inspection.session.graph import Node
+
+
+class RowActions(QObject):
+    """Edits the program by actions on the selected rows."""
+
+    def __init__(self, table: DimensionTable, programming: ProgrammingController) -> None:
+        super().__init__(table)
+        self._table, self._programming = table, programming
+        table.menuAsked.connect(self._fill)
+        keys: dict[QKeySequence, Callable[[], None]] = {
+            QKeySequence(Qt.Key.Key_Delete): self.remove,
+            QKeySequence("Ctrl+D"): self.duplicate,
+            QKeySequence("Alt+Up"): lambda: self.move(-1),
+            QKeySequence("Alt+Down"): lambda: self.move(1),
+        }
+        for key, act in keys.items():
+            QShortcut(key, table, act, context=Qt.ShortcutContext.WidgetShortcut)
+
+    @property
+    def chosen(self) -> list[DimensionRow]:
+        """The selected rows that can be edited, in the order shown."""
+        ids = self._table.selected_ids()
+        return [row for row in self._table.shown_rows if row.id in ids and row.entry is not None]
+
+    def duplicate(self) -> None:
+        """Insert a copy of each selected dimension behind it."""
+        from measureapp.inspection.programming import edits
+
+        nodes, names = self._nodes(), list[str]()
+
+        def change(program: InspectionProgram) -> InspectionProgram:
+            for node in nodes:
+                program, name = edits.duplicate(program, node)
+                names.append(name)
+            return program
+
+        if nodes and self._programming.edit(change, f"{several(len(nodes), 'dimension')} duplicated."):
+            self._select_named(names[-1])
+
+    def remove(self) -> None:
+        """Delete the selected dimensions."""
+        from measureapp.inspection.programming import edits
+
+        nodes = self._nodes()
+        if nodes:
+            self._programming.edit(lambda program: edits.remove(program, nodes), f"{several(len(nodes), 'dimension')} deleted.")
+
+    def move(self, steps: int) -> None:
+        """Move the selected dimensions up or down in the order of the report, which is shown then."""
+        from measureapp.inspection.programming import edits
+
+        order = [row.name for row in self._table.rows]
+        nodes = sorted(self._nodes(), key=lambda node: order.index(node.name), reverse=steps > 0)
+        if nodes:
+            self._table.sort_by_program()
+            changes = [lambda program, node=node: edits.move(program, node, steps) for node in nodes]
+            self._programming.edit(one_after_the_other(changes), "Order of the dimensions changed.")
+
+    def restore_nominal(self) -> None:
+        """Let the nominals follow the nominal features again."""
+        from measureapp.inspection.programming import edits
+
+        changes = [lambda program, name=row.name: edits.link_nominal(program, name) for row in self.chosen if not row.is_zone]
+        if changes:
+            self._programming.edit(one_after_the_other(changes), "The nominal follows the nominal features again.")
+
+    def set_tolerance(self, text: str) -> None:
+        """Set one tolerance for all selected dimensions."""
+        apply_edit(self._programming, self._table.rows, CellEdit(tuple(row.id for row in self.chosen), Column.TOLERANCE, text))
+
+    def _fill(self, menu: QMenu) -> None:
+        can = bool(self.chosen) and self._programming.can_change
+        edits = (
+            ("Rename", "F2", lambda: self._table.edit_cell(Column.NAME)),
+            ("Edit the nominal", "", lambda: self._table.edit_cell(Column.NOMINAL)),
+            ("Edit the tolerance", "", lambda: self._table.edit_cell(Column.TOLERANCE)),
+            ("Restore the nominal of the CAD features", "", self.restore_nominal),
+            ("", "", None),
+            ("Duplicate", "Ctrl+D", self.duplicate),
+            ("Delete", "Del", self.remove),
+            ("Move up", "Alt+Up", lambda: self.move(-1)),
+            ("Move down", "Alt+Down", lambda: self.move(1)),
+        )
+        for words, key, act in edits:
+            if act is None:
+                menu.addSeparator()
+                continue
+            action = menu.addAction(words, act)
+            action.setShortcut(QKeySequence(key))
+            action.setEnabled(can)
+            if act == self.restore_nominal:
+                action.setEnabled(can and any(not row.is_zone and not row.is_linked for row in self.chosen))
+        menu.addSeparator()
+        copied = menu.addAction("Copy rows", self._table.copy)
+        copied.setShortcut(QKeySequence(QKeySequence.StandardKey.Copy))
+        closer = menu.addAction("Zoom to its features", self._table.closerAsked.emit)
+        closer.setShortcut(QKeySequence(Qt.Key.Key_Return))
+
+    def _nodes(self) -> list[Node]:
+        from measureapp.inspection.session.graph import Node
+
+        return [Node("dimension", row.name) for row in self.chosen]
+
+    def _select_named(self, name: str) -> None:
+        row = next((row for row in self._table.rows if row.name == name), None)
+        if row is not None:
+            self._table.select(row.id)
