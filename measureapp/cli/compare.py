@@ -181,10 +181,11 @@ def _cutting_surface(words: str) -> CuttingSurface:
 
 def _write_map(found: Deviation, nominal: Mesh, reach_mm: float, path: Path) -> None:
     from measureapp.inspection.surface.deviation_map import map_deviation
+    from measureapp.inspection.surface.statistics import USUAL_TOLERANCE_MM, default_range_mm
     from measureapp.project.geometry.deviation_files import write_deviation_map
-    from measureapp.report.deviation_pictures import NOT_MEASURED, diverging_colours, nice_limit
+    from measureapp.report.deviation_pictures import NOT_MEASURED, diverging_colours
 
     made = map_deviation(found, nominal, reach_mm)
-    colours = diverging_colours(made.distances_mm / nice_limit(found.p95_mm))
+    colours = diverging_colours(made.distances_mm / default_range_mm(found.distances_mm, USUAL_TOLERANCE_MM))
     colours[~made.measured] = NOT_MEASURED
     write_deviation_map(path, made, colours, found.alignment.name)

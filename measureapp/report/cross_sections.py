@@ -7,7 +7,8 @@ import numpy as np
 from measureapp.arrays import FloatArray
 from measureapp.data.mesh import Mesh
 from measureapp.inspection.surface.deviation import Deviation
-from measureapp.report.deviation_pictures import diverging_colours, nice_limit
+from measureapp.inspection.surface.statistics import USUAL_TOLERANCE_MM, default_range_mm
+from measureapp.report.deviation_pictures import diverging_colours
 from measureapp.report.model import Picture
 from measureapp.report.svg import Panel, svg
 from measureapp.report.words import number
@@ -24,7 +25,7 @@ def render_sections(nominal: Mesh, deviation: Deviation) -> tuple[Picture, ...]:
     """Return sections through the middle of the nominal, one upright and one level."""
     low, high = nominal.vertices_mm.min(axis=0), nominal.vertices_mm.max(axis=0)
     middle = (low + high) / 2
-    limit = nice_limit(deviation.p95_mm)
+    limit = default_range_mm(deviation.distances_mm, USUAL_TOLERANCE_MM)
     made = (_section(nominal, deviation, limit, name, axis, drawn, float(middle[axis])) for name, axis, drawn in NORMAL_TO)
     return tuple(picture for picture in made if picture is not None)
 

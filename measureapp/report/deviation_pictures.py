@@ -10,6 +10,8 @@ from scipy.spatial import cKDTree
 from measureapp.arrays import BoolArray, FloatArray
 from measureapp.data.mesh import Mesh
 from measureapp.inspection.surface.deviation import Deviation
+from measureapp.inspection.surface.deviation_index import DeviationIndex
+from measureapp.inspection.surface.statistics import USUAL_TOLERANCE_MM, compute_statistics
 from measureapp.report.model import DeviationSummary, Flag, Picture
 from measureapp.report.part_pictures import OBLIQUE
 from measureapp.report.picture import SUPERSAMPLING, Seen, SurfaceScene, ViewDirection, png
@@ -20,7 +22,6 @@ NOT_MEASURED = np.array([0.62, 0.64, 0.67])  # of vertices, where there can be n
 HATCH_DARK, HATCH_LIGHT = np.array([0.45, 0.47, 0.50]), np.array([0.86, 0.87, 0.88])
 HATCH_PX = 12
 BINS = 40
-NICE_LIMITS_MM = (0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0)
 VIEWS = (("oblique view", OBLIQUE), ("from the opposite side, below", ViewDirection(122.0, -34.0)))
 WIDE = (760, 500)
 NEAR_MM = 2.0  # as in the unmeasured share
@@ -31,11 +32,14 @@ FLAG = "#182126"
 
 def summarise_deviation(nominal: Mesh, deviation: Deviation, *, pictures: bool = True) -> DeviationSummary:
     """Summarise a deviation: maps, if they are wanted, colour scale and histogram."""
-    limit = nice_limit(deviation.p95_mm)
+    index = DeviationIndex(deviation)
+    statistics = compute_statistics(deviation, nominal, tolerance_mm=USUAL_TOLERANCE_MM, search_mm=NEAR_MM, index=index)
+    limit = statistics.range_mm[1]
     clipped = np.clip(deviation.distances_mm, -limit, limit)
     counts, _ = np.histogram(clipped, bins=BINS, range=(-limit, limit))
     figures = {name: float(getattr(deviation, f"{name}_mm")) for name in ("mean", "rms", "p95", "min", "max")}
-    places = {"min": int(np.argmin(deviation.distances_mm)), "max": int(np.argmax(deviation.distances_mm))}
+    confirmed = {"min": statistics.minimum, "max": statistics.maximum}
+    places = {name: one.index for name, one in confirmed.items() if one is not None}
     return DeviationSummary(
         deviation.alignment.name,
         figures,
@@ -43,18 +47,9 @@ def summarise_deviation(nominal: Mesh, deviation: Deviation, *, pictures: bool =
         limit,
         tuple(float(share) for share in counts / max(counts.sum(), 1)),
         float(np.mean(np.abs(deviation.distances_mm) > limit)),
-        {name: tuple(float(x) for x in deviation.points_mm[index]) for name, index in places.items()},  # type: ignore[misc]
-        _maps(nominal, deviation, limit, places) if pictures else (),
+        statistics,
+        _maps(nominal, index, limit, places) if pictures else (),
     )
-
-
-def nice_limit(p95_mm: float) -> float:
-    """Return the end of the colour scale: the next round number above 1.2 times the 95th percentile.
-
-    >>> nice_limit(0.07), nice_limit(0.3)
-    (0.1, 0.5)
-    """
-    return next((limit for limit in NICE_LIMITS_MM if limit >= 1.2 * p95_mm), 2 * p95_mm)
 
 
 def diverging_colours(values: FloatArray) -> FloatArray:
@@ -63,9 +58,9 @@ def diverging_colours(values: FloatArray) -> FloatArray:
     return WHITE + share * (np.where(values[:, None] < 0, BLUE, RED) - WHITE)
 
 
-def _maps(nominal: Mesh, deviation: Deviation, limit_mm: float, extremes: dict[str, int]) -> tuple[Picture, ...]:
-    scene = SurfaceScene(nominal)
-    look_up = partial(_deviation_at, cKDTree(deviation.points_mm, balanced_tree=False, compact_nodes=False), deviation)
+def _maps(nominal: Mesh, neighbours: DeviationIndex, limit_mm: float, extremes: dict[str, int]) -> tuple[Picture, ...]:
+    scene, deviation = SurfaceScene(nominal), neighbours.found
+    look_up = partial(_deviation_at, neighbours.tree, deviation)
     shown = {name: _shown_in(deviation, index, scene) for name, index in extremes.items()}
     made = []
     for view, (where, direction) in enumerate(VIEWS):
@@ -122,7 +117,7 @@ def _hatching(seen: Seen) -> FloatArray:
 
 
 def _extreme_flag(name: str, deviation: Deviation, index: int, seen: Seen, *, hidden: bool) -> Flag:
-    """Return the flag of the smallest or largest deviation."""
+    """Return the flag of the smallest or largest deviation that its neighbours confirm."""
     (place,), _ = seen.frame.place(deviation.points_mm[index : index + 1])
     word = {"min": "Minimum", "max": "Maximum"}[name] + (" (behind)" if hidden else "")
     value = f"{number(float(deviation.distances_mm[index]), signed=True)} mm"

@@ -200,6 +200,7 @@ def report_document(model: ReportModel) -> dict[str, Any]:
         "summary": model.summary,
         "verdict_rule": model.verdict_rule,
         "deviation_mm": None if deviation is None else deviation.figures_mm,
+        "statistics": None if deviation is None else statistics_document(deviation.statistics),
         "unmeasured_share": None if deviation is None else deviation.unmeasured_share,
     }
     return _without_nan(document)

@@ -9,6 +9,7 @@ from measureapp.data.dimension import Dimension, Verdict
 from measureapp.data.identification import Identification
 from measureapp.data.measurement import Measurement
 from measureapp.data.plan import ScanPlan
+from measureapp.inspection.surface.statistics import DeviationStatistics
 from measureapp.report.template import Template
 
 
@@ -98,7 +99,7 @@ class DeviationSummary:
     limit_mm: float  # the colour scale ranges from -limit to +limit
     histogram: tuple[float, ...]  # share of the points in equal bins over the scale; the outer bins include all beyond
     beyond_share: float  # of the points beyond the scale
-    extremes_mm: Mapping[str, tuple[float, float, float]]  # where min and max are, in the nominal's frame
+    statistics: DeviationStatistics  # as in the window: shares, areas without data, confirmed extremes
     pictures: tuple[Picture, ...]
 
 

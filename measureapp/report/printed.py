@@ -233,8 +233,10 @@ def _deviation(deviation: DeviationSummary) -> dict[str, Any]:
     figures = deviation.figures_mm
     stops = np.rint(255 * diverging_colours(np.linspace(-1, 1, SCALE_STOPS))).astype(int)
     facts = [(name, f"{number(figures[key], signed=key not in {'rms', 'p95'})} mm") for name, key in _FIGURES]
-    for name, key in (("Minimum at", "min"), ("Maximum at", "max")):
-        facts.append((name, ", ".join(number(value, 1) for value in deviation.extremes_mm[key])))
+    for name, extreme in (("Minimum", deviation.statistics.minimum), ("Maximum", deviation.statistics.maximum)):
+        if extreme is not None:
+            facts.append((name, f"{number(extreme.value_mm, signed=True)} mm"))
+            facts.append((f"{name} at", ", ".join(number(value, 1) for value in extreme.point_mm.tolist())))
     facts += [("Points beyond the scale", percent(deviation.beyond_share)), ("Nominal not measured", percent(deviation.unmeasured_share))]
     return {
         "pictures": [_picture(f"deviation{n}.png", picture) for n, picture in enumerate(deviation.pictures)],
@@ -247,4 +249,4 @@ def _deviation(deviation: DeviationSummary) -> dict[str, Any]:
     }
 
 
-_FIGURES = (("Mean", "mean"), ("RMS", "rms"), ("95 % within", "p95"), ("Minimum", "min"), ("Maximum", "max"))
+_FIGURES = (("Mean", "mean"), ("RMS", "rms"), ("95 % within", "p95"))
