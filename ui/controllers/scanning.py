@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal, Slot
 
 from measureapp.data.verdicts import part_verdict
-from measureapp.errors import InputError
+from measureapp.errors import InputError, MeasureError
 from ui.controllers.jobs import JobRunner
 from ui.controllers.rig_control import RigControl
 from ui.controllers.run_events import RunEvents
@@ -26,6 +26,8 @@ if TYPE_CHECKING:
     from measureapp.acquire.control import RunControl
     from measureapp.acquire.time_left import RunClock, TimeLeft
     from measureapp.data.calibration import RigCalibration
+    from measureapp.data.plan import ScanPlan
+    from measureapp.data.rig import RigDescription
     from measureapp.pipeline.events import Event
     from measureapp.pipeline.run import Outcome, ScanRequest
     from ui.workers.job import Job
@@ -283,3 +285,39 @@ def care_for_raw_images(folder: Path, job: Job) -> str:
     if project.storage_rules().raw == "keep":
         return ""
     return apply_raw_policy(project, job).sentence
+
+
+def _prepared(request: ScanRequest) -> ScanPrepared:
+    """Return what the window shows of a scan that begins; runs on a job's thread."""
+    from measureapp.project.folder import ProjectFolder
+
+    calibrated = request.calibrated or request.folder
+    calibration = ProjectFolder.open(calibrated).calibration() if (calibrated / "project.json").is_file() else None
+    if request.created is not None:
+        return ScanPrepared(request, request.created.name, request.created.part, calibration)
+    project = ProjectFolder.open(request.folder)
+    return ScanPrepared(request, project.name, project.settings.part, calibration)
+
+
+def _stored_request(
+    plan: ScanPlan, rig: RigDescription, folder: Path, *, calibrate: bool = False, retake: tuple[str, ...] = ()
+) -> ScanRequest:
+    """Return the request that takes the missing viewpoints of a stored project, and those of ``retake``; runs on a job's thread."""
+    from measureapp.pipeline.run import ScanRequest
+
+    return ScanRequest(plan, rig, folder, resume=True, retake=retake, calibrate=calibrate)
+
+
+def check_scan(job: Job, choices: ScanChoices, make: MakeRequest, session: Session) -> CheckedScan:
+    """Check a scan on the connected rig; runs on a job's thread."""
+    from measureapp.pipeline.run import rehearse
+    from measureapp.project.folder import ProjectFolder
+
+    job.report(0, 1, "Checking the scan")
+    try:
+        request = make(job)
+        found = rehearse(request, session.connection, job)
+        stored = len(ProjectFolder.open(request.folder).stored_viewpoints()) if choices.is_existing else 0
+    except MeasureError as error:
+        return CheckedScan(choices, problem=error)
+    return CheckedScan(choices, found, stored, len(request.plan))
