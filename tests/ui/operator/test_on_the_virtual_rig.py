@@ -47,6 +47,8 @@ def test_one_part_passes_and_one_fails_by_a_tightened_tolerance(application, win
         assert str(run.verdict).upper() == verdict
         operator.go_home()
         qtbot.waitUntil(lambda known=name: known in _measured(screens), timeout=60_000)
+    for runner in application.controllers.runners:  # the report's preview may still be drawn
+        assert runner.queue.wait(600_000)
 
 
 def _measured(screens):
