@@ -24,7 +24,7 @@ from measureapp.inspection.surface.deviation import compute_deviation as deviati
 from measureapp.inspection.verdict import RULES
 from measureapp.progress import NoProgress, Progress
 from measureapp.report.cross_sections import render_sections
-from measureapp.report.deviation_pictures import nice_limit, summarise_deviation
+from measureapp.report.deviation_pictures import summarise_deviation
 from measureapp.report.header import calibration_age, header, plan_lines
 from measureapp.report.model import Details, DeviationSummary, Fact, Picture, ReportModel, Section, ViewLine
 from measureapp.report.part_pictures import placed_mesh, render_failing, render_part, scene_of
@@ -82,7 +82,7 @@ def compose(
 def _cross_sections(nominal: Mesh | None, deviation: Deviation | None, summary: DeviationSummary | None) -> tuple[Picture, ...]:
     if nominal is None or deviation is None or summary is None:
         return ()
-    return render_sections(nominal, deviation, nice_limit(summary.statistics.p95_mm))
+    return render_sections(nominal, deviation, summary.limit_mm)
 
 
 def _sections(measurement: Measurement, deviation: Deviation | None, why_not: str) -> tuple[Section, ...]:

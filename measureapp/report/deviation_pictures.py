@@ -11,7 +11,7 @@ from scipy.spatial import cKDTree
 from measureapp.arrays import BoolArray, FloatArray
 from measureapp.data.mesh import Mesh
 from measureapp.inspection.surface.deviation import Deviation
-from measureapp.inspection.surface.statistics import Extreme, compute_statistics
+from measureapp.inspection.surface.statistics import USUAL_TOLERANCE_MM, Extreme, compute_statistics
 from measureapp.report.model import DeviationSummary, Flag, Picture
 from measureapp.report.part_pictures import OBLIQUE
 from measureapp.report.picture import SUPERSAMPLING, Seen, SurfaceScene, ViewDirection, png
@@ -22,8 +22,6 @@ NOT_MEASURED = np.array([0.62, 0.64, 0.67])  # of vertices, where there can be n
 HATCH_DARK, HATCH_LIGHT = np.array([0.45, 0.47, 0.50]), np.array([0.86, 0.87, 0.88])
 HATCH_PX = 12
 BINS = 40
-USUAL_TOLERANCE_MM = (-0.1, 0.1)  # as in the window
-NICE_LIMITS_MM = (0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0)
 VIEWS = (("oblique view", OBLIQUE), ("from the opposite side, below", ViewDirection(122.0, -34.0)))
 WIDE = (760, 500)
 NEAR_MM = 2.0  # as in the unmeasured share
@@ -46,15 +44,6 @@ def summarise_deviation(nominal: Mesh, deviation: Deviation, surface: Mesh | Non
     histogram = tuple(float(share) for share in counts / max(counts.sum(), 1))
     extremes = {name: one for name, one in (("min", statistics.minimum), ("max", statistics.maximum)) if one is not None}
     return DeviationSummary(deviation.alignment.name, statistics, histogram, _maps(nominal, deviation, limit, extremes) if pictures else ())
-
-
-def nice_limit(p95_mm: float) -> float:
-    """Return the end of the colour scale: the next round number above 1.2 times the 95th percentile.
-
-    >>> nice_limit(0.07), nice_limit(0.3)
-    (0.1, 0.5)
-    """
-    return next((limit for limit in NICE_LIMITS_MM if limit >= 1.2 * p95_mm), 2 * p95_mm)
 
 
 def diverging_colours(values: FloatArray) -> FloatArray:
