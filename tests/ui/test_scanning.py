@@ -364,13 +364,6 @@ def test_a_scan_of_which_everything_is_stored_has_no_time_left(application, page
     assert scanning.left() is None
 
 
-def test_the_dimensions_of_a_complete_scan_are_counted_the_worst_first(inspection):
-    from ui.controllers.scanning import verdict_counts
-
-    assert list(verdict_counts(inspection).items()) == [("fail", 1), ("not proven", 1), ("not measured", 1), ("pass", 1)]
-    assert verdict_counts(None) == {}
-
-
 def test_raw_images_are_compressed_after_the_scan_as_the_project_states(application, running, quick, idle, monkeypatch, measurement, qtbot):
     from measureapp.pipeline.raw_keeping import RawOutcome
     from measureapp.pipeline.run import Outcome

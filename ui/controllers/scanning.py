@@ -10,20 +10,22 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal, Slot
 
+from measureapp.data.verdicts import part_verdict
 from measureapp.errors import InputError, MeasureError
 from ui.controllers.jobs import JobRunner
 from ui.controllers.rig_control import RigControl
 from ui.controllers.run_events import RunEvents
 from ui.controllers.scan_choices import CheckedScan, MakeRequest, ScanChoices, request_maker
 from ui.controllers.stored_sessions import project_on_disk
+from ui.look.verdict_words import summary_words
 from ui.look.wording import several
+from ui.messages import MOMENT
 from ui.session import RunNow, Session
 
 if TYPE_CHECKING:
     from measureapp.acquire.control import RunControl
     from measureapp.acquire.time_left import RunClock, TimeLeft
     from measureapp.data.calibration import RigCalibration
-    from measureapp.data.measurement import Inspection
     from measureapp.data.plan import ScanPlan
     from measureapp.data.rig import RigDescription
     from measureapp.pipeline.events import Event
@@ -32,8 +34,6 @@ if TYPE_CHECKING:
 
 NOT_PROCESSED = "The images are stored. They are not processed, because the project has no calibration."
 CALIBRATE_IT = "Calibrate the rig, then press Recompute on the page Scan."
-PASSED = "pass"
-VERDICTS = ("fail", "not proven", "not measured", PASSED, "no tolerance")  # the worst first
 PAUSES_FIRST = "The scan pauses before its first viewpoint; what comes before it can only be cancelled."
 
 
@@ -196,11 +196,15 @@ class ScanController(QObject):
             self._session.tell(NOT_PROCESSED, CALIBRATE_IT, "warning")
             return
         self._session.set_measurement(outcome.measurement, outcome.files, outcome.filters)
-        counts = verdict_counts(outcome.measurement.inspection)
-        summary = f" Dimensions: {', '.join(f'{count} {words}' for words, count in counts.items())}." if counts else ""
-        self._session.tell(
-            f"The {self._subject} is complete.{summary}", "", "done" if set(counts) <= {PASSED, "no tolerance"} else "warning"
-        )
+        inspection = outcome.measurement.inspection
+        verdicts = [str(dimension.verdict) for dimension in inspection.dimensions] if inspection else []
+        words = f"The {self._subject} is complete."
+        if not verdicts or part_verdict(verdicts) == "pass":
+            self._session.tell(f"{words} {summary_words(verdicts)}" if verdicts else words, "", "done")
+        else:
+            self._session.tell(
+                f"{words} {summary_words(verdicts)}", "The page Inspect shows the worst dimension first.", "warning", cause=MOMENT
+            )
 
     @Slot()
     def _ended(self) -> None:
@@ -281,14 +285,6 @@ def care_for_raw_images(folder: Path, job: Job) -> str:
     if project.storage_rules().raw == "keep":
         return ""
     return apply_raw_policy(project, job).sentence
-
-
-def verdict_counts(inspection: Inspection | None) -> dict[str, int]:
-    """Return how many dimensions have which verdict, in words, the worst first."""
-    if inspection is None:
-        return {}
-    found = [dimension.verdict.value for dimension in inspection.dimensions]
-    return {verdict: found.count(verdict) for verdict in VERDICTS if verdict in found}
 
 
 def _prepared(request: ScanRequest) -> ScanPrepared:
