@@ -129,7 +129,8 @@ def test_all_documents_are_written_whole(measured, block, tmp_path: Path) -> Non
     document = json.loads(files["json"].read_text())
     assert document["verdict"] == "fail"
     assert document["deviation_mm"]["rms"] == pytest.approx(0.0, abs=1e-4)
-    assert document["deviation_statistics"]["range_mm"] == [-0.2, 0.2] and document["statistics"]["inside"] == 1.0
+    found = document["deviation_statistics"]
+    assert found["range_mm"] == [-0.2, 0.2] and found["inside"] == 1.0
     assert document["views"][1]["verdict"].startswith("correction exceeds")
 
 
