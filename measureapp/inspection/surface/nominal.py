@@ -15,6 +15,7 @@ from measureapp.errors import InspectionError
 from measureapp.inspection.surface.slivers import split_slivers
 
 SHARP_DEG = 25.0
+STEEP = 1e-3  # cosine between ray and normal above which the plane of a triangle tells where a ray meets it
 ON_EDGE = 1e-4
 WELD_MM = 1e-4
 EDGE_SPACING_MM = 0.5  # of the points along sharp edges
@@ -60,13 +61,21 @@ class NominalSurface:
         self._vertex_normals = _angle_weighted_normals(corners, self.triangles, self.normals, len(self.vertices_mm))
 
     def _build_scene(self) -> Any:
+        """Build the search structure for closest points, of pieces of the triangles."""
+        if len(self._pieces.parents) == len(self.triangles):
+            return self._ray_scene
+        vertices = self._pieces.corners_mm(self.vertices_mm[self.triangles]).reshape(-1, 3)
+        return self._scene_of(vertices, np.arange(len(vertices)).reshape(-1, 3))
+
+    @cached_property
+    def _ray_scene(self) -> Any:
+        """The search structure for rays, of whole triangles: pieces would be hundreds of times as many."""
+        return self._scene_of(self.vertices_mm, self.triangles)
+
+    def _scene_of(self, vertices: FloatArray, triangles: IntArray) -> Any:
         import open3d as o3d
 
         scene = o3d.t.geometry.RaycastingScene()
-        vertices, triangles = self.vertices_mm, self.triangles
-        if len(self._pieces.parents) > len(triangles):
-            vertices = self._pieces.corners_mm(vertices[triangles]).reshape(-1, 3)
-            triangles = np.arange(len(vertices)).reshape(-1, 3)
         single = (vertices - self._offset).astype(np.float32)
         scene.add_triangles(o3d.core.Tensor.from_numpy(single), o3d.core.Tensor.from_numpy(triangles.astype(np.uint32)))
         return scene
@@ -95,14 +104,23 @@ class NominalSurface:
         return Closest(points, normals, triangles)
 
     def hits(self, points_mm: FloatArray, directions: FloatArray) -> Hits:
-        """Return the first hits of rays from ``points_mm`` (N, 3) along unit ``directions`` (N, 3)."""
+        """Return the first hits of rays from ``points_mm`` (N, 3) along unit ``directions`` (N, 3).
+
+        Which triangle is hit is found in single precision, how far it is along the ray in double precision.
+        """
         import open3d as o3d
 
         rays = np.empty((len(points_mm), 6), np.float32)
         rays[:, :3], rays[:, 3:] = points_mm - self._offset, directions
-        answer = self._scene.cast_rays(o3d.core.Tensor.from_numpy(rays))
-        pieces = np.minimum(answer["primitive_ids"].numpy().astype(np.int64), len(self._pieces.parents) - 1)  # a miss has an invalid id
-        return Hits(answer["t_hit"].numpy().astype(np.float64), self._pieces.parents[pieces])
+        answer = self._ray_scene.cast_rays(o3d.core.Tensor.from_numpy(rays))
+        found = answer["t_hit"].numpy().astype(np.float64)
+        triangles = np.minimum(answer["primitive_ids"].numpy().astype(np.int64), len(self.triangles) - 1)  # a miss has an invalid id
+        normals = self.normals[triangles]
+        slope = np.einsum("nd,nd->n", normals, directions)
+        away = np.einsum("nd,nd->n", normals, self.vertices_mm[self.triangles[triangles, 0]] - points_mm)
+        steep = np.isfinite(found) & (np.abs(slope) > STEEP)
+        found[steep] = away[steep] / slope[steep]
+        return Hits(found, triangles)
 
     def _pseudo_normals(self, triangles: IntArray, weights: FloatArray) -> FloatArray:
         """Return the normals on edges (mean of both sides) and corners (angle-weighted)."""
