@@ -83,8 +83,8 @@ def test_when_it_comes_to_rest_all_points_follow_in_parts_between_which_the_wind
     timer.timeout.connect(lambda: others.append(scene.picture_points))
     draw = inner._draw
 
-    def told(width: int, height: int) -> None:
-        draw(width, height)
+    def told(*, resized: bool) -> None:
+        draw(resized=resized)
         if scene.picture_points == scene.frame_points:  # a new picture begins
             frames.clear()
         frames.append(scene.frame_points)

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import gc
+import weakref
+
 import numpy as np
 import pytest
-from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt, QTimer
 from PySide6.QtGui import QMouseEvent, QWheelEvent
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QStackedWidget
 
 from ui.look.look import Look
 from ui.viewport.clip_box import ClipBox
@@ -208,8 +211,6 @@ def test_a_printed_picture_has_the_resolution_of_print_and_the_window_is_as_befo
 
 
 def test_several_views_share_one_render_window_that_is_closed_with_the_last(qtbot):
-    from PySide6.QtWidgets import QStackedWidget
-
     stack = QStackedWidget()
     qtbot.addWidget(stack)
     views = [CloudView(Look("light")) for _ in range(3)]
@@ -262,3 +263,33 @@ def test_a_large_surface_is_drawn_in_parts_with_a_coarse_copy_and_sharp_edges_st
     part = prepare_surface(SurfaceLayer(box.vertices, box.faces)).parts[0]
     used = part.normals[np.unique(part.triangles)]
     assert np.sort(np.abs(used), axis=1) == pytest.approx(np.tile([0, 0, 1], (len(used), 1)), abs=1e-6)
+
+
+def test_fifty_changes_of_the_view_leave_no_widgets_timers_actors_or_scenes_behind(qtbot):
+    stack = QStackedWidget()
+    qtbot.addWidget(stack)
+    stack.resize(300, 260)
+    views = [CloudView(Look("light")) for _ in range(2)]
+    layer = CloudLayer(np.random.default_rng(1).normal(size=(300, 3)), plain((200, 40, 30), 300))
+    for view in views:
+        stack.addWidget(view)
+    stack.show()
+    counts = []
+    for cycle in range(50):
+        view = views[cycle % 2]
+        stack.setCurrentWidget(view)
+        view.activate()
+        view.set_clouds([layer])
+        view.set_index(index_points(view._cloud))
+        view.repaint()
+        view._view.repaint()
+        actors = [view.stage.scene.renderer.GetActors().GetNumberOfItems() for view in views if view.stage]
+        counts.append((len(QApplication.allWidgets()), len(stack.findChildren(QTimer)), *actors))
+    assert counts[-1] == counts[10] and counts[-1][-1] == 1
+    scenes = [weakref.ref(view.stage.scene) for view in views]
+    for view in views:
+        view.close_view()
+        view._view = view.stage = None
+    qtbot.wait(1)
+    gc.collect()
+    assert [scene() for scene in scenes] == [None, None]

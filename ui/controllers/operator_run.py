@@ -16,7 +16,8 @@ from ui.controllers.operator_shelf import ShelfController
 from ui.controllers.rig_connection import VIRTUAL
 from ui.controllers.rig_control import BY_BUTTON, RigControl
 from ui.controllers.scanning import ScanController
-from ui.session import Message, Session
+from ui.messages import Message
+from ui.session import Session
 
 if TYPE_CHECKING:
     from measureapp.data.measurement import Measurement

@@ -73,6 +73,7 @@ class ViewportPage(Page):
         QShortcut(Qt.Key.Key_Escape, self, self._cancel, context=Qt.ShortcutContext.WidgetWithChildrenShortcut)
         session.graphicsChanged.connect(self._use_graphics)
         look.changed.connect(self.redraw)
+        session.projectChanged.connect(self.view.hide_picture)
         self._use_graphics()
 
     @property
@@ -134,7 +135,9 @@ class ViewportPage(Page):
             return
         self._stale = False
         composer = self.composer()
-        if composer is not None:
+        if composer is None:
+            self.view.show_picture()
+        else:
             self.is_composing = True
             if self._indexing is not None:  # of a picture that is being replaced
                 self._indexing.cancel()
@@ -167,6 +170,8 @@ class ViewportPage(Page):
     @Slot()
     def _stop_composing(self) -> None:
         self.is_composing = False
+        if not self._stale:
+            self.view.show_picture()
 
     def showEvent(self, event: QShowEvent) -> None:
         """Draw changes that occurred while the page was hidden."""

@@ -54,7 +54,10 @@ def missing_graphics() -> str:
     """Import VTK and describe the problem of the 3-D view, if any; empty: none. Slow the first time."""
     try:
         import ui.viewport.native
-        import ui.viewport.off_screen  # noqa: F401
+        import ui.viewport.off_screen
+        import ui.viewport.overlay.handles
+        import ui.viewport.preparation
+        import ui.viewport.print_picture  # noqa: F401  (loaded here, because the window must not wait for them)
     except ImportError as error:
         return f"The 3-D view needs a library that is missing ({error}). Run the installer again."
     if choose_backend() == "off-screen":

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
-from PySide6.QtCore import QPoint, QPointF, Qt, Signal
+from PySide6.QtCore import QPoint, QPointF, Qt, QTimer, Signal
 from PySide6.QtGui import QColor, QGuiApplication, QImage, QShowEvent
 from PySide6.QtWidgets import QFileDialog, QLabel, QMenu, QStackedLayout, QWidget
 
@@ -31,6 +31,7 @@ if TYPE_CHECKING:
     from ui.viewport.off_screen import OffScreenView
     from ui.viewport.point_index import PointIndex
     from ui.viewport.print_picture import Background, PrintSize
+    from ui.viewport.render_window import RenderWindow
     from ui.viewport.stage import Stage
 
 PREPARING = "Preparing 3-D view…"
@@ -58,6 +59,7 @@ class CloudView(SteeredView):
         super().__init__(parent)
         self._look = look
         self._view: OffScreenView | NativeView | None = None
+        self._window: RenderWindow | None = None
         self._allowed = False
         self._clouds: tuple[CloudLayer, ...] = ()
         self._cloud = shuffle(())
@@ -98,6 +100,19 @@ class CloudView(SteeredView):
         self._allowed = True
         if self.isVisible():
             self._create()
+        else:
+            QTimer.singleShot(0, self, self._prepare)
+
+    def hide_picture(self) -> None:
+        """Say that a picture is being prepared, in place of one that is of something else; `show_picture` ends it."""
+        if self._view is not None:
+            self._placeholder.setText(PREPARING)
+            self._stack.setCurrentWidget(self._placeholder)
+
+    def show_picture(self) -> None:
+        """Show the picture again."""
+        if self._view is not None:
+            self._stack.setCurrentWidget(self._view)
 
     def explain(self, problem: str) -> None:
         """Show the reason for a missing 3-D view."""
@@ -220,7 +235,9 @@ class CloudView(SteeredView):
             self._view.deleteLater()
         if self.stage is not None:
             self.stage.deleteLater()
-        self._view, self.stage, self._allowed = None, None, False
+        if self._window is not None:
+            self._window.leave(self)
+        self._view, self.stage, self._window, self._allowed = None, None, None, False
 
     def showEvent(self, event: QShowEvent) -> None:
         """Create the 3-D view when it is first visible."""
@@ -246,18 +263,33 @@ class CloudView(SteeredView):
         else:
             self.rayClicked.emit(pick.ray_mm, pick.direction)
 
+    def _prepare(self) -> None:
+        """Load graphics driver and shaders in idle time, before the view is first visible; the first view does it for all."""
+        if not self._allowed or self._window is not None or choose_backend() == "native":
+            return
+        from ui.viewport.preparation import Preparation
+        from ui.viewport.render_window import shared_window
+
+        is_first = shared_window(self) is None
+        self._window = _render_window(self)
+        if self._window is not None:
+            self._window.join(self)
+            if is_first:
+                Preparation(self._window)
+
     def _create(self) -> None:
         if self._view is not None:
             return
         from ui.viewport.stage import Stage
 
-        stage = Stage(OverlayStyle.of(self._look.theme), self)
-        view = _new_view(self, stage)
-        if view is None:
-            stage.deleteLater()
+        self._window = self._window or _render_window(self)
+        if self._window is None:
             self._allowed = False
             self.explain(NO_GRAPHICS)
             return
+        self._window.join(self)
+        stage = Stage(OverlayStyle.of(self._look.theme), self)
+        view = _new_view(stage, self._window)
         self.stage, self._view = stage, view
         stage.clicked.connect(self.take_pick)
         stage.menuAsked.connect(self._open_menu)
@@ -333,23 +365,30 @@ class CloudView(SteeredView):
             self.stage.refreshWanted.emit()
 
 
-def _new_view(owner: CloudView, stage: Stage) -> OffScreenView | NativeView | None:
-    """Return a view in the render window that all views of the same top-level window share; None without graphics."""
+def _render_window(owner: CloudView) -> RenderWindow | None:
+    """Return the render window that all views of the same top-level window share; None without graphics."""
     from ui.viewport.render_window import RenderWindow, shared_window
 
     shared = shared_window(owner)
+    if shared is not None:
+        return shared
+    if choose_backend() == "native":
+        from ui.viewport.native import NativeWindow
+
+        return NativeWindow(owner.window())
+    window = off_screen_window()
+    return None if window is None else RenderWindow(window, owner.window())
+
+
+def _new_view(stage: Stage, window: RenderWindow) -> OffScreenView | NativeView:
     if choose_backend() == "native":
         from ui.viewport.native import NativeView, NativeWindow
 
-        return NativeView(stage, shared if isinstance(shared, NativeWindow) else NativeWindow(owner.window()))
+        assert isinstance(window, NativeWindow)
+        return NativeView(stage, window)
     from ui.viewport.off_screen import OffScreenView
 
-    if shared is None:
-        window = off_screen_window()
-        if window is None:
-            return None
-        shared = RenderWindow(window, owner.window())
-    return OffScreenView(stage, shared)
+    return OffScreenView(stage, window)
 
 
 def _rgb(colour: QColor) -> tuple[float, float, float]:

@@ -6,7 +6,7 @@ FRAME_S = 0.075  # of 0.1 s; the rest is for everything else
 LEARNING = 0.4  # weight of the newest frame
 LEAST_POINTS = 10_000
 FINER = 1.25  # expected time of a finer subsample, which has four times the points but covers the same pixels, over that of the present one
-SOFTWARE_S_PER_POINT, HARDWARE_S_PER_POINT = 4e-7, 5e-9  # until the first frame is measured
+SOFTWARE_S_PER_POINT, HARDWARE_S_PER_POINT = 1.2e-6, 5e-9  # until the first frame is measured
 SOFTWARE_NAMES = ("llvmpipe", "softpipe", "swr", "software", "swiftshader", "gdi generic", "basic render")
 
 

@@ -254,7 +254,8 @@ class Mouse(QObject):
             self._stage.paintWanted.emit()
 
     def _ratio(self) -> float:
-        return self._widget.devicePixelRatioF()
+        """Pixels of the camera per pixel of the widget; fewer while the camera moves on a slow computer."""
+        return self._stage.scene.camera.size_px[1] / max(self._widget.height(), 1)
 
     def _device(self, place: QPointF) -> tuple[float, float]:
         """Return a place in the camera's pixels, from the lower left corner."""

@@ -213,7 +213,8 @@ class NativeView(QWidget):
         self.give_up()
         surface = self._window.surface
         self._window.take_from(self)
-        self._window.leave(self, self._stage.scene)
+        self._window.take_out(self._stage.scene)
+        self._window.leave(self)
         if self._window.holder is None:
             surface.hide()
 

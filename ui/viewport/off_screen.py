@@ -10,12 +10,14 @@ from PySide6.QtGui import QImage, QPainter, QPaintEvent, QResizeEvent
 from PySide6.QtWidgets import QWidget
 
 from ui.viewport.depth import hidden_places, pick_at
+from ui.viewport.frame_budget import FRAME_S
 from ui.viewport.mouse import Mouse
 from ui.viewport.pick import Pick
 from ui.viewport.render_window import RenderWindow
 from ui.viewport.stage import Stage
 
 GRAB_S = 0.25  # between images of a picture that is not complete
+SLOW_RATIO = 0.5
 
 
 class OffScreenView(QWidget):
@@ -27,6 +29,8 @@ class OffScreenView(QWidget):
         self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
         self._stage, self._window, self._image, self._stale = stage, window, QImage(), True
         self._grabbed = 0.0  # time of the last image
+        self._drawn_for = (0, 0, 0.0)  # size and pixel ratio of the widget for which the image was drawn
+        self._is_slow = False  # so slow that pictures of a moving camera have half the resolution
         window.join(self)
         self.mouse = Mouse(self, stage, self.pick)
         self._more = QTimer(self)
@@ -54,6 +58,7 @@ class OffScreenView(QWidget):
         while not self._stage.scene.is_complete:
             self._go_on()
         made = self._image.copy()
+        made.setDevicePixelRatio(self.devicePixelRatioF())
         painter = QPainter(made)
         self._stage.paint(painter)
         painter.end()
@@ -62,19 +67,21 @@ class OffScreenView(QWidget):
     def close_view(self) -> None:
         """Release the graphics memory."""
         self._more.stop()
-        self._window.leave(self, self._stage.scene)
+        self._window.take_out(self._stage.scene)
+        self._window.leave(self)
 
     def pick(self, place: QPointF) -> Pick:
         """Return what is at a place of the widget, in logical pixels from the top left corner."""
         self._render(anew=not self._window.shows(self._stage.scene))
-        ratio = self.devicePixelRatioF()
+        ratio = self._stage.scene.camera.size_px[1] / max(self.height(), 1)
         return pick_at(self._stage.scene, self._window.vtk, place.x() * ratio, (self.height() - place.y()) * ratio - 1.0)
 
     def paintEvent(self, _event: QPaintEvent) -> None:
         """Paint the rendered image and what belongs over it."""
         self._render()
         painter = QPainter(self)
-        painter.drawImage(0, 0, self._image)
+        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
+        painter.drawImage(self.rect(), self._image)
         self._stage.paint(painter)
         self._stage.paint_handles(painter)
 
@@ -89,16 +96,18 @@ class OffScreenView(QWidget):
         super().changeEvent(event)
 
     def _render(self, *, anew: bool = False) -> None:
-        ratio = self.devicePixelRatioF()
-        width, height = max(1, round(self.width() * ratio)), max(1, round(self.height() * ratio))
-        if not self._stale and not anew and (self._image.width(), self._image.height()) == (width, height):
+        wanted = (self.width(), self.height(), self.devicePixelRatioF())
+        if not self._stale and not anew and self._drawn_for == wanted:
             return
+        scene = self._stage.scene
+        ratio = wanted[2] * (SLOW_RATIO if scene.is_moving and self._is_slow else 1.0)
         self._stage.resize(self.width(), self.height())
         self._stage.fit_room()
-        self._window.put_in(self._stage.scene, width, height)
-        self._stage.scene.begin_picture()
-        self._draw(width, height)
-        self._stale = False
+        self._window.put_in(scene, max(1, round(self.width() * ratio)), max(1, round(self.height() * ratio)))
+        scene.begin_picture()
+        is_new = self._drawn_for != wanted
+        self._drawn_for, self._stale = wanted, False
+        self._draw(resized=is_new)
 
     def _go_on(self) -> None:
         """Add points to an incomplete picture; begin anew where another view was drawn since."""
@@ -109,18 +118,17 @@ class OffScreenView(QWidget):
             self._stale = True
         else:
             scene.go_on()
-            self._draw(self._image.width(), self._image.height())
+            self._draw(resized=False)
         self.update()
 
-    def _draw(self, width: int, height: int) -> None:
-        self._window.draw()
-        scene = self._stage.scene
-        resized = (self._image.width(), self._image.height()) != (width, height)
+    def _draw(self, *, resized: bool) -> None:
+        seconds, scene = self._window.draw(), self._stage.scene
+        if scene.is_moving and scene.budget.software:
+            self._is_slow = seconds > (FRAME_S * SLOW_RATIO**2 if self._is_slow else FRAME_S)
         now = time.monotonic()
         if scene.is_complete or resized or (scene.is_presentable and now - self._grabbed > GRAB_S):
             self._grabbed = now
             self._image = self._window.image()
-            self._image.setDevicePixelRatio(self.devicePixelRatioF())
         self._stage.say_progress()
         if not scene.is_complete:
             self._more.start()

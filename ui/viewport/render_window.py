@@ -5,7 +5,7 @@ from __future__ import annotations
 import time
 
 import numpy as np
-from PySide6.QtCore import QObject
+from PySide6.QtCore import QObject, Signal
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QWidget
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -15,11 +15,14 @@ from vtkmodules.vtkRenderingCore import vtkRenderWindow
 from ui.viewport.frame_budget import FrameBudget
 from ui.viewport.scene import Scene
 
+LEAST_VIEW_PX = 64
 SAMPLES = 4  # of multisampling by a graphics card; by the processor it is too slow at any size
 
 
 class RenderWindow(QObject):
     """Draws one scene at a time; the graphics memory of the others stays, so that changing between them is quick."""
+
+    closing = Signal()
 
     def __init__(self, window: vtkRenderWindow, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -27,22 +30,27 @@ class RenderWindow(QObject):
         self.budget: FrameBudget | None = None
         self._scene: Scene | None = None
         self._users: set[QObject] = set()
+        self.is_used = False  # by a view, not only for preparation
 
     def join(self, user: QObject) -> None:
         """Count a view that uses the window."""
         self._users.add(user)
 
-    def leave(self, user: QObject, scene: Scene) -> None:
-        """Release a view's graphics memory; the last one closes the window."""
+    def leave(self, user: QObject) -> None:
+        """Count a view less; the last one closes the window."""
+        self._users.discard(user)
+        if not self._users and self.parent() is not None:
+            self.closing.emit()
+            self.vtk.Finalize()
+            self.setParent(None)
+            self.deleteLater()
+
+    def take_out(self, scene: Scene) -> None:
+        """Release the graphics memory of a scene."""
         if self._scene is scene:
             self.vtk.RemoveRenderer(scene.renderer)
             self._scene = None
         scene.renderer.ReleaseGraphicsResources(self.vtk)
-        self._users.discard(user)
-        if not self._users:
-            self.vtk.Finalize()
-            self.setParent(None)
-            self.deleteLater()
 
     def shows(self, scene: Scene) -> bool:
         """Whether the last picture is that of this scene."""
@@ -50,6 +58,7 @@ class RenderWindow(QObject):
 
     def put_in(self, scene: Scene, width: int, height: int) -> None:
         """Make this the scene that is drawn, at this size in pixels."""
+        self.is_used = self.is_used or width > LEAST_VIEW_PX
         if self._scene is not scene:
             if self._scene is not None:
                 self.vtk.RemoveRenderer(self._scene.renderer)

@@ -197,7 +197,7 @@ class RunScreen(QWidget):
             layers = []
             for index, view in enumerate(views):
                 job.check()
-                layers.append(view_layer(theme, placed.get(view, placements.get(view.viewpoint_id), fine=True), index, "grey", 1.0))
+                layers.append(view_layer(theme, placed.get(view, placements.get(view.viewpoint_id), fine=True), index, "grey", None))
             return Picture(tuple(layers))
 
         self.view.compose(compose if views else None)

@@ -13,12 +13,16 @@ from ui.look.theme import Theme
 from ui.look.wording import NOTHING, quantity
 from ui.pages.inspection.dimension_rows import dimension_words, features_of, unit_of
 from ui.pages.inspection.feature_lines import dimension_labels, feature_lines, verdict_rgb
+from ui.pages.inspection.part_picture import GREYS
+from ui.pages.layers import mesh_layer, points_layer
+from ui.pages.viewport_page import Composer, Picture
 from ui.viewport.layers import Label, LineLayer
+from ui.workers.job import Job
 
 if TYPE_CHECKING:
     from measureapp.data.dimension import Dimension
     from measureapp.data.feature import Feature
-    from measureapp.data.measurement import Inspection
+    from measureapp.data.measurement import Inspection, Measurement
 
 MOST = 3
 OBLIQUE = np.array([-0.45, -0.5, 0.55])  # added to the direction of a feature, so that its edges show
@@ -37,7 +41,7 @@ class DimensionWords:
 def shown_dimensions(dimensions: Sequence[Dimension]) -> tuple[Dimension, ...]:
     """Return the worst dimensions, at most three: those that do not pass, or of a part that passes those nearest to a limit."""
     ordered = worst_first(dimensions)
-    open_ = [one for one in ordered if one.verdict != "pass"]
+    open_ = [one for one in ordered if one.verdict not in ("pass", "no tolerance")]
     return tuple(open_[:MOST] or ordered[:MOST])
 
 
@@ -49,17 +53,21 @@ def words_of(dimension: Dimension) -> DimensionWords:
 
 
 def _limit(dimension: Dimension, unit: str) -> str:
-    lower, upper = dimension.nominal + dimension.lower_tolerance, dimension.nominal + dimension.upper_tolerance
-    if dimension.deviation is None:
+    deviation, lower, upper = dimension.deviation, dimension.lower_tolerance, dimension.upper_tolerance
+    if deviation is None:
         return dimension.reason or "It could not be measured."
-    exceeded = dimension.deviation > dimension.upper_tolerance or dimension.deviation < dimension.lower_tolerance
-    above = dimension.deviation > (dimension.lower_tolerance + dimension.upper_tolerance) / 2
-    words = {"limit": quantity(upper if above else lower, unit), "u": quantity(dimension.round_uncertainty(), unit)}
+    if lower is None or upper is None:
+        return "The program states no tolerance."
+    above = deviation > (lower + upper) / 2
+    bound = upper if above else lower
+    words = {
+        "limit": quantity(dimension.nominal + bound, unit),
+        "u": quantity(dimension.round_uncertainty(), unit),
+        "past": quantity(abs(deviation - bound), unit),
+    }
     if dimension.verdict == "not proven":
         return ("at most {limit}, U = {u}" if above else "at least {limit}, U = {u}").format(**words)
-    past = dimension.deviation - (dimension.upper_tolerance if above else dimension.lower_tolerance)
-    words["past"] = quantity(abs(past), unit)
-    if exceeded:
+    if dimension.verdict == "fail":
         return ("at most {limit}: {past} too large" if above else "at least {limit}: {past} too small").format(**words)
     return ("at most {limit}" if above else "at least {limit}").format(**words)
 
@@ -71,6 +79,21 @@ def drawn(inspection: Inspection, theme: Theme) -> tuple[list[LineLayer], list[L
     for dimension in reversed(shown):
         lines += feature_lines((), _features(inspection, dimension), dimension, None, verdict_rgb(theme, dimension))
     return lines, dimension_labels(theme, shown, inspection.features, None)
+
+
+def part_composer(measurement: Measurement, shade: str) -> Composer | None:
+    """Return the composer of the measured surface, or of the points where there is none; None without an inspection."""
+    inspection, mesh, stitched = measurement.inspection, measurement.mesh, measurement.stitched
+    if inspection is None:
+        return None
+    nominal_from_part, grey = inspection.alignment.nominal_from_part, GREYS[shade]
+
+    def compose(_job: Job) -> Picture:
+        if mesh is not None:
+            return Picture(surface=mesh_layer(mesh, nominal_from_part, grey))
+        return Picture((points_layer(stitched, nominal_from_part, grey),))
+
+    return compose
 
 
 def seen_from(inspection: Inspection) -> tuple[float, float, float] | None:
