@@ -14,7 +14,7 @@ from measureapp.data.mesh import Mesh
 from measureapp.errors import InspectionError
 from measureapp.geometry.transform import RigidTransform, orthonormalise
 from measureapp.inspection.alignment.point_to_plane import Registration, cost, register
-from measureapp.inspection.alignment.starts import all_round_starts, upright_starts
+from measureapp.inspection.alignment.starts import all_round_starts, head_down_starts, upright_starts
 from measureapp.inspection.measured_points import HasPoints, MeasuredPoints
 from measureapp.inspection.settings import AlignmentSettings
 from measureapp.inspection.surface.nominal import NominalSurface
@@ -22,8 +22,10 @@ from measureapp.inspection.surface.units import check_size
 from measureapp.progress import NoProgress, PartOf, Progress
 
 FINALISTS = 4
+BOTH_WAYS = "best fit; the part fits upright and on its head equally well"
 EQUIVALENT_COST = 1.1  # costs within 10 % are equivalent positions of a symmetric part
 STILL_COARSE = 0.05  # difference of the costs of equivalent positions before refinement
+CERTAIN_COST = 0.03  # above it an upright part may be one on its head: a gear on its head fits upright with 0.10, a true fit costs 1e-5
 POOR_COST = 0.35  # share of the truncated cost above which the fit has failed
 
 
@@ -64,7 +66,7 @@ def best_fit(
 ) -> Alignment:
     """Find the rigid motion that best fits points to a nominal mesh, without an initial value.
 
-    Starts are rotations about z (upright part) and, if these fail, in all directions; each is improved coarsely, the best ones finely. Of
+    Starts are rotations about z (upright part); if these do not fit closely, the same on its head; if both fail, in all directions; each is improved coarsely, the best ones finely. Of
     the equivalent positions of a symmetric part the one with the smallest rotation is chosen, so that repeated measurements agree.
 
     Raises
@@ -75,26 +77,33 @@ def best_fit(
     points = MeasuredPoints.of(measured)
     surface = nominal if isinstance(nominal, NominalSurface) else NominalSurface(nominal)
     check_size(points.points_mm, surface.vertices_mm)
-    best = _search(points, surface, settings, progress)
+    best, ambiguous = _search(points, surface, settings, progress)
     fine = register(points.thin(settings.fine_points), surface, best.matrix, settings)
     _refuse_another_part(fine, surface, settings)
     transform = RigidTransform(orthonormalise(fine.matrix), "nominal", frame)
-    return Alignment("best fit", transform, fine.rms_mm, fine.overlap, fine.undetermined)
+    return Alignment(BOTH_WAYS if ambiguous else "best fit", transform, fine.rms_mm, fine.overlap, fine.undetermined)
 
 
-def _search(points: MeasuredPoints, surface: NominalSurface, settings: AlignmentSettings, progress: Progress) -> _Candidate:
-    """Try the starts of an upright part first, all directions only if these fail."""
+def _search(points: MeasuredPoints, surface: NominalSurface, settings: AlignmentSettings, progress: Progress) -> tuple[_Candidate, bool]:
+    """Try the starts of an upright part first, on its head if these do not fit closely, all directions only if both fail.
+
+    Returns the best candidate, and whether the part fits upright and on its head equally well.
+    """
     sample, finer = points.thin(settings.coarse_points), points.thin(4 * settings.coarse_points)
 
     def finished(starts: list[FloatArray], part: Progress) -> list[_Candidate]:
         improved = _improve_starts(sample, surface, starts, settings, part)
         return [_finish(finer, surface, candidate, settings) for candidate in _select_finalists(improved)]
 
-    finalists = finished(upright_starts(sample.points_mm, surface), PartOf(progress, 0.0, 0.3)) if settings.upright else []
+    finalists = finished(upright_starts(sample.points_mm, surface), PartOf(progress, 0.0, 0.2)) if settings.upright else []
+    if finalists and min(candidate.cost for candidate in finalists) > CERTAIN_COST:
+        finalists += finished(head_down_starts(sample.points_mm, surface), PartOf(progress, 0.2, 0.4))
     if not finalists or min(candidate.cost for candidate in finalists) > POOR_COST:
-        finalists += finished(all_round_starts(sample.points_mm, surface), PartOf(progress, 0.3, 1.0))
+        finalists += finished(all_round_starts(sample.points_mm, surface), PartOf(progress, 0.4, 1.0))
     limit = EQUIVALENT_COST * min(candidate.cost for candidate in finalists)
-    return min((candidate for candidate in finalists if candidate.cost <= limit), key=lambda c: c.turn_rad)
+    equal = [candidate for candidate in finalists if candidate.cost <= limit]
+    ways = {candidate.matrix[2, 2] > 0 for candidate in equal}
+    return min(equal, key=lambda c: c.turn_rad), settings.upright and len(ways) > 1
 
 
 def _improve_starts(

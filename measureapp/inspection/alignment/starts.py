@@ -25,6 +25,12 @@ def upright_starts(points_mm: FloatArray, surface: NominalSurface) -> list[Float
     return starts
 
 
+def head_down_starts(points_mm: FloatArray, surface: NominalSurface) -> list[FloatArray]:
+    """Return 4×4 starts as `upright_starts`, for a part that was turned over about x."""
+    over = np.diag([1.0, -1.0, -1.0, 1.0])
+    return [start @ over for start in upright_starts(points_mm @ over[:3, :3].T, surface)]
+
+
 def all_round_starts(points_mm: FloatArray, surface: NominalSurface) -> list[FloatArray]:
     """Return 4×4 starts in all directions: aligned principal axes, and uniform rotations (super-Fibonacci spiral, M. Alexa, CVPR 2022)."""
     centre, nominal_centre = _middle(points_mm), (surface.low_mm + surface.high_mm) / 2

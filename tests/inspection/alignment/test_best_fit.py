@@ -37,6 +37,14 @@ def test_a_part_turned_anyhow_on_the_table_is_found(part, fold, turn_deg, sample
     assert alignment.undetermined == ()
 
 
+def test_a_part_on_its_head_is_not_taken_for_an_upright_one_that_fits_fairly_well(samples, scan) -> None:
+    gear = samples("gear")
+    over = RigidTransform.from_parts(np.diag([1.0, -1.0, -1.0]), [3.0, -2.0, 40.0], "part", "nominal")
+    alignment = best_fit(scan(gear.nominal, over, NOISE_MM, count=20_000), gear.surface)
+    assert alignment.nominal_from_part.rotation[2, 2] < -0.99
+    assert alignment.name == "best fit"  # upright it fits with 100 times the cost
+
+
 def test_a_part_seen_from_one_side_only_is_found(samples, scan, on_table) -> None:
     nominal, placed = samples("gypsum").nominal, on_table(70.0)
     half = scan(nominal, placed, NOISE_MM, count=60_000, seen_from=(0.6, -0.5, 0.6))
