@@ -86,3 +86,20 @@ def test_missing_files_and_other_extensions_are_refused(tmp_path, capsys) -> Non
     code, document = answer(capsys, stl(tmp_path), "--rig", "paper", "--out", tmp_path / "plan.xml", "--samples", 100)
     assert code == 2
     assert "plan.xml" in document["error"]["message"]
+
+
+def test_a_part_on_its_head_is_planned_as_such_and_the_plan_says_so(tmp_path, capsys) -> None:
+    out = tmp_path / "head.json"
+    code, document = answer(capsys, stl(tmp_path), "--rig", "paper", "--out", out, "--upside-down", "--samples", 200, *QUICK)
+    assert code == 0 and document["part_pose"]["rotation_deg"] == [180.0, 0.0, 0.0]
+    pose = read_plan(out).part_pose
+    assert pose is not None and "turned by 180/0/0°" in pose.words
+    assert document["median_sigma_mm"] < 0.02 and "guide and table" in document["note"]
+    lost = next(one for one in document["coverage"]["unreachable"] if one["reason"] == "touches the support")
+    assert lost["fraction"] < 0.2  # the rim of its top, not its whole bottom
+
+
+def test_two_statements_of_a_pose_are_refused(tmp_path, capsys) -> None:
+    arguments = ["plan", "make", str(stl(tmp_path)), "--rig", "paper", "--out", str(tmp_path / "a.json"), "--upside-down", "--turn-deg"]
+    assert main([*arguments, "90", "0", "0", "--json"]) == 2
+    assert "Only one of" in json.loads(capsys.readouterr().out)["error"]["message"]

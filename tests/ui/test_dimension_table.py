@@ -266,3 +266,20 @@ def test_selected_features_propose_a_dimension_and_constructions_that_fit(applic
     bar.menu.actions()[0].trigger()
     settled(application, qtbot)
     assert page.side.features.names() == ("offset 1",) and "offset 1" in [one.name for one in application.session.inspection.features]
+
+
+def test_the_alignment_is_chosen_by_its_elements_with_lamps_for_what_they_fix(application, page, qtbot):
+    page.side.list.setValue("alignment")
+    panel = page.side.alignment
+    panel.method.setValue("datums")
+    assert panel.lamps.fixed == 0 and not panel.apply.isEnabled()
+    panel._add("plate")
+    assert panel.lamps.fixed == 3 and panel.count.text().startswith("3/6; free: ") and panel.apply.isEnabled()
+    panel._add("ball")
+    assert panel.lamps.fixed == 5 and panel.value() == {"method": "datums", "datums": ["plate", "ball"]}
+    panel.apply.click()
+    settled(application, qtbot)
+    assert not application.session.inspection.alignment.name.startswith("none") and "plate" in panel.result.text().lower()
+    page.undo_last()
+    settled(application, qtbot)
+    assert application.session.inspection.alignment.name.startswith("none") and panel.value() == {"method": "none"}

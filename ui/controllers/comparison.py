@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
 NEAR_MM = 2.0  # the nominal counts as not measured without a point this close
 PLACES = 60_000
+MAP_TRIANGLES = 250_000  # of the coloured nominal, so that it turns smoothly
 USUAL_TOLERANCE_MM = (-0.1, 0.1)  # of the legend, until another one is set
 
 
@@ -103,5 +104,5 @@ def compute_comparison(
         index,
         statistics,
         smooth_for_eye(index),
-        map_deviation(found, nominal, NEAR_MM),
+        map_deviation(found, nominal, NEAR_MM, MAP_TRIANGLES),
     )

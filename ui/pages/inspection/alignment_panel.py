@@ -22,11 +22,12 @@ if TYPE_CHECKING:
     from measureapp.data.measurement import Inspection
     from measureapp.inspection.programming.freedom import Freedom
 
-METHODS = {"best-fit": "Best fit", "datums": "Datums", "3-2-1": "3-2-1", "rps": "RPS"}
+METHODS = {"best-fit": "Best fit", "datums": "Datums", "3-2-1": "3-2-1", "rps": "RPS", "none": "None"}
 ROLES = {"datums": ("A", "B", "C"), "3-2-1": ("Plane", "Line", "Point"), "rps": tuple(str(number) for number in range(1, 13))}
-LEAST = {"best-fit": 0, "datums": 1, "3-2-1": 3, "rps": 3}
+LEAST = {"best-fit": 0, "none": 0, "datums": 1, "3-2-1": 3, "rps": 3}
 HOW = {
-    "best-fit": "All points as close to the nominal as possible. For comparison only: it hides defects by sharing them out.",
+    "best-fit": "All points as close to the nominal as possible. For comparison only: it spreads defects over the whole part.",
+    "none": "The coordinates of the part as they are, without an alignment.",
     "datums": "A, B and C in their order; each fixes what the earlier ones leave free.",
     "3-2-1": "A plane fixes three degrees of freedom, a line or axis two more, a point the last one.",
     "rps": "Reference points, each along its normal; further ones take part by least squares.",
@@ -131,7 +132,7 @@ class AlignmentPanel(QFrame):
             return
         self._shown = state.program.alignment
         method = self._shown.method
-        self._names = [] if method == "best-fit" else list(alignment_features(self._shown))
+        self._names = list(alignment_features(self._shown)) if method in ROLES else []
         blocked = self.method.blockSignals(True)
         self.method.setValue(method if method in METHODS else "best-fit")
         self.method.blockSignals(blocked)
@@ -163,7 +164,7 @@ class AlignmentPanel(QFrame):
         state, method = self._programming.state, self.method.value()
         if state is None:
             return
-        uses = method != "best-fit"
+        uses = method in ROLES
         self.how.setText(HOW[method])
         freedom, problem = freedom_of(state.program, method, self._names)
         self._show_elements(method, freedom)
@@ -209,7 +210,7 @@ def freedom_of(program: InspectionProgram, method: str, names: Sequence[str]) ->
     from measureapp.data.alignment_program import ReferencePoint
     from measureapp.inspection.programming.freedom import elements_freedom, points_freedom
 
-    if method == "best-fit" or not names:
+    if method not in ROLES or not names:
         return None, ""
     try:
         if method == "rps":

@@ -22,8 +22,8 @@ class DriversList(QWidget):
 
     allowAsked = Signal(object)  # PluginRow
 
-    def __init__(self, look: Look, offers: Sequence[PluginOffer]) -> None:
-        super().__init__()
+    def __init__(self, look: Look, offers: Sequence[PluginOffer], parent: QWidget | None = None) -> None:
+        super().__init__(parent)
         self.rows: list[PluginRow] = []
         self.table = DataTable(look, ["Driver", "Version", "Drives", "State"], stretch=0)
         self.table.rowSelected.connect(self._show_row)

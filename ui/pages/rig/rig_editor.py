@@ -73,7 +73,8 @@ class RigEditor(QDialog):
             self.list.item(self.list.count() - 1).setSizeHint(QSize(0, LINE_HEIGHT))
             self._scrolls[name] = _scroll()
             self.stack.addWidget(self._scrolls[name])
-        self.drivers_list = DriversList(look, offers)
+        self.drivers_list = DriversList(look, offers, self)  # owned also before its section is first shown
+        self.drivers_list.hide()
         self.drivers_list.allowAsked.connect(self.allowAsked)
         self._lay_out()
         self.list.currentRowChanged.connect(self._choose)
@@ -193,13 +194,17 @@ class RigEditor(QDialog):
 
     # the sections
 
+    def _drivers_section(self) -> tuple[dict[str, FieldEditor], list[QWidget]]:
+        self.drivers_list.show()
+        return {}, [self.drivers_list]
+
     def _build(self, name: str) -> None:
         if name in self.parts:
             return
         builders: dict[str, Callable[[], tuple[dict[str, FieldEditor], list[QWidget]]]] = {
             RIG: self._rig_section,
             LINKS: self._links_section,
-            DRIVERS: lambda: ({}, [self.drivers_list]),
+            DRIVERS: self._drivers_section,
         }
         parts, widgets = builders[name]() if name in builders else self._fields_section(name)
         for part in parts.values():
