@@ -44,6 +44,13 @@ class PartView(QWidget):
         self.view.set_lines(lines)
         self.view.set_labels(labels)
 
+    def clear(self) -> None:
+        """Show nothing, so that no part is taken for the one before."""
+        self._composer, self._stale = None, False
+        self.view.set_surface(None)
+        self.view.set_clouds(())
+        self.mark((), ())
+
     def look_from(self, direction: tuple[float, float, float]) -> None:
         """Show everything from a direction."""
         self.view.frame(None, direction)

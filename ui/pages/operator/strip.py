@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QFrame, QLabel
 
 from ui.controllers.operator_nouns import ShiftCount
 from ui.look.look import Look
-from ui.look.wording import percent
+from ui.look.wording import percent, several
 from ui.pages.operator.big import big_label
 from ui.widgets.basic import clear, row
 
@@ -40,7 +40,7 @@ class ShiftStrip(QFrame):
     def show_shift(self, count: ShiftCount, since: datetime) -> None:
         """Show the numbers of a shift that began at ``since``."""
         self._shown = count, since
-        self.since.setText(f"Since {since:%H:%M}: {count.parts} parts")
+        self.since.setText(f"Since {since:%H:%M}: {several(count.parts, 'part')}")
         numbers = {"pass": count.passed, "fail": count.failed, "not proven": count.open}
         names = {"pass": "{n} pass", "fail": "{n} fail", "not proven": "{n} not proven"}
         for name, shown in self.counts.items():

@@ -100,6 +100,7 @@ class VerdictScreen(QWidget):
         whole = column(self.band, middle, self._buttons(look), spacing=12)
         whole.setStretch(1, 1)
         self.setLayout(whole)
+        self._operator.run.began.connect(self.view.clear)
         self._operator.run.filedChanged.connect(self._show_filed)
         self._operator.stock.changed.connect(self._show_filed)
         look.changed.connect(self._show)
