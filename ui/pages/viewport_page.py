@@ -25,7 +25,7 @@ from ui.widgets.empty_state import EmptyState
 from ui.workers.job import Job
 
 ROOM_FOR_WORDS = 1150  # px
-LEAST_PICTURE, LEAST_SIDE = 556, 368  # px, the page's margins included
+LEAST_PICTURE, LEAST_SIDE = 556, 400  # px, the page's margins included
 LEAST_SPLIT, SPLITTER_PX, LARGE = 440, 16, 2000
 
 
