@@ -192,6 +192,7 @@ class RigCalibration:
     axis: RotationAxis  # in the guide frame
     provenance: Provenance = field(default_factory=Provenance)
     stations: tuple[RobotStation, ...] = ()
+    view_gaps_mm: float | None = None  # by which it separates views of one part before registration, rms, k = 2; None: not known
 
     def __post_init__(self) -> None:
         if self.axis.frame != "guide":

@@ -95,6 +95,7 @@ def rig_calibration_document(calibration: RigCalibration) -> dict[str, Any]:
         "axis": link_document(calibration.axis),
         "provenance": asdict(calibration.provenance),
         "stations": [_plain(station) for station in calibration.stations],
+        **({} if calibration.view_gaps_mm is None else {"view_gaps_mm": calibration.view_gaps_mm}),
     }
 
 
@@ -107,6 +108,7 @@ def rig_calibration_from(document: Mapping[str, Any], cameras: CameraArrayCalibr
         axis=axis_from(document["axis"]),
         provenance=Provenance(**document["provenance"] | {"arguments": tuple(document["provenance"].get("arguments", ()))}),
         stations=tuple(RobotStation(transform_from(station["read"]), transform_from(station["true"])) for station in document["stations"]),
+        view_gaps_mm=document.get("view_gaps_mm"),
     )
 
 

@@ -33,6 +33,11 @@ def test_a_good_calibration_shows_age_and_millimetres(calibration, rig):
     assert "stand as they were calibrated" in state.tip
 
 
+def test_a_joint_solution_states_what_it_adds_itself(calibration, rig):
+    joint = replace(calibration, view_gaps_mm=0.06)
+    assert "adds 0.060" in calibration_state(joint, rig, None, made(calibration)).words
+
+
 def test_a_poor_fit_is_said_without_a_number_that_looks_good(calibration, rig):
     poor = replace(calibration, hand_eye=replace(calibration.hand_eye, residual_mm=9.0))
     state = calibration_state(poor, rig, None, made(calibration))

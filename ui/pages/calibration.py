@@ -33,7 +33,7 @@ EMPTY_TEXT = (
     "Fix the calibration board on the table, then calibrate the whole rig in one automatic run. "
     "The cameras alone can be calibrated from recorded images too."
 )
-ADDED_WORDS = "added at most to a length (k = 2)"
+ADDED_WORDS = "added to a length between views (k = 2)"
 CAMERAS_ONLY = "The cameras are calibrated; hand–eye, linear guide and table axis are not. Calibrate the whole rig next."
 SHARES_TEXT = "Root sum of squares, as for independent solutions. They are solved together, so a part of it cancels."
 

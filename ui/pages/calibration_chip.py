@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from measureapp.data.validity import Validity
 
 NONE_TIP = "Calibrate the rig on the Calibrate page"
-ADDED_TIP = "Age of the calibration, and what it adds at most to a length between two views, before registration (k = 2)."
+ADDED_TIP = "Age of the calibration, and what it adds to a length between two views, before registration (k = 2)."
 
 
 @dataclass(frozen=True)

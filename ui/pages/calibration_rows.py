@@ -94,11 +94,14 @@ def _lens_row(name: str, camera: CameraCalibration | ProjectorCalibration) -> So
 
 
 def added_to_length_mm(calibration: RigCalibration, rig: RigDescription | None) -> float:
-    """Return what the calibration adds at most to a length between two views, in mm (k = 2), before registration.
+    """Return what the calibration adds to a length between two views, in mm (k = 2), before registration.
 
-    Of views from opposite sides the errors of hand–eye and axis point in opposite directions, so each counts twice; those of the guide are
-    stated for its whole stroke and count once. The solutions are taken as independent.
+    A calibration of the whole rig states it by its joint covariance. Of one put together from single solutions it is at most this: of
+    views from opposite sides the errors of hand–eye and axis point in opposite directions, so each counts twice; those of the guide are
+    stated for its whole stroke and count once; the solutions are taken as independent.
     """
+    if calibration.view_gaps_mm is not None:
+        return calibration.view_gaps_mm
     shares = dict(contributions(calibration, rig)[:-1])
     twice = [value * (1.0 if name.startswith("Guide") else 2.0) for name, value in shares.items()]
     return COVERAGE_FACTOR * sum(value**2 for value in twice) ** 0.5

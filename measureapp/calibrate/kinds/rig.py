@@ -71,13 +71,13 @@ class Rig(Kind):
             cameras = solve_cameras(draft, PartOf(progress, 0.0, CAMERAS_SHARE))
             assert cameras.camera_solution is not None  # they were calibrated
             rig = solve_with_cameras(numbered, cameras.camera_solution, draft.setup, PartOf(progress, CAMERAS_SHARE, 1.0))
-            return _with_rig(draft, cameras, rig)
+            return _with_view_gaps(draft, _with_rig(draft, cameras, rig))
         seen = locate_board(replace(draft, observations=numbered))
         try:
             rig = solve_located(seen, draft.setup, progress)
         except CalibrationError as error:
             raise explain_by_rejected(error, seen) from error
-        return solved_axes(draft, seen, rig, _predict_boards(rig), rig.rejected)
+        return _with_view_gaps(draft, solved_axes(draft, seen, rig, _predict_boards(rig), rig.rejected))
 
     @override
     def shortfalls(self, draft: Draft) -> tuple[str, ...]:
@@ -204,6 +204,16 @@ def _with_rig(draft: Draft, cameras: Solved, rig: RigSolution) -> Solved:
         residuals_px=residuals_px(draft.observations, predicted, calibrated, cameras.board),
         residuals_mm=residuals_mm(predicted, cameras.places, cameras.board),
     )
+
+
+def _with_view_gaps(draft: Draft, solved: Solved) -> Solved:
+    """Return the same, with the gaps between views stated in the calibration, by its joint covariance."""
+    chosen = sample_readbacks(_used_readbacks(draft, solved))
+    if len(chosen) < 2:
+        return solved
+    typical, _ = view_consistency_sigma_mm(solved.solution, chosen)
+    rig: RigSolution = solved.solution
+    return replace(solved, solution=replace(rig, calibration=replace(rig.calibration, view_gaps_mm=COVERAGE_FACTOR * typical)))
 
 
 def _predict_boards(rig: RigSolution) -> dict[str, RigidTransform]:
