@@ -15,6 +15,7 @@ from measureapp.errors import InspectionError
 from measureapp.inspection.uncertainty import COVERAGE_FACTOR
 
 CONFIDENCE = 0.95  # of the intervals
+LEAST_P = 0.001  # smaller probabilities are not told apart
 LEVEL = 0.05  # significance level of all tests of a study together
 LEAST_MEASUREMENTS = 2
 MOVED_MM = 0.5  # displacement of the part on the table beyond which it was clamped anew
@@ -173,13 +174,17 @@ def _incomplete(dimensions: Sequence[RepeatedDimension]) -> tuple[str, ...]:
     )
 
 
+def _p_words(p_value: float) -> str:
+    return "p < 0.001" if p_value < LEAST_P else f"p = {p_value:.2g}"
+
+
 def _spread(dimensions: Sequence[RepeatedDimension]) -> tuple[str, ...]:
     tests: Mapping[str, SpreadTest] = {one.name: one.test for one in dimensions if one.test is not None}
     if not tests:
         return ("No dimension has both a spread and a stated uncertainty to compare it with.",)
     wrong = [
         f"{one.name}: the standard deviation {one.std:.4f} {one.unit} contradicts the stated uncertainty U = "
-        f"{COVERAGE_FACTOR * one.test.stated_sigma:.4f} {one.unit} (chi-square test, p = {one.test.p_value:.2g}): "
+        f"{COVERAGE_FACTOR * one.test.stated_sigma:.4f} {one.unit} (chi-square test, {_p_words(one.test.p_value)}): "
         "something varies that the uncertainty budget does not contain, for example clamping, temperature or the part itself."
         for one in dimensions
         if one.test is not None and one.test.contradicts

@@ -14,6 +14,7 @@ from ui.session import Session
 
 if TYPE_CHECKING:
     from measureapp.data.mesh import Mesh
+    from measureapp.data.part_pose import PartPose
     from measureapp.data.rig import RigDescription
     from measureapp.planning.collision.build import PartSolid
     from measureapp.planning.coverage.samples import SurfaceSamples
@@ -48,10 +49,11 @@ class PlanPart(QObject):
         self._session, self._runner = session, runner
         self.prepared: PreparedPart | None = None
         self._chosen: Path | None = None  # by a person; None: that of the project
-        self._wanted: tuple[Path, RigDescription] | None = None
+        self._wanted: tuple[Path, RigDescription, PartPose | None] | None = None
         self._is_watched = False
         session.projectChanged.connect(self._follow_project)
         session.rigChanged.connect(self._follow)
+        session.planChanged.connect(self._follow)  # it states how the part stands
 
     @property
     def path(self) -> Path | None:
@@ -82,10 +84,11 @@ class PlanPart(QObject):
             self._read(path)
 
     def _read(self, path: Path) -> None:
-        rig = self._session.rig
-        if rig is not None and self._wanted != (path, rig):
-            self._wanted = (path, rig)
-            self._runner.run(f"Reading {path.name}", lambda job: prepare(path, rig, job), self._show, quiet=True)
+        rig, plan = self._session.rig, self._session.plan
+        pose = None if plan is None else plan.part_pose
+        if rig is not None and self._wanted != (path, rig, pose):
+            self._wanted = (path, rig, pose)
+            self._runner.run(f"Reading {path.name}", lambda job: prepare(path, rig, pose, job), self._show, quiet=True)
 
     @Slot(object)
     def _show(self, prepared: PreparedPart) -> None:
@@ -107,8 +110,8 @@ def nominal_of(session: Session) -> Path | None:
     return sample if sample.is_file() else None
 
 
-def prepare(path: Path, rig: RigDescription, job: Job) -> PreparedPart:
-    """Read and sample a nominal; runs on a job's thread."""
+def prepare(path: Path, rig: RigDescription, pose: PartPose | None, job: Job) -> PreparedPart:
+    """Read and sample a nominal as it stands on the table, upright without a pose; runs on a job's thread."""
     from measureapp.pipeline.plan_coverage import SAMPLES, place_on_table
     from measureapp.planning.collision.build import PartSolid
     from measureapp.planning.coverage.samples import sample_surface
@@ -116,7 +119,7 @@ def prepare(path: Path, rig: RigDescription, job: Job) -> PreparedPart:
     from measureapp.project.geometry.files import read_mesh
 
     job.report(0, 3, path.name)
-    mesh = place_on_table(read_mesh(path))
+    mesh = place_on_table(read_mesh(path), pose)
     job.report(1, 3, path.name)
     scene = PartScene.of(mesh, rig)
     samples = sample_surface(scene, SAMPLES)

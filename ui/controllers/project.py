@@ -78,6 +78,45 @@ class ProjectController(QObject):
 
         self._runner.run("New project", work, self._show)
 
+    @Slot(object, object)
+    def start(self, template: Path, folder: Path) -> None:
+        """Make a project from a template (.mpart) in ``folder``, and open it."""
+        rig = self._session.rig
+        if self._session.refuse_during_job() or self._session.ask_about_unsaved(lambda: self.start(template, folder)):
+            return
+
+        def work(job: Job) -> ReadProject:
+            from measureapp.pipeline.templates import new_project
+            from measureapp.project.part_program_file import read_part_program
+
+            job.report(0, 1, "Making the project")
+            read = read_part_program(template)
+            new_project(read, folder, rig=rig if read.rig is None else None)
+            return read_project(folder, job)
+
+        self._runner.run("New project", work, self._show)
+
+    @Slot(object)
+    def save_template(self, path: Path) -> None:
+        """Save the open project as a template of new ones: everything but its data."""
+        source = self._session.folder
+        if source is None or self._session.refuse_during_job():
+            return
+
+        def work(job: Job) -> Path:
+            from measureapp.pipeline.templates import template_of_project
+            from measureapp.project.folder import ProjectFolder
+            from measureapp.project.part_program_file import write_part_program
+
+            job.report(0, 1, path.name)
+            return write_part_program(template_of_project(ProjectFolder.open(source)), path)
+
+        self._runner.run("Saving the template", work, self._say_saved)
+
+    @Slot(object)
+    def _say_saved(self, path: Path) -> None:
+        self._session.tell(f"The template is saved to {path}.", "New projects start from it: New project from a template.", "done")
+
     @Slot(object)
     def copy_to(self, folder: Path) -> None:
         """Copy the open project to ``folder``, and open the copy."""

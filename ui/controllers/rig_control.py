@@ -17,7 +17,10 @@ from ui.workers.job import Job
 if TYPE_CHECKING:
     from measureapp.acquire.events import AcquisitionEvent
     from measureapp.acquire.jog import Axis
+    from measureapp.data.part_pose import PartPose
+    from measureapp.data.plan import ScanPlan
     from measureapp.devices.rig import Rig
+    from measureapp.planning.collision.build import PartSolid
 
 BY_BUTTON = "Stop was pressed."
 
@@ -33,6 +36,7 @@ class RigControl(QObject):
         self._session, self._runner = session, runner
         self._live = threading.Event()  # images are wanted
         self.live_exposure_us: int | None = None  # None: the longest of the rig
+        self._part: tuple[tuple[Path | None, PartPose | None], PartSolid | None] | None = None  # of the open project, once it was needed
         self._stopped.connect(self._report_stop)
 
     @property
@@ -122,15 +126,28 @@ class RigControl(QObject):
         rig = self._rig
         if rig is None:
             return
-        wanted = self._pause_live()
+        wanted, folder, plan = self._pause_live(), self._session.folder, self._session.plan
 
         def work(job: Job) -> CellState:
             from measureapp.acquire.jog import jog
 
-            jog(rig, axis, step, job)
+            jog(rig, axis, step, job, self._part_on(folder, plan))
             return _read(rig)
 
         self._move("Moving by hand", work, wanted)
+
+    def _part_on(self, folder: Path | None, plan: ScanPlan | None) -> PartSolid | None:
+        """Return the part of the open project, which a move by hand must not touch; read once, as a held button makes many steps."""
+        from measureapp.pipeline.part_on_table import part_on_table
+        from measureapp.project.folder import ProjectFolder
+
+        if folder is None or not (folder / "project.json").is_file():
+            return None
+        project = ProjectFolder.open(folder)
+        known = (project.nominal, None if plan is None else plan.part_pose)
+        if self._part is None or self._part[0] != known:
+            self._part = known, part_on_table(project)
+        return self._part[1]
 
     @Slot()
     def find_references(self) -> None:

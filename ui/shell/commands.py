@@ -118,8 +118,10 @@ def _register_project(actions: Actions, window: CommandedWindow) -> None:
     busy, project = _no_job(session), _open_project(session)
     actions.register(
         Action("project.new", "New project…", menu.new, "create make folder", shortcut="Ctrl+N", why_not=busy, icon="add"),
+        Action("project.start", "New project from a template…", menu.start, "part program mpart", why_not=busy),
         Action("project.open", "Open project…", menu.open, "folder load", shortcut="Ctrl+O", why_not=busy, icon="open"),
         Action("project.copy", "Save a copy as…", menu.copy, "save as duplicate", shortcut="Ctrl+Shift+S", why_not=project),
+        Action("project.template", "Save as a template…", menu.save_template, "mpart new", why_not=project),
         Action("project.close", "Close project", menu.close, "end", shortcut="Ctrl+W", why_not=project),
         Action("project.compute", "Recompute from the stored images", window.controllers.project.process, "process again", why_not=project),
         Action(

@@ -22,12 +22,15 @@ from ui.widgets.unit_dialog import UnitDialog
 
 CLOUDS = "Clouds and meshes (*.ply *.stl *.obj *.pcd *.xyz *.txt *.csv *.asc *.pts)"
 REFERENCES = "Nominals and inspection programs (*.stl *.ply *.obj *.step *.stp *.toml)"
+TEMPLATES = "Templates and part programs (*.mpart)"
 PROJECTS = "projects"  # purpose of the folder that holds projects
 ENTRIES = (
     "project.new",
+    "project.start",
     "project.open",
     "",
     "project.copy",
+    "project.template",
     "project.close",
     "",
     "file.inspect",
@@ -88,6 +91,25 @@ class ProjectMenu(QObject):
     def _create(self, folder: Path, part: str) -> None:
         self._settings.set_folder(PROJECTS, folder.parent)
         self._controllers.project.create(folder, part)
+
+    def start(self) -> None:
+        """Ask for a template, and for the folder of the project that starts from it."""
+        if self._session.refuse_during_job():
+            return
+        template = choose_file(self._window, "Choose a template", TEMPLATES, "templates", self._settings)
+        if template is not None:
+            folder = choose_new(self._window, "Create the project in a new folder", template.stem, PROJECTS, self._settings)
+            if folder is not None:
+                self._controllers.project.start(template, folder)
+
+    def save_template(self) -> None:
+        """Ask for the file of a template of the open project."""
+        if self._session.refuse_during_job():
+            return
+        name = f"{self._session.part or self._session.project_name}.mpart"
+        chosen = choose_new(self._window, "Save the project as a template", name, "templates", self._settings, TEMPLATES)
+        if chosen is not None:
+            self._controllers.project.save_template(chosen)
 
     def open(self) -> None:
         """Ask for the folder of a project."""

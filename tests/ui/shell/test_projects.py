@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from PySide6.QtWidgets import QFileDialog
 
-from measureapp.project.folder import ProjectFolder
+from measureapp.project.folder import ProjectFolder, ProjectSettings
 from ui.app import build
 
 
@@ -38,6 +38,21 @@ def test_a_project_is_made_copied_and_closed(application, window, rig, tmp_path,
     assert application.session.project_name == "Second" and ProjectFolder.open(tmp_path / "Second").settings.part == "housing"
     window.actions_.perform("project.close")
     assert application.session.folder is None and window.windowTitle() == "MeasureApp"
+
+
+def test_a_template_of_a_project_is_the_start_of_another(application, window, rig, plan, tmp_path, monkeypatch, idle):
+    source = ProjectFolder.create(tmp_path / "first", ProjectSettings(name="first", part="gypsum", rig=rig))
+    source.save_plan(plan)
+    application.controllers.project.open(source.path)
+    assert idle().level == "done"
+    names = iter([str(tmp_path / "Cross.mpart"), str(tmp_path / "Second")])
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (next(names), ""))
+    monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_: (str(tmp_path / "Cross.mpart"), ""))
+    window.actions_.perform("project.template")
+    assert "The template is saved to" in idle().text
+    window.actions_.perform("project.start")
+    assert idle().level == "done" and application.session.folder == tmp_path / "Second"
+    assert application.session.plan == plan and not ProjectFolder.open(tmp_path / "Second").stored_viewpoints()
 
 
 def test_without_a_rig_a_new_project_says_what_is_missing(application, window):
