@@ -29,6 +29,7 @@ from ui.controllers.rig_calibrating import RigCalibratingController
 from ui.controllers.rig_control import RigControl
 from ui.controllers.rig_editing import RigEditing
 from ui.controllers.scanning import ScanController
+from ui.controllers.series import SeriesController
 from ui.controllers.startup import StartupController
 from ui.controllers.stored_images import StoredImagesController
 from ui.controllers.view_choices import ViewChoicesController
@@ -56,6 +57,7 @@ class Controllers(QObject):
         self.rig_editing = RigEditing(session, self.editing, self.rig, self)
         self.scanning = ScanController(session, self.jobs, self.background, self.rig, self)
         self.repeats = RepeatsController(session, self.jobs, self.scanning, self)
+        self.series = SeriesController(session, self.jobs, self)
         self.extending = ExtendingController(session, self.jobs, self.scanning, self)
         self.rig_calibrating = RigCalibratingController(session, self.jobs, self.rig, self)
         self.demo = DemoController(session, self.jobs, self.rig, self.scanning, self)

@@ -24,6 +24,7 @@ from ui.widgets.properties_panel import Group, Properties
 if TYPE_CHECKING:
     from measureapp.data.identification import Identification
     from ui.pages.repeats.dialog import RepeatsDialog
+    from ui.pages.series.dialog import SeriesDialog
 
 EMPTY = (
     "No report yet",
@@ -74,7 +75,11 @@ class ReportPage(Page):
         self.repeats: RepeatsDialog | None = None
         repeat = self.repeat = Button("Repeats…", look, "again", "normal", "Mean and spread over several measurements of this part")
         repeat.clicked.connect(self.open_repeats)
+        self.series_of_parts: SeriesDialog | None = None
+        series = self.series = Button("Series…", look, "report", "normal", "Trend and capability over all parts measured by one program")
+        series.clicked.connect(self.open_series)
         self.action_row.addWidget(repeat)
+        self.action_row.addWidget(series)
         self.action_row.addWidget(self.open_pdf)
         controllers.documents.pagesReady.connect(self.show_pages)
         controllers.documents.pagesFailed.connect(self._show_no_pages)
@@ -89,6 +94,14 @@ class ReportPage(Page):
         if self.repeats is None:
             self.repeats = RepeatsDialog(self.look, self.session, self.controllers.repeats, self)
         self.repeats.begin()
+
+    def open_series(self) -> None:
+        """Open the window of a series of parts; it is made when first used."""
+        from ui.pages.series.dialog import SeriesDialog
+
+        if self.series_of_parts is None:
+            self.series_of_parts = SeriesDialog(self.look, self.session, self.controllers.series, self)
+        self.series_of_parts.begin()
 
     def _export_button(self, kind: str) -> Button:
         made = Button(FORMATS[kind][0] + "…", self.look, "export")

@@ -25,7 +25,8 @@ def paint_flags(
     hidden: Collection[int] = (),
     chosen: str = "",
 ) -> None:
-    """Draw lines, dots and boxes; flags whose anchor is hidden by the part are faint."""
+    """Draw lines, dots and boxes; flags whose anchor is hidden by the part are faint, except for the chosen one."""
+    hidden = {index for index in hidden if flags[index].key != chosen}
     painter.save()
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     for index in places.collapsed:

@@ -1,0 +1,1 @@
+"""Series of parts: trend and capability."""
