@@ -29,6 +29,7 @@ from measureapp.project.folder import ProjectFolder
 from measureapp.project.journal import database, publish
 from measureapp.project.rig_file import read_rig
 from measureapp.report.csv import csv_text
+from measureapp.report.model import Details
 from tests.cli.refusal import refused
 from tests.project.journal.whole_project import copied, stack, whole_project
 
@@ -158,7 +159,7 @@ class _Model:
     """The part of a report that the table uses."""
 
     def __init__(self, dimensions: tuple[Dimension, ...]) -> None:
-        self.dimensions = dimensions
+        self.dimensions, self.details = dimensions, Details()
 
 
 def test_row_15_a_project_that_was_deleted_during_a_scan_is_reported_and_not_made_anew(project: ProjectFolder) -> None:

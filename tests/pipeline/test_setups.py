@@ -30,7 +30,7 @@ def _without_surface_and_pictures() -> Iterator[None]:
     """They take most of the time, and are those of other projects."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("measureapp.pipeline.setups.compute_surface", lambda stitched, on_event, progress: None)
-        patch.setattr("measureapp.report.compose.render_part", lambda measurement: ())
+        patch.setattr("measureapp.report.compose.render_part", lambda measurement, scene=None: ())
         yield
 
 

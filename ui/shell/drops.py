@@ -77,19 +77,19 @@ def _folder(path: Path, actions: DropActions) -> Drop:
 
 
 def _document(path: Path, actions: DropActions) -> Drop:
-    kind = toml_kind(path)
-    if kind == "rig":
+    described = toml_content(path)
+    if described == "rig":
         return Drop(f"The rig {path.name} is chosen", lambda: actions.open_rig(path))
-    if kind == "plan":
+    if described == "plan":
         return Drop(f"The scan plan {path.name} is opened", lambda: actions.open_plan(path))
-    if kind == "program" and actions.is_measured():
+    if described == "program" and actions.is_measured():
         return Drop(f"{path.name} becomes the inspection program of the project", lambda: actions.set_program(path))
-    if kind == "program":
+    if described == "program":
         return Drop("This is an inspection program. Open a measured project first.")
     return Drop(f"{path.name} is neither a rig, a scan plan nor an inspection program.")
 
 
-def toml_kind(path: Path) -> str:
+def toml_content(path: Path) -> str:
     """Return what a TOML file describes, by its tables: "rig", "plan", "program"; empty: none of them."""
     try:
         if path.stat().st_size > LARGEST_TOML_BYTES:

@@ -10,7 +10,7 @@ from PySide6.QtGui import QDragEnterEvent, QDropEvent
 from PySide6.QtWidgets import QApplication
 
 from measureapp.resources import resource
-from ui.shell.drops import DropActions, meaning, toml_kind
+from ui.shell.drops import DropActions, meaning, toml_content
 
 
 @pytest.fixture
@@ -50,14 +50,14 @@ def test_each_kind_of_file_goes_where_it_belongs(tmp_path, actions, done):
 
 
 def test_documents_are_told_apart_by_what_they_hold(tmp_path, actions, done):
-    assert toml_kind(resource("rigs/paper.toml")) == "rig"
+    assert toml_content(resource("rigs/paper.toml")) == "rig"
     programs = sorted(resource("parts").glob("*/program*.toml"))
-    assert programs and all(toml_kind(program) == "program" for program in programs)
+    assert programs and all(toml_content(program) == "program" for program in programs)
     plans = sorted(resource("plans").glob("*.toml"))
-    assert plans and all(toml_kind(plan) == "plan" for plan in plans)
+    assert plans and all(toml_content(plan) == "plan" for plan in plans)
     torn = tmp_path / "torn.toml"
     torn.write_bytes(b"\xff[[[")
-    assert toml_kind(torn) == "" and toml_kind(tmp_path / "gone.toml") == ""
+    assert toml_content(torn) == "" and toml_content(tmp_path / "gone.toml") == ""
     assert dropped(programs[0], actions, done)[1] == "set_program"
 
 
