@@ -40,7 +40,7 @@ def _register_raw(app: typer.Typer) -> None:
         as_json: JsonOption = False,
     ) -> None:
         """List the raw images of a project with their size; compress, expand or remove them."""
-        from measureapp.data.raw_policy import StorageRules
+        from measureapp.data.storage_rules import StorageRules
         from measureapp.errors import InputError
         from measureapp.pipeline.raw_keeping import apply_raw_policy
         from measureapp.project import raw_images

@@ -10,7 +10,7 @@ from pathlib import Path
 from measureapp.data.identification import Identification
 from measureapp.data.mesh import Mesh
 from measureapp.data.part_program import PartProgram
-from measureapp.data.raw_policy import StorageRules
+from measureapp.data.storage_rules import StorageRules
 from measureapp.project.folder import ProjectFolder
 from measureapp.project.geometry.files import read_mesh
 from measureapp.project.identification_file import read_identification, save_identification

@@ -14,8 +14,9 @@ from measureapp.data.calibration import RigCalibration
 from measureapp.data.measurement import Measurement
 from measureapp.data.part_program import PartProgram
 from measureapp.data.plan import ScanPlan
-from measureapp.data.raw_policy import RawPolicy, StorageRules
+from measureapp.data.raw_policy import RawPolicy
 from measureapp.data.rig import RigDescription
+from measureapp.data.storage_rules import StorageRules
 from measureapp.devices.rig import Rig
 from measureapp.errors import CalibrationError, InputError
 from measureapp.pipeline.assemble import assemble

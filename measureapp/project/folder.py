@@ -30,8 +30,8 @@ from measureapp.data.measurement import Measurement
 from measureapp.data.mesh import Mesh
 from measureapp.data.plan import ScanPlan
 from measureapp.data.project_settings import DEFAULT_BOARD, ProjectSettings
-from measureapp.data.raw_policy import StorageRules
 from measureapp.data.rig import RigDescription
+from measureapp.data.storage_rules import StorageRules
 from measureapp.data.validity import CheckRecord
 from measureapp.data.view_choices import ViewChoices
 from measureapp.errors import CalibrationError, Damaged, InputError, StorageError

@@ -10,7 +10,7 @@ import pytest
 from demo_fixture import Demo, linked_copy
 
 from measureapp.cli import main
-from measureapp.data.raw_policy import StorageRules
+from measureapp.data.storage_rules import StorageRules
 from measureapp.pipeline import raw_keeping
 from measureapp.pipeline.kept_views import views_without_images
 from measureapp.pipeline.raw_keeping import apply_raw_policy, pending_raw

@@ -10,7 +10,7 @@ from PySide6.QtGui import QImage
 
 from measureapp.acquire import events as e
 from measureapp.acquire.run_states import ViewpointState
-from measureapp.data.raw_policy import StorageRules
+from measureapp.data.storage_rules import StorageRules
 from measureapp.errors import PlanError, StorageError
 from measureapp.pipeline import events as p
 from measureapp.pipeline.preflight import Preflight

@@ -66,8 +66,9 @@ def best_fit(
 ) -> Alignment:
     """Find the rigid motion that best fits points to a nominal mesh, without an initial value.
 
-    Starts are rotations about z (upright part); if these do not fit closely, the same on its head; if both fail, in all directions; each is improved coarsely, the best ones finely. Of
-    the equivalent positions of a symmetric part the one with the smallest rotation is chosen, so that repeated measurements agree.
+    Starts are rotations about z (upright part); if these do not fit closely, also those of a part on its head; if they fail, in all
+    directions; each is improved coarsely, the best ones finely. Of the equivalent positions of a symmetric part the one with the smallest
+    rotation is chosen, so that repeated measurements agree.
 
     Raises
     ------
@@ -85,7 +86,7 @@ def best_fit(
 
 
 def _search(points: MeasuredPoints, surface: NominalSurface, settings: AlignmentSettings, progress: Progress) -> tuple[_Candidate, bool]:
-    """Try the starts of an upright part first, on its head if these do not fit closely, all directions only if both fail.
+    """Try the starts of an upright part first, on its head if these do not fit closely, all directions only if they fail.
 
     Returns the best candidate, and whether the part fits upright and on its head equally well.
     """
@@ -96,10 +97,11 @@ def _search(points: MeasuredPoints, surface: NominalSurface, settings: Alignment
         return [_finish(finer, surface, candidate, settings) for candidate in _select_finalists(improved)]
 
     finalists = finished(upright_starts(sample.points_mm, surface), PartOf(progress, 0.0, 0.2)) if settings.upright else []
-    if finalists and min(candidate.cost for candidate in finalists) > CERTAIN_COST:
-        finalists += finished(head_down_starts(sample.points_mm, surface), PartOf(progress, 0.2, 0.4))
-    if not finalists or min(candidate.cost for candidate in finalists) > POOR_COST:
-        finalists += finished(all_round_starts(sample.points_mm, surface), PartOf(progress, 0.4, 1.0))
+    upright_cost = min((candidate.cost for candidate in finalists), default=np.inf)
+    if upright_cost > POOR_COST:
+        finalists += finished(all_round_starts(sample.points_mm, surface), PartOf(progress, 0.2, 1.0))
+    elif upright_cost > CERTAIN_COST:
+        finalists += finished(head_down_starts(sample.points_mm, surface), PartOf(progress, 0.2, 1.0))
     limit = EQUIVALENT_COST * min(candidate.cost for candidate in finalists)
     equal = [candidate for candidate in finalists if candidate.cost <= limit]
     ways = {candidate.matrix[2, 2] > 0 for candidate in equal}
