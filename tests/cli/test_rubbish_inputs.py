@@ -100,6 +100,10 @@ INPUTS: list[tuple[str, str]] = [
     ("repeat IN IN --out OUT", ""),
     ("join IN PROJECT --out OUT", ""),
     ("scan PLAN --rig paper --project OUT --calibration IN", ""),
+    ("program of IN --out OUT", ""),
+    ("program start IN --project OUT", "mpart"),
+    ("series add IN", ""),
+    ("series rebuild PROGRAM IN", ""),
 ]
 
 
@@ -127,4 +131,11 @@ def test_rubbish_is_refused_by_name(line: str, ending: str, kind: str, shelf: Pa
 def test_every_command_that_reads_something_is_given_rubbish() -> None:
     tried = {tuple(line.split()) for line, _ in INPUTS}
     untried = [command for command in ALL_COMMANDS if not any(words[: len(command)] == command for words in tried)]
-    assert sorted(untried) == [("board", "export"), ("gui",), ("patterns", "list"), ("plugins",)]  # without input, or tested elsewhere
+    named = [("series", "list"), ("series", "report"), ("series", "show")]  # of a series by its name
+    assert sorted(untried) == [
+        ("board", "export"),
+        ("gui",),
+        ("patterns", "list"),
+        ("plugins",),
+        *named,
+    ]  # without input, or tested elsewhere

@@ -81,10 +81,19 @@ def series_value(dimension: Dimension) -> SeriesValue:
 
 
 def find_runs(folders: Iterable[Path]) -> tuple[SeriesRun, ...]:
-    """Return the runs stored in projects in and below ``folders``; files that cannot be read are passed over."""
+    """Return the runs stored in projects in and below ``folders``; files of runs that cannot be read are passed over.
+
+    Raises
+    ------
+    InputError
+        One of the folders contains no project.
+    """
     found: dict[str, SeriesRun] = {}
     for folder in folders:
-        for project in _projects(Path(folder), DEEPEST):
+        projects = tuple(_projects(Path(folder), DEEPEST))
+        if not projects:
+            raise InputError(f"{folder} contains no project.", "Name project folders, or folders with projects in them.")
+        for project in projects:
             for path in sorted((project / FOLDER).glob("*.json")):
                 try:
                     run = read_model(path, SeriesRun)

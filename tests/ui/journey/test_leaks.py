@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from tests.ui.inventory import grown, inventory
+from ui.controllers.jobs import JobRunner
 
 ROOT = Path(__file__).resolve().parents[3]
 PATIENCE_MS = 20_000
@@ -42,10 +43,13 @@ print("grown:", grown(first, last))
 
 
 def _cycle(window, qtbot) -> None:
+    runners = window.controllers.findChildren(JobRunner)
+    assert runners
     for name, page in window.pages.items():
         window.show_page(name)
         qtbot.wait(10)
         qtbot.waitUntil(lambda page=page: not getattr(page, "is_composing", False), timeout=PATIENCE_MS)
+        qtbot.waitUntil(lambda: not any(runner.queue.busy for runner in runners), timeout=PATIENCE_MS)
 
 
 @pytest.mark.parametrize("cycles", [2, pytest.param(50, marks=pytest.mark.slow)])

@@ -119,6 +119,7 @@ def workshop(application, window, rig, measurement, sample_programs, qtbot, tmp_
     """Return operator mode as an operator finds it."""
     monkeypatch.setattr("ui.controllers.documents.DocumentsController.preview", lambda self: None)
     shutil.copytree(sample_programs, tmp_path / "MeasureApp" / "programs")
+    monkeypatch.setattr("ui.pages.operator.big.SECOND_PRESS_MS", 0)  # no hand is as fast as a test
     made = Workshop(application, window, measurement, qtbot)
     monkeypatch.setattr(application.controllers.scanning, "run", made.scan)
     application.session.set_rig(rig)
