@@ -96,7 +96,7 @@ class MainWindow(QMainWindow):
                 open_project=self.controllers.project.open,
                 inspect=self.project_menu.inspect,
                 set_nominal=self.controllers.nominal.use,
-                set_program=programming.read,
+                set_program=self.project_menu.use_program,
                 open_plan=lambda path: (self.show_page("plan"), self.controllers.planning.open(path)),
                 open_rig=lambda path: (self.show_page("rig"), self.controllers.rig.choose(path)),
                 running=lambda: self.session.busy_with,

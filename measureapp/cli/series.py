@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 from measureapp.cli.reply import JsonOption, reply
+from measureapp.errors import InputError
 
 ProgramArgument = Annotated[str, typer.Argument(help="Name of the program, as `series list` shows it.")]
 RootOption = Annotated[Path | None, typer.Option("--results", help="Folder of all series; by default MeasureApp/results in your home.")]
@@ -96,9 +97,14 @@ def _add_rebuild(group: typer.Typer) -> None:
     ) -> None:
         """Rebuild a damaged series from what is left of it and from project folders."""
         from measureapp.project.series.filing import find_runs
-        from measureapp.project.series.store import SeriesStore
+        from measureapp.project.series.store import SeriesStore, list_programs
 
-        made = SeriesStore(program, results).rebuild(find_runs(projects))
+        found = find_runs(projects)
+        if not found and program not in list_programs(results):
+            raise InputError(
+                f"{projects[0]} contains no measured part, and there is no series of {program}.", "Name other project folders."
+            )
+        made = SeriesStore(program, results).rebuild(found)
         document = {
             "runs": made.runs,
             "from_damaged": made.from_damaged,

@@ -152,15 +152,6 @@ class ProgrammingController(QObject):
         if self.state is not None:
             self._push(ProgramState.of(text, self.state), "Inspection program changed.")
 
-    def read(self, path: Path) -> None:
-        """Use the program of a file; one that is not valid is refused in words."""
-        try:
-            self.replace(path.read_text(encoding="utf-8"))
-        except (OSError, UnicodeDecodeError) as error:
-            self._session.tell(f"{path.name} cannot be read: {error}.", "Choose another file.", "error")
-        except MeasureError as error:
-            self._session.tell(f"{path.name}: {error.message}", error.hint, "error")
-
     def edit(self, change: Edit, words: str) -> bool:
         """Edit the program; an edit that is not possible is refused with a message. Return whether it was made."""
         if self.state is None or not self.can_change:

@@ -10,6 +10,7 @@ from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import QMenu, QWidget
 
 from measureapp.data.length_unit import LengthUnit
+from measureapp.errors import MeasureError
 from ui.actions.actions import Actions
 from ui.controllers.controllers import Controllers
 from ui.controllers.files import FileQuestion, FilesToMeasure
@@ -143,6 +144,15 @@ class ProjectMenu(QObject):
         reference = choose_file(self._window, "Choose its nominal or inspection program", REFERENCES, "nominals", self._settings)
         if reference is not None:
             self._controllers.files.measure(FilesToMeasure(cloud, reference))
+
+    def use_program(self, path: Path) -> None:
+        """Make a file the inspection program of the project; one that is not valid is refused in words."""
+        try:
+            self._controllers.programming.replace(path.read_text(encoding="utf-8"))
+        except (OSError, UnicodeDecodeError) as error:
+            self._session.tell(f"{path.name} cannot be read: {error}.", "Choose another file.", "error")
+        except MeasureError as error:
+            self._session.tell(f"{path.name}: {error.message}", error.hint, "error")
 
     def _ask_unit(self, asked: FileQuestion) -> None:
         question, kept = asked.question, "unit" if asked.question.what == "points" else "nominal_unit"

@@ -86,14 +86,13 @@ def find_runs(folders: Iterable[Path]) -> tuple[SeriesRun, ...]:
     Raises
     ------
     InputError
-        One of the folders contains no project.
+        One of the folders is none.
     """
     found: dict[str, SeriesRun] = {}
     for folder in folders:
-        projects = tuple(_projects(Path(folder), DEEPEST))
-        if not projects:
-            raise InputError(f"{folder} contains no project.", "Name project folders, or folders with projects in them.")
-        for project in projects:
+        if not Path(folder).is_dir():
+            raise InputError(f"{folder} is not a folder.", "Name project folders, or folders with projects in them.")
+        for project in _projects(Path(folder), DEEPEST):
             for path in sorted((project / FOLDER).glob("*.json")):
                 try:
                     run = read_model(path, SeriesRun)
