@@ -50,6 +50,7 @@ def build(application: QApplication) -> Application:
     controllers = Controllers(session)
     window = MainWindow(look, session, controllers, settings)
     settings.changed.connect(lambda name: look.set_shade(_shade(application, settings)) if name == "theme" else None)
+    session.appearanceChanged.connect(lambda: settings.set_text("role", session.role))
     return Application(settings, look, session, controllers, window)
 
 

@@ -48,7 +48,6 @@ SMALLEST = (1280, 720)
 TITLE_BARS = 72  # height of desktop bars on a screen of the smallest size
 CLOSING_WAIT_MS = 20_000
 ROOMY_WIDTH = 1500
-LANGUAGES_READY = ("en",)
 
 
 class MainWindow(QMainWindow):
@@ -82,11 +81,11 @@ class MainWindow(QMainWindow):
 
     def _add_commands(self) -> None:
         words = {page.name: page.word for page in self.pages.values()}
-        self.actions_ = Actions(self)
+        self.actions_ = Actions(self, lambda: self.session.role == "engineer")
         self.project_menu = ProjectMenu(self.look, self.session, self.controllers, self.settings, self)
         self.messages = MessagesDialog(self.look, self.session.messages, self._words_of, self)
         self.help = HelpDialog(self.look, self)
-        self.settings_dialog = SettingsDialog(self.look, self.settings, LANGUAGES_READY, self)
+        self.settings_dialog = SettingsDialog(self.look, self.settings, self)
         self.palette_ = CommandPalette(self.look, self.actions_, words, self)
         self.shortcuts = ShortcutList(self.look, self.actions_, words, self)
         register_commands(self.actions_, self)
@@ -101,6 +100,7 @@ class MainWindow(QMainWindow):
                 open_plan=lambda path: (self.show_page("plan"), self.controllers.planning.open(path)),
                 open_rig=lambda path: (self.show_page("rig"), self.controllers.rig.choose(path)),
                 running=lambda: self.session.busy_with,
+                is_engineer=lambda: self.session.role == "engineer",
                 is_measured=lambda: programming.can_change,
             ),
             self,

@@ -73,7 +73,7 @@ def register(app: typer.Typer) -> None:
         }
         lines = _summary_lines(found, figures)
         statistics = _statistics(found, surface, measured, tolerance, search)
-        document["statistics"], lines = statistics_document(statistics), [*lines, *_statistics_lines(statistics)]
+        document["deviation_statistics"], lines = statistics_document(statistics), [*lines, *_statistics_lines(statistics)]
         if tolerance is not None:
             document["bands"] = _bands_document(found, tolerance, lines)
         if section:
@@ -181,10 +181,11 @@ def _cutting_surface(words: str) -> CuttingSurface:
 
 def _write_map(found: Deviation, nominal: Mesh, reach_mm: float, path: Path) -> None:
     from measureapp.inspection.surface.deviation_map import map_deviation
+    from measureapp.inspection.surface.statistics import USUAL_TOLERANCE_MM, default_range_mm
     from measureapp.project.geometry.deviation_files import write_deviation_map
-    from measureapp.report.deviation_pictures import NOT_MEASURED, diverging_colours, nice_limit
+    from measureapp.report.deviation_pictures import NOT_MEASURED, diverging_colours
 
     made = map_deviation(found, nominal, reach_mm)
-    colours = diverging_colours(made.distances_mm / nice_limit(found.p95_mm))
+    colours = diverging_colours(made.distances_mm / default_range_mm(found.distances_mm, USUAL_TOLERANCE_MM))
     colours[~made.measured] = NOT_MEASURED
     write_deviation_map(path, made, colours, found.alignment.name)

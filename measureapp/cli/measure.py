@@ -41,6 +41,7 @@ def register(app: typer.Typer) -> None:
         as_json: JsonOption = False,
     ) -> None:
         """Measure the dimensions of an inspection program; exit code 1 unless all pass."""
+        from measureapp.data.verdicts import worst_first
         from measureapp.inspection.dimensions import inspect
         from measureapp.inspection.settings import InspectionSettings, UncertaintySettings
         from measureapp.inspection.verdict import RULES
@@ -65,6 +66,6 @@ def register(app: typer.Typer) -> None:
         }
         lines = [f"{inspection.program}. {alignment_lines(inspection.alignment)}"]
         lines += [f"{name}: {alignment_lines(further)}" for name, further in inspection.further.items()]
-        reply(document, "\n".join([*lines, *map(dimension_line, inspection.dimensions), rule]), as_json)
+        reply(document, "\n".join([*lines, *map(dimension_line, worst_first(inspection.dimensions)), rule]), as_json)
         if any(dimension.verdict not in ACCEPTED for dimension in inspection.dimensions):
             raise typer.Exit(OUT_OF_TOLERANCE)

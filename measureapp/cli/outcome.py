@@ -69,7 +69,9 @@ def measurement_lines(measurement: Measurement) -> list[str]:
     lines += [f"Calibration: {sentence}" for sentence in measurement.validity.all_warnings]
     if measurement.inspection is None:
         return [*lines, "The project has no inspection program."]
-    return lines + [dimension_line(dimension) for dimension in measurement.inspection.dimensions]
+    from measureapp.data.verdicts import worst_first
+
+    return lines + [dimension_line(dimension) for dimension in worst_first(measurement.inspection.dimensions)]
 
 
 def dimension_line(dimension: Dimension) -> str:

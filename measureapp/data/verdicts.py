@@ -13,8 +13,8 @@ def part_verdict(verdicts: Iterable[Verdict | str]) -> Verdict:
     >>> part_verdict(["pass", "not measured", "not proven"]).value, part_verdict([]).value, part_verdict(["no tolerance"]).value
     ('not proven', 'not measured', 'not proven')
     """
-    worst = worst_verdict(Verdict(one) for one in verdicts) or Verdict.NOT_MEASURED
-    return Verdict.NOT_PROVEN if worst is Verdict.NO_TOLERANCE else worst
+    found = [Verdict(one) for one in verdicts]
+    return worst_verdict(found) or (Verdict.NOT_PROVEN if found else Verdict.NOT_MEASURED)
 
 
 def worst_first(dimensions: Sequence[Dimension]) -> tuple[Dimension, ...]:

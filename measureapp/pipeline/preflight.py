@@ -26,6 +26,7 @@ from measureapp.planning.collision.cell import Cell
 from measureapp.planning.collision.cell_paths import placement_of
 from measureapp.planning.collision.check import check_in
 from measureapp.planning.reach import check_reach, limit_violations
+from measureapp.progress import Progress
 from measureapp.project.folder import ProjectFolder
 from measureapp.project.geometry.robot_file import arm_of
 
@@ -55,7 +56,12 @@ class Preflight:
 
 
 def check_plan(
-    plan: ScanPlan, rig: RigDescription, project: ProjectFolder, part: PartSolid | None = None, start: Start | None = None
+    plan: ScanPlan,
+    rig: RigDescription,
+    project: ProjectFolder,
+    part: PartSolid | None = None,
+    start: Start | None = None,
+    progress: Progress | None = None,
 ) -> Preflight:
     """Check what needs no device: ambiguity of the patterns, limits, reach, collisions, disk space.
 
@@ -63,22 +69,28 @@ def check_plan(
     ----------
     part : what will stand on the table; None: it is not known, and not checked
     start : where the axes are; None: at the park pose of the rig, else at the first viewpoint
+    progress : raises Cancelled between two viewpoints
     """
     notes: list[str] = []
     problems = _gather(
         lambda: check_determines_phase(plan.patterns),
         lambda: check_reach(plan, rig, arm_of(rig)),
-        lambda: notes.extend(_check_collisions(plan, rig, part, start)),
+        lambda: notes.extend(_check_collisions(plan, rig, part, start, progress)),
         lambda: check_space(project, rig, plan),
     )
     return Preflight(problems, tuple(notes), sum(stack_bytes(rig, plan, viewpoint) for viewpoint in plan), None)
 
 
 def check_connected(
-    plan: ScanPlan, rig: Rig, project: ProjectFolder, calibration: RigCalibration | None, part: PartSolid | None = None
+    plan: ScanPlan,
+    rig: Rig,
+    project: ProjectFolder,
+    calibration: RigCalibration | None,
+    part: PartSolid | None = None,
+    progress: Progress | None = None,
 ) -> Preflight:
     """Check plan and connected devices: also the state of each, the move from where the axes are, exposures and shutters, the calibration."""
-    offline = check_plan(plan, rig.description, project, part, _start(rig))
+    offline = check_plan(plan, rig.description, project, part, _start(rig), progress)
     warnings = [*offline.warnings, *(() if isinstance(rig.robot, JointRobot) else (OWN_PATH,))]
 
     def validity() -> None:
@@ -115,12 +127,14 @@ def _start(rig: Rig) -> Start | None:
         return None
 
 
-def _check_collisions(plan: ScanPlan, rig: RigDescription, part: PartSolid | None, start: Start | None) -> tuple[str, ...]:
+def _check_collisions(
+    plan: ScanPlan, rig: RigDescription, part: PartSolid | None, start: Start | None, progress: Progress | None
+) -> tuple[str, ...]:
     """Refuse collisions of the viewpoints within reach; return what could not be checked."""
     arm = arm_of(rig)
     within = [viewpoint for viewpoint in plan if not limit_violations(viewpoint, rig, arm)]
     cell = Cell.of(rig, arm, part)
-    report = check_in(cell, within, None if start is None else placement_of(cell, *start))
+    report = check_in(cell, within, None if start is None else placement_of(cell, *start), progress)
     report.refuse()
     return report.notes
 

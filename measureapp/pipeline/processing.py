@@ -15,6 +15,7 @@ from measureapp.data.calibration import RigCalibration
 from measureapp.data.fringe import FringeStack
 from measureapp.data.measurement import ViewResult
 from measureapp.errors import DecodeError, ReconstructError, StorageError
+from measureapp.pipeline.clock_watch import ClockWatch
 from measureapp.pipeline.events import Event, ViewFailed, ViewReady
 from measureapp.pipeline.live_decoding import LiveDecoding, LiveMaps
 from measureapp.pipeline.measure import compute_cloud
@@ -49,6 +50,7 @@ class Processing:
     ) -> None:
         self.views: dict[str, ViewResult] = {}
         self.stored: set[str] = set()
+        self._clock = ClockWatch()
         self._ended = False  # stopped: what is still computed is of no use to anybody
         self._project, self._calibration, self._on_event, self._watch = project, calibration, on_event, watch
         self._settings, self._registration_cache = decode_settings_of(project), registration_cache
@@ -87,6 +89,7 @@ class Processing:
         started = time.monotonic()
         with self._watch.stage("storing"):
             self._project.frames.store(stack)
+            self._clock.note(self._project.path)
         self.stored.add(stack.viewpoint_id)
         live = self._live.take(stack.viewpoint_id)
         if live is not None:

@@ -111,7 +111,7 @@ def calibrate_rig(
     rig: Rig, project: ProjectFolder, on_event: OnEvent, progress: Progress, watch: Stopwatch, control: RunControl | None = None
 ) -> CalibratedRig:
     """Take the missing images of the board from all sides, keep them, and solve the whole rig from all; raises as `calibrate_into_project`."""
-    viewpoints = calibration_viewpoints(rig.description, project.plan(), arm=arm_of(rig.description))
+    viewpoints = calibration_viewpoints(rig.description, project.plan(), arm=arm_of(rig.description), progress=progress)
     stored = {view.viewpoint_id for view in project.board_views()}
     waiting: list[Viewpoint] = [viewpoint for viewpoint in viewpoints if viewpoint.id not in stored]
     failed: tuple[ViewpointFailed, ...] = ()

@@ -110,12 +110,12 @@ def scan_into_project(
     """
     project = _project_of(request)
     part = _part_of(request, project)
-    check_plan(request.plan, request.rig, project, part).refuse()
+    check_plan(request.plan, request.rig, project, part, progress=progress).refuse()
     calibrated = _calibrated_for(request, project)
     calibration, watch = calibrated.calibration(), Stopwatch()
     with ExitStack() as locked, watch.stage("total"), RegistrationCache(background=Worker("registration-cache")) as registration_cache:
         with connected(request.rig, held) as rig:
-            check_connected(request.plan, rig, project, calibration, part).refuse()
+            check_connected(request.plan, rig, project, calibration, part, progress).refuse()
             project = ProjectFolder.create(request.folder, project.settings)
             locked.enter_context(project.lock())
             _fill(project, request, calibrated, calibration)
@@ -143,12 +143,12 @@ def _fill(project: ProjectFolder, request: ScanRequest, calibrated: ProjectFolde
         project.save_storage_rules(StorageRules(raw=request.raw))
 
 
-def rehearse(request: ScanRequest, held: Rig | None = None) -> Preflight:
+def rehearse(request: ScanRequest, held: Rig | None = None, progress: Progress | None = None) -> Preflight:
     """Connect the rig, unless it is ``held``, and check everything that would stop the scan; nothing moves and nothing is written."""
     project = _project_of(request)
     calibration = _calibrated_for(request, project).calibration()
     with connected(request.rig, held) as rig:
-        return check_connected(request.plan, rig, project, calibration, _part_of(request, project))
+        return check_connected(request.plan, rig, project, calibration, _part_of(request, project), progress)
 
 
 def _part_of(request: ScanRequest, project: ProjectFolder) -> PartSolid | None:

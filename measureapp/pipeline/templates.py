@@ -10,10 +10,12 @@ from measureapp.errors import CalibrationError, InputError, PlanError
 from measureapp.pipeline.part_program import store_part_program
 from measureapp.project.documents import calibration_id
 from measureapp.project.folder import DEFAULT_BOARD, ProjectFolder, ProjectSettings
+from measureapp.project.identification_file import read_identification
 
 
 def template_of_project(project: ProjectFolder, name: str = "", part_number: str = "", remarks: str = "") -> PartProgram:
-    """Return a template of a project: rig, board, plan, part, inspection program, report template, rules for raw images, and where it is calibrated.
+    """Return a template: rig, board, plan, part, inspection program, report template, rules for raw images, what identifies the part
+    whichever specimen it is, and where the rig is calibrated.
 
     No image, calibration or result is in it. The calibration is named by the folder of the project and its id.
 
@@ -32,11 +34,13 @@ def template_of_project(project: ProjectFolder, name: str = "", part_number: str
     if plan is None:
         raise PlanError(f"{project.path} has no scan plan.", "Plan the scan first: a template is a start for scans.")
     named = None if calibration is None else CalibrationReference(folder=str(project.path.resolve()), id=calibration_id(calibration))
+    same = {"serial_number": "", "order": "", "operator": "", "remarks": ""} | dict.fromkeys(("temperature_c", "humidity_percent"))
     facts = PartProgramFacts(
         name=name or project.settings.part,
         part_number=part_number,
         remarks=remarks,
         raw=project.storage_rules().raw,
+        identification=read_identification(project.path).model_copy(update={**same, "temperature_source": ""}),
         calibration=named,
         board=project.settings.board,
     )

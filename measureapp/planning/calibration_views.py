@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import chain
 from typing import get_args
@@ -18,6 +18,7 @@ from measureapp.planning.collision.build import PartSolid
 from measureapp.planning.collision.cell import Cell
 from measureapp.planning.reach import limit_violations
 from measureapp.planning.viewpoints import LookAt, viewpoint_looking_at
+from measureapp.progress import NoProgress, Progress
 
 ALL_MOTIONS: tuple[Motion, ...] = get_args(Motion)
 BOARD_ABOVE_TABLE_MM = 90.0  # centre of a board on its stand, tilted 45° towards the robot
@@ -49,6 +50,7 @@ def calibration_viewpoints(
     *,
     guide_at_zero: bool = False,
     arm: ArmModel | None = None,
+    progress: Progress | None = None,
 ) -> tuple[Viewpoint, ...]:
     """Return the viewpoints of a calibration: `pose…` for cameras and hand-eye, `axis…`, `guide…` and further passes along it, `station…`.
 
@@ -65,19 +67,27 @@ def calibration_viewpoints(
     motions : which of these groups
     guide_at_zero : reach the same views with the guide at 0, as far as possible: the robot's base then stays where it is
     arm : of the rig's robot, whose joint limits and clearances are then kept; None: its reach only
+    progress : raises Cancelled between two viewpoints
     """
+    told = NoProgress() if progress is None else progress
     centre = board_middle_mm(rig)
     cell = None if arm is None else Cell.of(rig, arm, PartSolid.board_on_stand())
     slides_mm = (0.0,) if guide_at_zero else NEIGHBOUR_SLIDES_MM  # whatever the slide, with the guide at 0 the robot is at one pose
     groups: dict[Motion, Callable[[], list[Viewpoint]]] = {
-        "robot": lambda: [_reachable(neighbours, rig, cell, guide_at_zero) for neighbours in _poses(rig, centre, slides_mm)],
+        "robot": lambda: [_reachable(_until_cancelled(near, told), rig, cell, guide_at_zero) for near in _poses(rig, centre, slides_mm)],
         "table": lambda: _axis(rig, centre),
         "guide": lambda: _passes(rig, centre, ("guide",)),
         "passes": lambda: _passes(rig, centre, ("below", "above")),
         "stations": lambda: _stations(plan),
     }
     candidates = (viewpoint for motion in groups if motion in motions for viewpoint in groups[motion]())
-    return tuple(seen for one in candidates if (seen := _seen(one, rig, cell, guide_at_zero)) is not None)
+    return tuple(seen for one in _until_cancelled(candidates, told) if (seen := _seen(one, rig, cell, guide_at_zero)) is not None)
+
+
+def _until_cancelled(viewpoints: Iterable[Viewpoint], progress: Progress) -> Iterator[Viewpoint]:
+    for viewpoint in viewpoints:
+        progress.check()
+        yield viewpoint
 
 
 def _seen(viewpoint: Viewpoint, rig: RigDescription, cell: Cell | None, guide_at_zero: bool) -> Viewpoint | None:

@@ -26,8 +26,8 @@ from measureapp.progress import NoProgress, Progress
 from measureapp.report.cross_sections import render_sections
 from measureapp.report.deviation_pictures import summarise_deviation
 from measureapp.report.header import calibration_age, header, plan_lines
-from measureapp.report.model import Details, Fact, ReportModel, Section, ViewLine
-from measureapp.report.part_pictures import render_failing, render_part, scene_of
+from measureapp.report.model import Details, DeviationSummary, Fact, Picture, ReportModel, Section, ViewLine
+from measureapp.report.part_pictures import placed_mesh, render_failing, render_part, scene_of
 from measureapp.report.words import format_key, format_name, format_setting, number, percent
 
 
@@ -53,6 +53,11 @@ def compose(
     deviation, why_not = (None, "") if nominal is None else _compute_deviation(measurement, nominal, progress)
     details = details if details.created_at else replace(details, created_at=datetime.now(UTC).isoformat(timespec="seconds"))
     scene = scene_of(measurement) if pictures else None
+    summary_of_deviation = (
+        None
+        if deviation is None or nominal is None
+        else summarise_deviation(nominal, deviation, placed_mesh(measurement), pictures=pictures)
+    )
     return ReportModel(
         measurement=measurement,
         title=details.identification.part_name or measurement.part,
@@ -65,12 +70,19 @@ def compose(
         header=header(measurement, details),
         sections=_sections(measurement, deviation, why_not),
         pictures=render_part(measurement, scene) if pictures else (),
-        deviation=None if deviation is None or nominal is None else summarise_deviation(nominal, deviation, pictures=pictures),
+        deviation=summary_of_deviation,
         details=details,
         failing=render_failing(measurement, scene),
-        cross_sections=() if deviation is None or nominal is None or not pictures else render_sections(nominal, deviation),
+        cross_sections=_cross_sections(nominal, deviation, summary_of_deviation) if pictures else (),
         plan_lines=plan_lines(measurement, details),
+        compared=deviation,
     )
+
+
+def _cross_sections(nominal: Mesh | None, deviation: Deviation | None, summary: DeviationSummary | None) -> tuple[Picture, ...]:
+    if nominal is None or deviation is None or summary is None:
+        return ()
+    return render_sections(nominal, deviation, summary.limit_mm)
 
 
 def _sections(measurement: Measurement, deviation: Deviation | None, why_not: str) -> tuple[Section, ...]:

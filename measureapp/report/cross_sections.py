@@ -7,7 +7,7 @@ import numpy as np
 from measureapp.arrays import FloatArray
 from measureapp.data.mesh import Mesh
 from measureapp.inspection.surface.deviation import Deviation
-from measureapp.report.deviation_pictures import diverging_colours, nice_limit
+from measureapp.report.deviation_pictures import diverging_colours
 from measureapp.report.model import Picture
 from measureapp.report.svg import Panel, svg
 from measureapp.report.words import number
@@ -20,11 +20,10 @@ INK = "#182126"
 NORMAL_TO = (("y", 1, (0, 2)), ("z", 2, (0, 1)))  # axis, its index, the axes drawn to the right and up
 
 
-def render_sections(nominal: Mesh, deviation: Deviation) -> tuple[Picture, ...]:
-    """Return sections through the middle of the nominal, one upright and one level."""
+def render_sections(nominal: Mesh, deviation: Deviation, limit: float) -> tuple[Picture, ...]:
+    """Return sections through the middle of the nominal, one upright and one level; larger deviations than ``limit`` (mm) are cut off."""
     low, high = nominal.vertices_mm.min(axis=0), nominal.vertices_mm.max(axis=0)
     middle = (low + high) / 2
-    limit = nice_limit(deviation.p95_mm)
     made = (_section(nominal, deviation, limit, name, axis, drawn, float(middle[axis])) for name, axis, drawn in NORMAL_TO)
     return tuple(picture for picture in made if picture is not None)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from functools import partial
 
 import numpy as np
@@ -10,6 +11,7 @@ from scipy.spatial import cKDTree
 from measureapp.arrays import BoolArray, FloatArray
 from measureapp.data.mesh import Mesh
 from measureapp.inspection.surface.deviation import Deviation
+from measureapp.inspection.surface.statistics import USUAL_TOLERANCE_MM, Extreme, compute_statistics
 from measureapp.report.model import DeviationSummary, Flag, Picture
 from measureapp.report.part_pictures import OBLIQUE
 from measureapp.report.picture import SUPERSAMPLING, Seen, SurfaceScene, ViewDirection, png
@@ -20,7 +22,6 @@ NOT_MEASURED = np.array([0.62, 0.64, 0.67])  # of vertices, where there can be n
 HATCH_DARK, HATCH_LIGHT = np.array([0.45, 0.47, 0.50]), np.array([0.86, 0.87, 0.88])
 HATCH_PX = 12
 BINS = 40
-NICE_LIMITS_MM = (0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0)
 VIEWS = (("oblique view", OBLIQUE), ("from the opposite side, below", ViewDirection(122.0, -34.0)))
 WIDE = (760, 500)
 NEAR_MM = 2.0  # as in the unmeasured share
@@ -29,32 +30,20 @@ FACING = 0.3  # cosine between the nominal's normal here and at the point
 FLAG = "#182126"
 
 
-def summarise_deviation(nominal: Mesh, deviation: Deviation, *, pictures: bool = True) -> DeviationSummary:
-    """Summarise a deviation: maps, if they are wanted, colour scale and histogram."""
-    limit = nice_limit(deviation.p95_mm)
-    clipped = np.clip(deviation.distances_mm, -limit, limit)
-    counts, _ = np.histogram(clipped, bins=BINS, range=(-limit, limit))
-    figures = {name: float(getattr(deviation, f"{name}_mm")) for name in ("mean", "rms", "p95", "min", "max")}
-    places = {"min": int(np.argmin(deviation.distances_mm)), "max": int(np.argmax(deviation.distances_mm))}
-    return DeviationSummary(
-        deviation.alignment.name,
-        figures,
-        deviation.unmeasured_share,
-        limit,
-        tuple(float(share) for share in counts / max(counts.sum(), 1)),
-        float(np.mean(np.abs(deviation.distances_mm) > limit)),
-        {name: tuple(float(x) for x in deviation.points_mm[index]) for name, index in places.items()},  # type: ignore[misc]
-        _maps(nominal, deviation, limit, places) if pictures else (),
-    )
+def summarise_deviation(nominal: Mesh, deviation: Deviation, surface: Mesh | None = None, *, pictures: bool = True) -> DeviationSummary:
+    """Summarise a deviation: maps, if they are wanted, statistics and histogram.
 
-
-def nice_limit(p95_mm: float) -> float:
-    """Return the end of the colour scale: the next round number above 1.2 times the 95th percentile.
-
-    >>> nice_limit(0.07), nice_limit(0.3)
-    (0.1, 0.5)
+    Parameters
+    ----------
+    surface : measured surface in the nominal's frame; None where there is none
     """
-    return next((limit for limit in NICE_LIMITS_MM if limit >= 1.2 * p95_mm), 2 * p95_mm)
+    statistics = compute_statistics(deviation, nominal, tolerance_mm=USUAL_TOLERANCE_MM, search_mm=NEAR_MM, surface=surface)
+    limit = statistics.range_mm[1]
+    near = deviation.distances_mm[np.abs(deviation.distances_mm) <= NEAR_MM]
+    counts, _ = np.histogram(np.clip(near, -limit, limit), bins=BINS, range=(-limit, limit))
+    histogram = tuple(float(share) for share in counts / max(counts.sum(), 1))
+    extremes = {name: one for name, one in (("min", statistics.minimum), ("max", statistics.maximum)) if one is not None}
+    return DeviationSummary(deviation.alignment.name, statistics, histogram, _maps(nominal, deviation, limit, extremes) if pictures else ())
 
 
 def diverging_colours(values: FloatArray) -> FloatArray:
@@ -63,10 +52,10 @@ def diverging_colours(values: FloatArray) -> FloatArray:
     return WHITE + share * (np.where(values[:, None] < 0, BLUE, RED) - WHITE)
 
 
-def _maps(nominal: Mesh, deviation: Deviation, limit_mm: float, extremes: dict[str, int]) -> tuple[Picture, ...]:
+def _maps(nominal: Mesh, deviation: Deviation, limit_mm: float, extremes: Mapping[str, Extreme]) -> tuple[Picture, ...]:
     scene = SurfaceScene(nominal)
     look_up = partial(_deviation_at, cKDTree(deviation.points_mm, balanced_tree=False, compact_nodes=False), deviation)
-    shown = {name: _shown_in(deviation, index, scene) for name, index in extremes.items()}
+    shown = {name: _shown_in(extreme, scene) for name, extreme in extremes.items()}
     made = []
     for view, (where, direction) in enumerate(VIEWS):
         seen = scene.see(direction, *WIDE)
@@ -74,18 +63,14 @@ def _maps(nominal: Mesh, deviation: Deviation, limit_mm: float, extremes: dict[s
         colours = diverging_colours(np.nan_to_num(values) / limit_mm)
         missing = np.isnan(values)
         colours[missing] = _hatching(seen)[missing]
-        flags = tuple(
-            _extreme_flag(name, deviation, extremes[name], seen, hidden=hidden) for name, (at, hidden) in shown.items() if at == view
-        )
+        flags = tuple(_extreme_flag(name, extremes[name], seen, hidden=hidden) for name, (at, hidden) in shown.items() if at == view)
         made.append(Picture(f"Deviation on the nominal, {where}", png(scene.picture(seen, colours, lit=False)), flags))
     return tuple(made)
 
 
-def _shown_in(deviation: Deviation, index: int, scene: SurfaceScene) -> tuple[int, bool]:
+def _shown_in(extreme: Extreme, scene: SurfaceScene) -> tuple[int, bool]:
     """Return the first view that shows a point, and False; or the first view of all, and True where the part hides it in each."""
-    lift_mm = abs(float(deviation.distances_mm[index])) + 0.2
-    point = deviation.points_mm[index : index + 1]
-    hidden = [bool(scene.occluded(point, direction.axes()[2], lift_mm)[0]) for _, direction in VIEWS]
+    hidden = [bool(scene.occluded(extreme.point_mm[None], direction.axes()[2], abs(extreme.value_mm) + 0.2)[0]) for _, direction in VIEWS]
     return (0, True) if all(hidden) else (hidden.index(False), False)
 
 
@@ -121,9 +106,8 @@ def _hatching(seen: Seen) -> FloatArray:
     return np.where(stripe[:, None], HATCH_DARK, HATCH_LIGHT)
 
 
-def _extreme_flag(name: str, deviation: Deviation, index: int, seen: Seen, *, hidden: bool) -> Flag:
+def _extreme_flag(name: str, extreme: Extreme, seen: Seen, *, hidden: bool) -> Flag:
     """Return the flag of the smallest or largest deviation."""
-    (place,), _ = seen.frame.place(deviation.points_mm[index : index + 1])
+    (place,), _ = seen.frame.place(extreme.point_mm[None])
     word = {"min": "Minimum", "max": "Maximum"}[name] + (" (behind)" if hidden else "")
-    value = f"{number(float(deviation.distances_mm[index]), signed=True)} mm"
-    return Flag((float(place[0]), float(place[1])), (word, value), FLAG)
+    return Flag((float(place[0]), float(place[1])), (word, f"{number(extreme.value_mm, signed=True)} mm"), FLAG)

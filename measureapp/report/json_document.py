@@ -199,10 +199,17 @@ def report_document(model: ReportModel) -> dict[str, Any]:
         "verdict": None if model.verdict is None else model.verdict.value,
         "summary": model.summary,
         "verdict_rule": model.verdict_rule,
-        "deviation_mm": None if deviation is None else deviation.figures_mm,
-        "unmeasured_share": None if deviation is None else deviation.unmeasured_share,
+        "deviation_mm": None if deviation is None else _figures(deviation.statistics),
+        "unmeasured_share": None if deviation is None else deviation.statistics.no_data.total,
+        "deviation_statistics": None if deviation is None else statistics_document(deviation.statistics),
     }
     return _without_nan(document)
+
+
+def _figures(found: DeviationStatistics) -> dict[str, float | None]:
+    extremes = {"min": found.minimum, "max": found.maximum}
+    values = {name: None if extreme is None else extreme.value_mm for name, extreme in extremes.items()}
+    return {"mean": found.mean_mm, "rms": found.rms_mm, "p95": found.p95_mm, **values}
 
 
 def _without_nan(value: Any) -> Any:

@@ -9,6 +9,8 @@ from measureapp.data.dimension import Dimension, Verdict
 from measureapp.data.identification import Identification
 from measureapp.data.measurement import Measurement
 from measureapp.data.plan import ScanPlan
+from measureapp.inspection.surface.deviation import Deviation
+from measureapp.inspection.surface.statistics import DeviationStatistics
 from measureapp.report.template import Template
 
 
@@ -88,18 +90,19 @@ class PlanLine:
     as_planned: bool | None  # whether the exposures are those of the plan; None: there is no plan
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class DeviationSummary:
     """Deviation of the cloud from the nominal, prepared for display."""
 
     alignment: str
-    figures_mm: Mapping[str, float]  # mean, rms, p95, min, max
-    unmeasured_share: float
-    limit_mm: float  # the colour scale ranges from -limit to +limit
+    statistics: DeviationStatistics  # the numbers of the window's legend
     histogram: tuple[float, ...]  # share of the points in equal bins over the scale; the outer bins include all beyond
-    beyond_share: float  # of the points beyond the scale
-    extremes_mm: Mapping[str, tuple[float, float, float]]  # where min and max are, in the nominal's frame
     pictures: tuple[Picture, ...]
+
+    @property
+    def limit_mm(self) -> float:
+        """The colour scale ranges from -limit to +limit."""
+        return self.statistics.range_mm[1]
 
 
 @dataclass(frozen=True, slots=True)
@@ -133,3 +136,4 @@ class ReportModel:
     failing: tuple[DimensionPicture, ...] = ()
     cross_sections: tuple[Picture, ...] = ()
     plan_lines: tuple[PlanLine, ...] = ()
+    compared: Deviation | None = None  # all points, for the 3-D view

@@ -28,12 +28,16 @@ MOST_PICTURES = 8
 SIZE = (680, 480)
 
 
-def scene_of(measurement: Measurement) -> SurfaceScene | None:
+def placed_mesh(measurement: Measurement) -> Mesh | None:
     """Return the measured surface, in the nominal's frame if known, so that all parts have the same orientation; None without a mesh."""
-    if measurement.mesh is None:
-        return None
-    inspection = measurement.inspection
-    return SurfaceScene(measurement.mesh if inspection is None else measurement.mesh.seen_from(inspection.alignment.nominal_from_part))
+    mesh, inspection = measurement.mesh, measurement.inspection
+    return mesh if mesh is None or inspection is None else mesh.seen_from(inspection.alignment.nominal_from_part)
+
+
+def scene_of(measurement: Measurement) -> SurfaceScene | None:
+    """Return the placed mesh, to be drawn several times; None without a mesh."""
+    mesh = placed_mesh(measurement)
+    return None if mesh is None else SurfaceScene(mesh)
 
 
 def render_part(measurement: Measurement, scene: SurfaceScene | None = None) -> tuple[Picture, ...]:

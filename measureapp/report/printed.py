@@ -230,12 +230,24 @@ def _plan_line(line: PlanLine) -> dict[str, str]:
 
 
 def _deviation(deviation: DeviationSummary) -> dict[str, Any]:
-    figures = deviation.figures_mm
+    found = deviation.statistics
     stops = np.rint(255 * diverging_colours(np.linspace(-1, 1, SCALE_STOPS))).astype(int)
-    facts = [(name, f"{number(figures[key], signed=key not in {'rms', 'p95'})} mm") for name, key in _FIGURES]
-    for name, key in (("Minimum at", "min"), ("Maximum at", "max")):
-        facts.append((name, ", ".join(number(value, 1) for value in deviation.extremes_mm[key])))
-    facts += [("Points beyond the scale", percent(deviation.beyond_share)), ("Nominal not measured", percent(deviation.unmeasured_share))]
+    facts = [
+        ("Mean", f"{number(found.mean_mm, signed=True)} mm"),
+        ("RMS", f"{number(found.rms_mm)} mm"),
+        ("95 % within", f"{number(found.p95_mm)} mm"),
+    ]
+    for name, extreme in (("Minimum", found.minimum), ("Maximum", found.maximum)):
+        if extreme is not None:
+            place = ", ".join(number(float(value), 1) for value in extreme.point_mm)
+            facts += [(name, f"{number(extreme.value_mm, signed=True)} mm"), (f"{name} at", place)]
+    limits = "the scale" if found.tolerance_mm is None else format_tolerance(*found.tolerance_mm)
+    facts += [
+        (f"Points within {limits}", percent(found.inside)),
+        ("Below, above", f"{percent(found.below)}, {percent(found.above)}"),
+        ("Nominal not seen", percent(found.no_data.not_seen)),
+        ("Filled, too far", f"{percent(found.no_data.filled)}, {percent(found.no_data.too_far)}"),
+    ]
     return {
         "pictures": [_picture(f"deviation{n}.png", picture) for n, picture in enumerate(deviation.pictures)],
         "low": f"{number(-deviation.limit_mm, 2)} mm",
@@ -243,8 +255,5 @@ def _deviation(deviation: DeviationSummary) -> dict[str, Any]:
         "stops": ["#{:02x}{:02x}{:02x}".format(*stop) for stop in stops],
         "histogram": list(deviation.histogram),
         "facts": [{"name": name, "value": value} for name, value in facts],
-        "note": f"Alignment: {deviation.alignment}. Positive: outside the nominal. Hatched: not measured within 2 mm.",
+        "note": f"Alignment: {deviation.alignment}. Positive: outside the nominal. Hatched: not measured within {number(found.search_mm, 0)} mm.",
     }
-
-
-_FIGURES = (("Mean", "mean"), ("RMS", "rms"), ("95 % within", "p95"), ("Minimum", "min"), ("Maximum", "max"))

@@ -168,7 +168,7 @@ def test_a_file_of_our_own_is_in_millimetres_and_nothing_else(tmp_path: Path, ca
 
 def test_statistics_name_confirmed_extremes_the_range_and_areas_without_data(cloud: Path, capsys) -> None:
     document = answer(capsys, str(cloud), str(NOMINAL), "--tolerance", "-0.1", "0.1")
-    found = document["statistics"]
+    found = document["deviation_statistics"]
     assert found["range_mm"] == [-0.2, 0.2] and found["tolerance_mm"] == [-0.1, 0.1]
     assert found["below"] + found["inside"] + found["above"] == pytest.approx(1.0)
     assert found["no_data"]["filled"] == 0.0 and found["no_data"]["not_seen"] < 0.01

@@ -9,11 +9,13 @@ import pytest
 from demo_fixture import Demo, linked_copy
 
 from measureapp.cli import main
+from measureapp.data.identification import Identification
 from measureapp.errors import InputError
 from measureapp.pipeline.templates import calibration_of, new_project, template_of_project
 from measureapp.project import upkeep
 from measureapp.project.documents import calibration_id
 from measureapp.project.folder import ProjectFolder
+from measureapp.project.identification_file import read_identification, save_identification
 from measureapp.project.part_program_file import read_part_program, write_part_program
 
 
@@ -23,6 +25,8 @@ def source(demo: Demo, tmp_path: Path) -> ProjectFolder:
 
 
 def test_a_new_project_starts_with_everything_but_the_data(source: ProjectFolder, tmp_path: Path) -> None:
+    with source.lock():
+        save_identification(source.path, Identification(drawing="D-1", customer="Works", serial_number="0815", operator="Ada"))
     template = read_part_program(write_part_program(template_of_project(source, part_number="7"), tmp_path / "gypsum"))
     made = new_project(template, tmp_path / "new", name="second")
     assert (made.name, made.settings.part, made.rig()) == ("second", source.settings.part, source.rig())
@@ -30,6 +34,9 @@ def test_a_new_project_starts_with_everything_but_the_data(source: ProjectFolder
     assert made.program is not None and source.program is not None
     assert made.program.read_bytes() == source.program.read_bytes()
     assert made.nominal is not None
+    known = read_identification(made.path)
+    assert (known.drawing, known.customer, known.part_number) == ("D-1", "Works", "7")
+    assert not known.serial_number and not known.operator
     assert not made.stored_viewpoints() and made.measurement() is None and not made.board_views()
     assert calibration_id(made.require_calibration()) == calibration_id(source.require_calibration())
     assert upkeep.verify(made.path).whole

@@ -16,6 +16,7 @@ class QuickRun:
     def __init__(self, view_of) -> None:
         self.requests, self.helds, self.gate, self.view_of = [], [], threading.Event(), view_of
         self.error, self.controls, self.before = None, [], threading.Event()
+        self.outcome = None  # the images are not processed
         self.before.set()  # what comes before the scan is done
 
     def scan_into_project(self, request, on_event, progress, control, held):
@@ -34,6 +35,7 @@ class QuickRun:
             on_event(e.RunEnded("done"))
         if self.error is not None:
             raise self.error
+        return self.outcome
 
     def _take(self, name, on_event, progress, control: RunControl) -> None:
         for state in ("moving", "confirming", "settling", "capturing"):

@@ -10,6 +10,7 @@ from PySide6.QtGui import QImage
 
 from measureapp.acquire import events as e
 from measureapp.acquire.run_states import ViewpointState
+from measureapp.data.raw_policy import StorageRules
 from measureapp.errors import PlanError, StorageError
 from measureapp.pipeline import events as p
 from measureapp.pipeline.preflight import Preflight
@@ -62,7 +63,7 @@ def running(application, page, quick, tmp_path, qtbot):
 
 def test_choices_are_edited_and_given_back(page, tmp_path):
     chosen = ScanChoices(
-        tmp_path / "a b", "Wheel", tmp_path / "n.stl", tmp_path / "p.toml", tmp_path / "c", tmp_path / "q.toml", "each", 7.5
+        tmp_path / "a b", "Wheel", tmp_path / "n.stl", tmp_path / "p.toml", tmp_path / "c", tmp_path / "q.toml", "each", 7.5, "compress"
     )
     page.setup.setValue(chosen)
     assert page.setup.value() == chosen
@@ -361,3 +362,17 @@ def test_a_scan_of_which_everything_is_stored_has_no_time_left(application, page
     scanning = application.controllers.scanning
     scanning._apply(e.RunStarted("six views", ()))
     assert scanning.left() is None
+
+
+def test_raw_images_are_compressed_after_the_scan_as_the_project_states(application, running, quick, idle, monkeypatch, measurement, qtbot):
+    from measureapp.pipeline.raw_keeping import RawOutcome
+    from measureapp.pipeline.run import Outcome
+
+    folder = application.session.folder
+    project = ProjectFolder.create(folder, ProjectSettings(name="kept", part="wheel", rig=application.session.rig))
+    project.save_storage_rules(StorageRules(raw="compress"))
+    monkeypatch.setattr("measureapp.pipeline.raw_keeping.apply_raw_policy", lambda *_: RawOutcome("compress", ("view-01",), 5_000_000))
+    quick.outcome = Outcome(measurement, {}, {})
+    quick.gate.set()
+    idle()
+    qtbot.waitUntil(lambda: "5 MB freed" in application.session.messages[-1].text, timeout=PATIENCE_MS)

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QWidget
 from ui.actions.search import score
 
 EVERYWHERE = ""
+ENGINEERS = "This needs the engineer's role."
 UNUSABLE = 1.0  # points less for what cannot be used at the moment
 
 
@@ -37,6 +38,7 @@ class Action:
     why_not: Callable[[], str] = always
     icon: str = ""
     bound: bool = True
+    for_operator: bool = False  # also without the engineer's role
 
 
 class Actions(QObject):
@@ -44,9 +46,10 @@ class Actions(QObject):
 
     refused = Signal(str, str)  # words of the action, reason
 
-    def __init__(self, window: QWidget) -> None:
-        """``window``: in which the shortcuts work."""
+    def __init__(self, window: QWidget, is_engineer: Callable[[], bool] = lambda: True) -> None:
+        """``window``: in which the shortcuts work; ``is_engineer``: whether all actions are allowed."""
         super().__init__(window)
+        self._is_engineer = is_engineer
         self._window = window
         self._actions: dict[str, Action] = {}
 
@@ -79,13 +82,17 @@ class Actions(QObject):
     def find(self, typed: str) -> tuple[Action, ...]:
         """Return the actions that fit what was typed, the best first; of equals those that can be used."""
         scored = [(score(typed, action.text, action.keywords), place, action) for place, action in enumerate(self._actions.values())]
-        found = [(UNUSABLE * bool(action.why_not()) - points, place, action) for points, place, action in scored if points is not None]
+        found = [(UNUSABLE * bool(self.reason(action)) - points, place, action) for points, place, action in scored if points is not None]
         return tuple(action for *_, action in sorted(found, key=lambda entry: entry[:2]))
+
+    def reason(self, action: Action) -> str:
+        """Return why an action cannot be used at the moment; empty if it can."""
+        return action.why_not() if action.for_operator or self._is_engineer() else ENGINEERS
 
     def perform(self, id_: str) -> bool:
         """Run an action, or say why it cannot be used; return whether it ran."""
         action = self._actions[id_]
-        reason = action.why_not()
+        reason = self.reason(action)
         if reason:
             self.refused.emit(action.text, reason)
             return False

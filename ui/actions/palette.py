@@ -64,7 +64,7 @@ class CommandPalette(QDialog):
             self.hint.setText("Nothing fits. Try other words.")
 
     def _cells(self, action: Action) -> list[Cell]:
-        reason = action.why_not()
+        reason = self._actions.reason(action)
         keys = QKeySequence(action.shortcut).toString(QKeySequence.SequenceFormat.NativeText) if action.shortcut else ""
         return [
             Cell(action.text, soft=bool(reason), tip=reason),
@@ -74,15 +74,15 @@ class CommandPalette(QDialog):
 
     def _explain(self, row: int) -> None:
         if 0 <= row < len(self._shown):
-            self.hint.setText(self._shown[row].why_not())
+            self.hint.setText(self._actions.reason(self._shown[row]))
 
     def _run(self, *_: object) -> None:
         row = self.table.currentIndex().row()
         if not 0 <= row < len(self._shown):
             return
         chosen = self._shown[row]
-        if chosen.why_not():
-            self.hint.setText(chosen.why_not())
+        if self._actions.reason(chosen):
+            self.hint.setText(self._actions.reason(chosen))
             return
         self.accept()
         self._actions.perform(chosen.id)

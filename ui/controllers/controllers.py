@@ -54,7 +54,7 @@ class Controllers(QObject):
         self.operating = JobRunner(session, self)
         self.rig = RigControl(session, self.jobs, self)
         self.rig_editing = RigEditing(session, self.editing, self.rig, self)
-        self.scanning = ScanController(session, self.jobs, self.rig, self)
+        self.scanning = ScanController(session, self.jobs, self.background, self.rig, self)
         self.repeats = RepeatsController(session, self.jobs, self.scanning, self)
         self.extending = ExtendingController(session, self.jobs, self.scanning, self)
         self.rig_calibrating = RigCalibratingController(session, self.jobs, self.rig, self)

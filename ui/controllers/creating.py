@@ -62,10 +62,12 @@ class CreatingController(QObject):
 
     def proposals(self, names: Sequence[str]) -> tuple[Proposal, ...]:
         """Return the dimensions that fit features, the most usual first."""
+        program = self.program
+        if program is None or not names:
+            return ()
         from measureapp.inspection.programming.proposals import propose_dimensions
 
-        program = self.program
-        return () if program is None or not names else propose_dimensions(program, names, self._features(program))
+        return propose_dimensions(program, names, self._features(program))
 
     def add(self, proposal: Proposal) -> str:
         """Add the entries of a proposal; return the name of its first dimension, empty if that was refused."""
@@ -83,11 +85,11 @@ class CreatingController(QObject):
 
     def constructions(self, names: Sequence[str]) -> tuple[str, ...]:
         """Return the shapes that can be constructed from features."""
-        from measureapp.data.feature_program import PARENTS, THROUGH_POINTS, WITH_DISTANCE
-
         program = self.program
         if program is None or not names:
             return ()
+        from measureapp.data.feature_program import PARENTS, THROUGH_POINTS, WITH_DISTANCE
+
         features = self._features(program)
         return tuple(shape for shape in (*PARENTS, *WITH_DISTANCE, *THROUGH_POINTS) if _is_possible(shape, names, features))
 

@@ -96,8 +96,10 @@ class ShiftCount:
 
 
 def verdict_of(run: SeriesRun) -> str:
-    """Return the verdict on a run; a run without dimensions is not measured."""
-    return "not measured" if run.verdict is None else str(run.verdict)
+    """Return the verdict on a run."""
+    from measureapp.data.verdicts import part_verdict
+
+    return str(part_verdict(value.verdict for value in run.values))
 
 
 def counted_run(runs: Sequence[SeriesRun]) -> SeriesRun:

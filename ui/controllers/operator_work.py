@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from measureapp.errors import InputError, MeasureError
-from ui.controllers.operator_nouns import Entered, Filed, ProgramCard
+from ui.controllers.operator_nouns import Entered, Filed, ProgramCard, verdict_of
 
 if TYPE_CHECKING:
     from measureapp.data.measurement import Measurement
@@ -61,7 +61,7 @@ def _card(path: Path, settings: OperatorSettings, runs: tuple[SeriesRun, ...], r
     try:
         program = read_part_program(path)
     except MeasureError as error:
-        return ProgramCard(path, problem=f"{error.message} {error.hint}".strip())
+        return ProgramCard(path, problem=f"{error.message} {error.hint}".replace(str(path), path.name).strip())
     name = program.facts.name
     last = next((run for run in reversed(runs) if run.program == name), None)
     seconds = settings.usual_seconds(name)
@@ -218,8 +218,7 @@ def file_finished(job: Job, folder: Path, measurement: Measurement, program: Par
     except MeasureError as error:
         return Filed(problem=f"{error.message} {error.hint}".strip())
     serial = run.identification.serial_number or "without serial number"
-    verdict = "not measured" if run.verdict is None else str(run.verdict)
-    target = folder.parents[2] / "reports" / safe_file_name(f"{serial} {folder.name} {verdict}", ".pdf")
+    target = folder.parents[2] / "reports" / safe_file_name(f"{serial} {folder.name} {verdict_of(run)}", ".pdf")
     try:
         with replacing(target) as temporary:
             shutil.copyfile(project.report_pdf, temporary)

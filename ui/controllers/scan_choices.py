@@ -12,6 +12,7 @@ from ui.controllers.stored_sessions import project_on_disk
 
 if TYPE_CHECKING:
     from measureapp.data.plan import ScanPlan
+    from measureapp.data.raw_policy import RawPolicy
     from measureapp.data.rig import RigDescription
     from measureapp.pipeline.preflight import Preflight
     from measureapp.pipeline.run import ScanRequest
@@ -37,6 +38,7 @@ class ScanChoices:
     plan_file: Path | None = None  # None: the plan of the page Plan
     exposures: Exposures = "plan"
     seconds: float = 10.0  # of exposures per viewpoint, where a probe chooses them
+    raw: RawPolicy | None = None  # what becomes of raw images; None: as the project states
 
     @property
     def is_existing(self) -> bool:
@@ -155,4 +157,5 @@ def _request(choices: ScanChoices, rig: RigDescription | None, plan: ScanPlan | 
         bracket_s=None if choices.exposures == "plan" else choices.seconds,
         per_viewpoint=choices.exposures == "each",
         created=created,
+        raw=choices.raw,
     )

@@ -10,13 +10,16 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal, Slot
 
+from measureapp.data.verdicts import part_verdict
 from measureapp.errors import InputError, MeasureError
 from ui.controllers.jobs import JobRunner
 from ui.controllers.rig_control import RigControl
 from ui.controllers.run_events import RunEvents
 from ui.controllers.scan_choices import CheckedScan, MakeRequest, ScanChoices, request_maker
 from ui.controllers.stored_sessions import project_on_disk
+from ui.look.verdict_words import summary_words
 from ui.look.wording import several
+from ui.messages import MOMENT
 from ui.session import RunNow, Session
 
 if TYPE_CHECKING:
@@ -51,9 +54,9 @@ class ScanController(QObject):
     completed = Signal(object)  # Outcome, or None for images that are not processed
     ended = Signal()  # however the scan ended
 
-    def __init__(self, session: Session, runner: JobRunner, rig: RigControl, parent: QObject | None = None) -> None:
+    def __init__(self, session: Session, runner: JobRunner, background: JobRunner, rig: RigControl, parent: QObject | None = None) -> None:
         super().__init__(parent)
-        self._session, self._runner, self._rig = session, runner, rig
+        self._session, self._runner, self._background, self._rig = session, runner, background, rig
         self._events = RunEvents(session, self)
         self._control: RunControl | None = None
         self._wanted: ScanChoices | None = None  # started after a check without problems
@@ -177,7 +180,16 @@ class ScanController(QObject):
     @Slot(object)
     def _finish(self, outcome: Outcome | None) -> None:
         self._tell_outcome(outcome)
+        folder = project_on_disk(self._session)
+        if outcome is not None and folder is not None:
+            keep = "Storing raw images as the project states"
+            self._background.run(keep, lambda job: care_for_raw_images(folder, job), self._tell_raw, quiet=True)
         self.completed.emit(outcome)
+
+    @Slot(object)
+    def _tell_raw(self, words: str) -> None:
+        if words:
+            self._session.tell(words, "", "done")
 
     def _tell_outcome(self, outcome: Outcome | None) -> None:
         if outcome is None:
@@ -185,9 +197,14 @@ class ScanController(QObject):
             return
         self._session.set_measurement(outcome.measurement, outcome.files, outcome.filters)
         inspection = outcome.measurement.inspection
-        passing = sum(1 for dimension in inspection.dimensions if dimension.verdict == "pass") if inspection else 0
-        summary = f" {passing} of {several(len(inspection.dimensions), 'dimension')} pass." if inspection else ""
-        self._session.tell(f"The {self._subject} is complete.{summary}", "", "done")
+        verdicts = [str(dimension.verdict) for dimension in inspection.dimensions] if inspection else []
+        words = f"The {self._subject} is complete."
+        if not verdicts or part_verdict(verdicts) == "pass":
+            self._session.tell(f"{words} {summary_words(verdicts)}" if verdicts else words, "", "done")
+        else:
+            self._session.tell(
+                f"{words} {summary_words(verdicts)}", "The page Inspect shows the worst dimension first.", "warning", cause=MOMENT
+            )
 
     @Slot()
     def _ended(self) -> None:
@@ -259,6 +276,17 @@ class ScanController(QObject):
             self.run("Scan", lambda _job: _stored_request(plan, rig, folder, calibrate=begun))
 
 
+def care_for_raw_images(folder: Path, job: Job) -> str:
+    """Compress or drop the raw images of a project as it states, and say what was done; runs on a job's thread."""
+    from measureapp.pipeline.raw_keeping import apply_raw_policy
+    from measureapp.project.folder import ProjectFolder
+
+    project = ProjectFolder.open(folder)
+    if project.storage_rules().raw == "keep":
+        return ""
+    return apply_raw_policy(project, job).sentence
+
+
 def _prepared(request: ScanRequest) -> ScanPrepared:
     """Return what the window shows of a scan that begins; runs on a job's thread."""
     from measureapp.project.folder import ProjectFolder
@@ -288,7 +316,7 @@ def check_scan(job: Job, choices: ScanChoices, make: MakeRequest, session: Sessi
     job.report(0, 1, "Checking the scan")
     try:
         request = make(job)
-        found = rehearse(request, session.connection)
+        found = rehearse(request, session.connection, job)
         stored = len(ProjectFolder.open(request.folder).stored_viewpoints()) if choices.is_existing else 0
     except MeasureError as error:
         return CheckedScan(choices, problem=error)

@@ -9,14 +9,12 @@ from PySide6.QtCore import Qt, QTimer
 from PySide6.QtGui import QImage, QPixmap, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QLabel, QScrollArea, QSizePolicy, QWidget
 
-from measureapp.data.identification import Identification
 from measureapp.project.file_names import safe_file_name
 from ui.controllers.controllers import Controllers
 from ui.controllers.documents import FORMATS
 from ui.look.look import Look
 from ui.look.wording import part_words, sentence_case, when
 from ui.pages.page import Page
-from ui.pages.report_header import HeaderDialog
 from ui.session import Session
 from ui.settings.dialogs import choose_new
 from ui.widgets.basic import Button, card, clear, column, label, row
@@ -24,6 +22,7 @@ from ui.widgets.empty_state import EmptyState
 from ui.widgets.properties_panel import Group, Properties
 
 if TYPE_CHECKING:
+    from measureapp.data.identification import Identification
     from ui.pages.repeats.dialog import RepeatsDialog
 
 EMPTY = (
@@ -51,7 +50,7 @@ class ReportPage(Page):
         self._scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._scroll.setWidget(self._sheet)
         self.exports = {kind: self._export_button(kind) for kind in FORMATS}
-        self.header_button = Button("Header, company, logo…", look, "labels")
+        self.header_button = Button("Header and logo…", look, "labels")
         self.header_button.clicked.connect(controllers.documents.ask_header)
         controllers.documents.headerReady.connect(self._edit_header)
         folder = Button("Show in folder", look, "open", "quiet")
@@ -164,6 +163,8 @@ class ReportPage(Page):
             shown.setPixmap(QPixmap.fromImage(scaled))
 
     def _edit_header(self, header: tuple[Identification, str, Path | None]) -> None:
+        from ui.pages.report_header import HeaderDialog
+
         dialog = HeaderDialog(self.look, *header, parent=self)
         dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         dialog.chosen.connect(self.controllers.documents.set_header)

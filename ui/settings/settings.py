@@ -12,7 +12,6 @@ from PySide6.QtCore import QObject, QSettings, Signal
 
 SCHEMA: Final = 2
 THEMES = ("system", "light", "dark")
-LANGUAGES = ("en", "zh_CN")
 ROLES = ("operator", "engineer")
 
 
@@ -26,7 +25,6 @@ class Known:
 
 KNOWN: Final[dict[str, Known]] = {
     "theme": Known("system", THEMES),
-    "language": Known("en", LANGUAGES),
     "page": Known("rig"),
     "role": Known("engineer", ROLES),
 }

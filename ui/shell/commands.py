@@ -67,16 +67,24 @@ def register_commands(actions: Actions, window: CommandedWindow) -> None:
             "stop abort",
             why_not=lambda: "" if session.busy_with else NO_JOB,
         ),
-        Action("rig.stop", "Stop all axes, lamps and cameras", window.controllers.rig.stop, "halt emergency", shortcut="Esc", bound=False),
+        Action(
+            "rig.stop",
+            "Stop all axes, lamps and cameras",
+            window.controllers.rig.stop,
+            "halt emergency",
+            shortcut="Esc",
+            bound=False,
+            for_operator=True,
+        ),
         Action("messages", "Messages", window.messages.begin, "warnings errors log", shortcut="Ctrl+M"),
         Action("log", "Save log for support…", window.save_log, "support zip versions"),
-        Action("settings", "Settings…", window.settings_dialog.begin, "theme language preferences options", shortcut="Ctrl+,"),
+        Action("settings", "Settings…", window.settings_dialog.begin, "theme preferences options", shortcut="Ctrl+,"),
         Action("theme", "Change between light and dark", window.change_theme, "theme night colours"),
         Action("properties", "Show or hide the properties", window.properties.toggle, "panel side", shortcut="Ctrl+P"),
         Action("help", "Help for this page", window.show_help, "manual documentation", shortcut="F1"),
         Action("keys", "Shortcuts", window.shortcuts.begin, "keyboard keys list", shortcut="?"),
         Action("palette", "Commands…", window.palette_.begin, "search find palette", shortcut="Ctrl+K"),
-        Action("exit", "Exit", window.close, "quit end", shortcut="Ctrl+Q"),
+        Action("exit", "Exit", window.close, "quit end", shortcut="Ctrl+Q", for_operator=True),
     )
     for place, (name, page) in enumerate(window.pages.items()):
         actions.register(_page_action(window, name, page.word, place))

@@ -11,6 +11,7 @@ from PySide6.QtCore import QEvent, QObject, QRectF, Qt
 from PySide6.QtGui import QColor, QDragEnterEvent, QDragMoveEvent, QDropEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QMainWindow, QWidget
 
+from ui.actions.actions import ENGINEERS
 from ui.look.look import Look
 from ui.look.painting import set_letters
 
@@ -39,12 +40,15 @@ class DropActions:
     set_program: Callable[[Path], object]
     open_plan: Callable[[Path], object]
     open_rig: Callable[[Path], object]
+    is_engineer: Callable[[], bool]
     running: Callable[[], str]  # title of the running job
     is_measured: Callable[[], bool]  # a measured project is open, and its program may be changed
 
 
 def meaning(paths: list[Path], actions: DropActions) -> Drop:
     """Return what dropped files mean at the moment."""
+    if not actions.is_engineer():
+        return Drop(ENGINEERS)
     if len(paths) != 1:
         return Drop(ONE_AT_A_TIME)
     path, running = paths[0], actions.running()

@@ -60,7 +60,7 @@ class ProjectMenu(QObject):
                 menu.addSeparator()
                 continue
             entry = menu.addAction(f"{action.text}\t{QKeySequence(action.shortcut).toString()}" if action.shortcut else action.text)
-            reason = action.why_not()
+            reason = actions.reason(action)
             entry.setEnabled(not reason)
             entry.setToolTip(reason)
             entry.triggered.connect(lambda _=False, chosen=id_: actions.perform(chosen))

@@ -3,29 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Literal
 
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtWidgets import QFrame, QLabel
 
+from measureapp.data.verdicts import part_verdict
 from ui.look.look import Look
-from ui.look.wording import several
+from ui.look.verdict_words import summary_words
 from ui.widgets.basic import column, label, row
 
-Verdict = Literal["pass", "fail", "not proven"]
 SIGN_PX = 48
 
 
-def verdict_on(verdicts: Sequence[str]) -> Verdict | None:
-    """Combine verdicts on dimensions: fail if any fails, pass if all with a tolerance pass; None without any.
+def verdict_on(verdicts: Sequence[str]) -> str | None:
+    """Combine verdicts on dimensions: the most severe decides; None without any.
 
     >>> verdict_on(["pass", "not measured", "pass"]), verdict_on(["pass", "fail", "not proven"])
-    ('not proven', 'fail')
+    ('not measured', 'fail')
     """
-    decided = {verdict for verdict in verdicts if verdict != "no tolerance"}
-    if not decided:
-        return None
-    return "fail" if "fail" in decided else "pass" if decided == {"pass"} else "not proven"
+    return str(part_verdict(verdicts)) if verdicts else None
 
 
 class VerdictBanner(QFrame):
@@ -46,11 +42,8 @@ class VerdictBanner(QFrame):
     def show_verdicts(self, verdicts: Sequence[str]) -> None:
         """Show the combined verdict."""
         self._verdict = verdict_on(verdicts)
-        count = sum(one == self._verdict if self._verdict == "fail" else one != "pass" for one in verdicts)
         self.word.setText((self._verdict or "").upper())
-        passed = f"All {several(len(verdicts), 'dimension')} pass."
-        open_ = f"{count} of {several(len(verdicts), 'dimension')} {'fail' if self._verdict == 'fail' else 'not proven or not measured'}."
-        self.words.setText(passed if self._verdict == "pass" else open_)
+        self.words.setText(summary_words(verdicts))
         self.setAccessibleName(f"{self.word.text()}. {self.words.text()}")
         self._redraw()
 

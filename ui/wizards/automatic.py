@@ -158,6 +158,7 @@ class AutomaticCalibration(QDialog):
         self._has_outcome = True
         self.found.show_items(items_of(calibrated))
         self.state.setText("Calibrated and stored in the project.")
+        self._show_board()
 
     def _take_images(self) -> None:
         if self.isVisible() and not self._session.cell.live:

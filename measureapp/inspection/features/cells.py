@@ -156,7 +156,7 @@ def _scatter(cell: IntArray, offsets_mm: FloatArray, deviations_mm: FloatArray, 
 
 def surface_keys(points_mm: FloatArray, feature: Feature, cell_mm: float) -> IntArray:
     """Return cells (N, D) of about ``cell_mm`` that follow the surface of ``feature``."""
-    if feature.shape in ("cylinder", "cone") and feature.direction is not None:
+    if feature.shape in ("cylinder", "cone", "circle") and feature.direction is not None:
         return round_keys(points_mm, feature.point_mm, feature.direction, cell_mm, feature.radius_mm or cell_mm)
     foot = points_mm - signed_distances(feature, points_mm)[:, None] * outward_normals(feature, points_mm)
     if feature.shape == "plane" and feature.direction is not None:

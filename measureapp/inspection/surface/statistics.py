@@ -21,6 +21,7 @@ REACH_SPACINGS = 4.0  # greatest distance of those neighbours, in point spacings
 FIRST_CANDIDATES = 512
 FAR_REACH = 5.0  # search distances within which a point that is too far still belongs to a place
 SMALLEST_RANGE_MM = 1e-3
+USUAL_TOLERANCE_MM = (-0.1, 0.1)  # of legends and maps, until another one is set
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -30,6 +31,7 @@ class Extreme:
     value_mm: float
     point_mm: FloatArray  # (3,), in the nominal's frame
     neighbours: int  # number of neighbours that agree
+    index: int  # of the point in the deviation
 
 
 @dataclass(frozen=True, slots=True)
@@ -139,7 +141,7 @@ def find_extreme(index: DeviationIndex, search_mm: float, *, sign: float) -> Ext
         good = np.flatnonzero(agreeing >= AGREEING)
         if len(good):
             best = some[good[0]]
-            return Extreme(float(found.distances_mm[best]), np.array(found.points_mm[best]), int(agreeing[good[0]]))
+            return Extreme(float(found.distances_mm[best]), np.array(found.points_mm[best]), int(agreeing[good[0]]), int(best))
         start, count = start + count, 2 * count
     return None
 

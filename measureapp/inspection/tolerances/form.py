@@ -47,7 +47,7 @@ def evaluate_form(described: DimensionProgram, found: FoundFeature, settings: In
         _require_turn(cells, feature, settings, found.name)
         made = _zone("cylinder", cells, described.criterion, found.name, settings)
     elif described.kind == "roundness":
-        _require(found, "roundness", "cylinder", "cone")
+        _require(found, "roundness", "cylinder", "cone", "circle")
         made = _roundness(described.criterion, found, cells, settings)
     else:
         _require(found, "straightness", "plane", "cylinder", "cone")

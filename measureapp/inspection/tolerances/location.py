@@ -21,6 +21,7 @@ from measureapp.inspection.tolerances.material import WORDS, compute_bonus
 from measureapp.inspection.tolerances.profiles import evaluate_surface_zone
 from measureapp.inspection.value import AXES, CENTRES, Value, combine_budgets, require_direction, require_feature, require_nominal
 
+FLAT = ("circle", "slot")  # located in their plane only
 Width = Callable[[Sequence[Feature]], float]
 
 
@@ -77,10 +78,13 @@ class _Zone:
 
     def _offsets(self, system: DatumSystem, points_mm: FloatArray) -> FloatArray:
         away = system.apply(points_mm) - self.nominal.point_mm
-        if self.nominal.shape in (*AXES, "circle", "slot"):  # circle and slot are located in their plane
-            normal = self.nominal.normal if self.nominal.shape == "slot" else None
-            return perpendicular_part(away, require_direction(self.nominal) if normal is None else normal)
-        return away
+        return perpendicular_part(away, _plane_normal(self.nominal)) if self.nominal.shape in (*AXES, *FLAT) else away
+
+
+def _plane_normal(feature: Feature) -> FloatArray:
+    """Return the direction across which a feature is located: its axis, or the normal of the plane of a circle or slot."""
+    normal = feature.normal if feature.shape == "slot" else None
+    return require_direction(feature) if normal is None else normal
 
 
 def _add_material_bonus(
@@ -120,6 +124,8 @@ def evaluate_coaxiality(kind: str, found: FoundFeature, datum: FoundFeature) -> 
         away: FloatArray = points_of(features[0], ends) - features[1].point_mm
         if base.shape in AXES:
             away = perpendicular_part(away, require_direction(features[1]))
+        elif feature.shape in FLAT:
+            away = perpendicular_part(away, _plane_normal(feature))
         return 2 * float(np.linalg.norm(away, axis=1).max())
 
     return evaluate_width(width, found, (datum,), _describe(feature, ends))

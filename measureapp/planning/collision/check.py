@@ -13,6 +13,7 @@ from measureapp.planning.collision.build import PartSolid
 from measureapp.planning.collision.cell import Cell
 from measureapp.planning.collision.motion import Placement
 from measureapp.planning.collision.routes import NoRoute, Route, find_route, start_of
+from measureapp.progress import NoProgress, Progress
 
 SHOWN = 5
 NO_ARM = "The rig names no kinematic model of its robot: only the head was checked for collisions, on straight ways, not the robot's arm."
@@ -71,9 +72,16 @@ def check_collisions(
     return check_in(Cell.of(rig, arm, part), tuple(plan), start)
 
 
-def check_in(cell: Cell, viewpoints: Sequence[Viewpoint], start: Placement | None = None) -> CollisionReport:
+def check_in(
+    cell: Cell, viewpoints: Sequence[Viewpoint], start: Placement | None = None, progress: Progress | None = None
+) -> CollisionReport:
     """Check viewpoints in a cell that is built already; as `check_collisions`. Raises InputError where bodies always touch."""
-    at = {viewpoint.id: problem for viewpoint in viewpoints if (problem := cell.problem_at(viewpoint))}
+    told = NoProgress() if progress is None else progress
+    at: dict[str, str] = {}
+    for viewpoint in viewpoints:
+        told.check()
+        if problem := cell.problem_at(viewpoint):
+            at[viewpoint.id] = problem
     if at and (names := cell.always_touching()):
         raise InputError(
             f"The bodies {names} touch whatever the joint angles: the model of the cell is wrong.",
@@ -84,6 +92,7 @@ def check_in(cell: Cell, viewpoints: Sequence[Viewpoint], start: Placement | Non
     moves: list[Move] = []
     name = ""
     for viewpoint in free:
+        told.check()
         if here is None:
             break
         try:

@@ -162,7 +162,7 @@ def test_an_edge_is_where_its_faces_meet_whatever_is_missing_beside_it():
 def test_the_intervals_of_an_edge_distance_contain_the_truth_as_often_as_stated():
     far = {"name": "q", "shape": "plane", "point_mm": [-12, 0, -6], "direction": [-1, 0, 0], "cut": {"band_mm": 1}}
     hits = []
-    for seed in range(40):
+    for seed in range(25):
         rng = np.random.default_rng(seed)
         points = corner(rng, shift=(0.08, -0.05), count=1500)
         wall = np.column_stack([np.full(800, -12.0), rng.uniform(-30, 30, 800), rng.uniform(-11, -1, 800)])
@@ -225,3 +225,47 @@ def test_patterns_on_lines_and_grids_are_found_at_their_places():
     features, _ = measure({**CIRCLE, "radius_mm": 4, "repeat": grid}, points)
     for number, place in enumerate(places, start=1):
         assert features[f"c.{number}"].point_mm[:2] == pytest.approx(place, abs=0.01)
+
+
+def test_the_roundness_of_a_circle_is_that_of_its_slice():
+    rng = np.random.default_rng(10)
+    turn, z = rng.uniform(0, 2 * np.pi, 20_000), rng.uniform(0, 10, 20_000)
+    out = np.column_stack([np.cos(turn), np.sin(turn), np.zeros(20_000)])
+    wall = noisy(rng, (10 + 0.05 * np.cos(2 * turn))[:, None] * out + np.column_stack([np.zeros((20_000, 2)), z]), -out)
+    _, found = measure(CIRCLE, wall, {"name": "r", "kind": "roundness", "features": ["c"], "upper_tolerance": 0.2})
+    assert found["r"].measured == pytest.approx(0.1, abs=found["r"].uncertainty + 0.006)  # cells flatten the oval a little
+
+
+def test_circles_at_different_heights_are_concentric_in_their_plane():
+    rng = np.random.default_rng(11)
+    lower, upper = bore_wall(rng, 10.0, (0.0, 0.0)), bore_wall(rng, 6.0, (0.1, 0.0))
+    raised = upper.points_mm + np.array([0.0, 0.0, 20.0])
+    both = MeasuredPoints(np.vstack([lower.points_mm, raised]), np.vstack([lower.normals, upper.normals]))
+    small = {**CIRCLE, "name": "o", "point_mm": [0, 0, 25], "radius_mm": 6}
+    wanted = {"name": "k", "kind": "concentricity", "features": ["o"], "datums": ["c"], "upper_tolerance": 0.5}
+    _, found = measure(CIRCLE, both, wanted, more=[small])
+    assert found["k"].measured == pytest.approx(0.2, abs=1.5 * found["k"].uncertainty)
+
+
+def test_the_position_of_a_circle_and_a_slot_counts_in_their_plane():
+    base = {"name": "b", "shape": "plane", "point_mm": [0, 0, 0], "direction": [0, 0, -1]}
+    side = {"name": "q", "shape": "plane", "point_mm": [-25, 0, 5], "direction": [-1, 0, 0]}
+    end = {"name": "r", "shape": "plane", "point_mm": [0, -25, 5], "direction": [0, -1, 0]}
+    rng = np.random.default_rng(12)
+
+    def face(normal, at, across, count=2000):
+        first, second = across
+        flat = rng.uniform(-4, 4, count)[:, None] * np.array(first) + rng.uniform(-20, 20, count)[:, None] * np.array(second)
+        return noisy(rng, np.array(at) + flat, np.tile(np.array(normal, float), (count, 1)))
+
+    faces = [
+        face([0, 0, -1], [0, 0, 0], ([5.0, 0, 0], [0, 1.0, 0])),
+        face([-1, 0, 0], [-25, 0, 5], ([0, 0, 1.0], [0, 1.0, 0])),
+        face([0, -1, 0], [0, -25, 5], ([0, 0, 1.0], [1.0, 0, 0])),
+    ]
+    for feature, wall, centre in ((CIRCLE, bore_wall(rng), (0.11, -0.08)), (SLOT, slot_wall(rng), (0.1, 0.15))):
+        parts = [*faces, wall]
+        points = MeasuredPoints(np.vstack([one.points_mm for one in parts]), np.vstack([one.normals for one in parts]))
+        wanted = {"name": "p", "kind": "position", "features": [feature["name"]], "datums": ["b", "q", "r"], "upper_tolerance": 0.5}
+        _, found = measure(feature, points, wanted, more=[base, side, end])
+        assert found["p"].measured == pytest.approx(2 * np.hypot(*centre), abs=2 * found["p"].uncertainty)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import re
 import time
 
 import numpy as np
@@ -13,7 +14,7 @@ from measureapp.data.dimension import Verdict
 from measureapp.errors import InspectionError
 from measureapp.geometry.transform import RigidTransform
 from measureapp.inspection.dimensions import inspect
-from measureapp.inspection.programming.edits import change
+from measureapp.inspection.programming.edits import change, rename, set_alignment, set_tolerance
 from measureapp.inspection.session.graph import Graph, Node
 from measureapp.inspection.session.session import InspectionSession
 from measureapp.progress import Cancelled, NoProgress
@@ -146,7 +147,7 @@ def test_random_edits_give_the_results_of_measuring_afresh(session, points):
         {"alignments": [{"name": "b", "alignment": "datums:base"}], "position": {"alignment": "b"}},
     ]
     chosen: dict = {}
-    for number in rng.integers(0, len(edits), 12):
+    for number in rng.integers(0, len(edits), 6):
         chosen = {**chosen, **edits[number]} if rng.random() < 0.7 else dict(edits[number])
         if chosen.get("position", {}).get("alignment") and "alignments" not in chosen:
             chosen.pop("position")
@@ -208,3 +209,33 @@ def test_a_cancelled_measurement_leaves_what_it_finished(points):
         session.measure(program, Cancelling())
     assert ("feature", "top") not in names(session.measure(program))
     assert_same(session.measure(program).inspection, inspect(points, program))
+
+
+@pytest.mark.slow
+def test_edits_of_a_sample_part_give_the_results_of_measuring_afresh(samples, scan, on_table):
+    part = samples("gypsum")
+    points = scan(part.nominal, on_table(20.0), count=60_000)
+    session = InspectionSession(points, part.surface)
+    rng = np.random.default_rng(7)
+    program = part.program
+    for _ in range(12):
+        feature = program.features[rng.integers(len(program.features))]
+        dimension = program.dimensions[rng.integers(len(program.dimensions))]
+        edit = rng.integers(4)
+        if edit == 0:
+            cut = {**feature.cut.model_dump(exclude_unset=True), "band_mm": float(rng.uniform(1, 2))}
+            program = change(program, Node("feature", feature.name), {"cut": cut})
+        elif edit == 1:
+            program = set_tolerance(program, dimension.name, rng.choice(["±0.05", "2768-m", "", "+0.1/-0.02"]))
+        elif edit == 2:
+            program = rename(program, Node("feature", feature.name), f"{feature.name}*")
+        else:
+            words = rng.choice(["best-fit", "none", f"datums:{program.features[-1].name}"])
+            program = set_alignment(program, str(words))
+        try:
+            fresh = inspect(points, program, part.nominal)
+        except InspectionError as error:
+            with pytest.raises(InspectionError, match=re.escape(error.message)):
+                session.measure(program)
+            continue
+        assert_same(session.measure(program).inspection, fresh)

@@ -14,6 +14,8 @@ from PySide6.QtGui import QImage
 
 ROOT = Path(__file__).resolve().parents[3]
 LEAST_COLOURS = 200
+LIBRARIES = ("libxcb-cursor.so.0", "libxcb-icccm.so.4", "libxcb-keysyms.so.1")
+PACKAGES = "libxcb-cursor0, libxcb-icccm4, libxcb-keysyms1"
 
 
 def _loads(library: str) -> bool:
@@ -27,7 +29,7 @@ def _loads(library: str) -> bool:
 pytestmark = [
     pytest.mark.slow,
     pytest.mark.skipif(shutil.which("Xvfb") is None, reason="install Xvfb (Debian: apt-get install xvfb) for a screen in memory"),
-    pytest.mark.skipif(not _loads("libxcb-cursor.so.0"), reason="install libxcb-cursor0, which Qt needs for X windows"),
+    pytest.mark.skipif(not all(map(_loads, LIBRARIES)), reason=f"install what Qt needs for X windows: {PACKAGES}"),
 ]
 
 

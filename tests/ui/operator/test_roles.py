@@ -51,7 +51,7 @@ def test_a_start_with_a_pin_begins_in_operator_mode(application, window):
 
 def test_in_operator_mode_nothing_of_the_engineers_is_reachable(application, window, qtbot):
     reached = []
-    QShortcut(QKeySequence("Ctrl+K"), window, lambda: reached.append("palette"))
+    QShortcut(QKeySequence("Ctrl+J"), window, lambda: reached.append("palette"))
     action = QAction("Open", window)
     action.setShortcut(QKeySequence("Ctrl+Shift+O"))
     action.triggered.connect(lambda: reached.append("open"))
@@ -62,7 +62,7 @@ def test_in_operator_mode_nothing_of_the_engineers_is_reachable(application, win
     window.header.role.setValue("operator")
     assert not window.acceptDrops() and not dialog.isVisible()
     assert not window.header.isVisible() and not window.rail.isVisible() and not window.stack.isVisible()
-    for keys in ("K", "O"):
+    for keys in ("K", "J", "O"):
         QTest.keyClick(window.windowHandle(), keys, Qt.KeyboardModifier.ControlModifier)
     QTest.keyClick(window.windowHandle(), "O", Qt.KeyboardModifier.ControlModifier | Qt.KeyboardModifier.ShiftModifier)
     QTest.keyClick(window.windowHandle(), Qt.Key.Key_F1)
@@ -71,7 +71,7 @@ def test_in_operator_mode_nothing_of_the_engineers_is_reachable(application, win
     assert window.acceptDrops() and dialog.isVisible() and action.isEnabled()
     dialog.hide()
     window.activateWindow()
-    QTest.keyClick(window.windowHandle(), "K", Qt.KeyboardModifier.ControlModifier)
+    QTest.keyClick(window.windowHandle(), "J", Qt.KeyboardModifier.ControlModifier)
     assert reached == ["palette"]
     dialog.close()
     dialog.deleteLater()

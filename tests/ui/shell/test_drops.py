@@ -24,7 +24,7 @@ def actions(done):
         return lambda path: done.append((name, path.name))
 
     names = ("open_project", "inspect", "set_nominal", "set_program", "open_plan", "open_rig")
-    return DropActions(**{name: noted(name) for name in names}, running=lambda: "", is_measured=lambda: True)
+    return DropActions(**{name: noted(name) for name in names}, is_engineer=lambda: True, running=lambda: "", is_measured=lambda: True)
 
 
 def dropped(path, actions, done):
@@ -65,6 +65,7 @@ def test_nothing_is_taken_during_a_job(tmp_path, actions):
     found = meaning([tmp_path / "scan.ply"], replace(actions, running=lambda: "Demo: gypsum"))
     assert found.act is None and found.words.startswith("Demo: gypsum is still running.")
     assert meaning([tmp_path, tmp_path], actions).act is None
+    assert meaning([tmp_path / "scan.ply"], replace(actions, is_engineer=lambda: False)).words == "This needs the engineer's role."
 
 
 def test_an_outline_says_what_will_happen_while_a_file_hangs_over_the_window(application, window, tmp_path, monkeypatch):

@@ -9,7 +9,6 @@ from PySide6.QtWidgets import QFileDialog
 
 from measureapp.project.folder import ProjectFolder
 from ui.app import build
-from ui.settings.settings import Settings
 
 
 @pytest.fixture
@@ -70,8 +69,11 @@ def test_the_settings_dialog_changes_the_settings_at_once(application, window):
     dialog, settings = window.settings_dialog, application.settings
     dialog.theme.setValue("dark")
     assert settings.text("theme") == "dark" and application.look.theme.shade == "dark"
-    dialog.role.setValue("operator")
-    assert Settings(settings.file).text("role") in {"operator", "engineer"} and settings.text("role") == "operator"
+    application.session.set_role("operator")
+    assert settings.text("role") == "operator"
+    assert not window.actions_.perform("project.new") and window.project_menu.new_dialog is None
+    assert application.session.messages[-1].text == "New project…: This needs the engineer's role."
+    application.session.set_role("engineer")
     dialog.forget.click()
     assert dialog.forgotten.text() == "Forgotten."
     dialog.close()

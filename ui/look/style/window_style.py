@@ -60,6 +60,7 @@ PRIMITIVES: dict[QStyle.PrimitiveElement, Draw] = {
 NOT_DRAWN = frozenset(
     {
         Primitive.PE_FrameFocusRect,  # drawn as a border
+        Primitive.PE_IndicatorHeaderArrow,  # drawn with the words of the heading
         Primitive.PE_FrameMenu,
         Primitive.PE_FrameLineEdit,
         Primitive.PE_PanelScrollAreaCorner,

@@ -90,7 +90,8 @@ class CreateBar(QFrame):
 
     @Slot(str)
     def _take(self, name: str) -> None:
-        self._features.toggle(name)
+        if self.pick.isChecked():
+            self._features.toggle(name)
 
     def _construct(self, shape: str) -> None:
         name = self._creating.construct(shape, self._features.names())

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QStackedWidget, QWidget
 from ui.controllers.controllers import Controllers
 from ui.controllers.program_rows import DimensionRow
 from ui.look.look import Look
+from ui.pages.inspection.alignment_panel import AlignmentPanel
 from ui.pages.inspection.cell_edits import apply_edit
 from ui.pages.inspection.create_bar import CreateBar
 from ui.pages.inspection.deviation_card import DeviationCard
@@ -33,7 +34,7 @@ if TYPE_CHECKING:
 
 TABLE_WIDTH = 680  # px
 NARROW = 620  # px: without the nominal, which the properties show
-LISTS = {"dimensions": "Dimensions", "features": "Features", "deviation": "Deviation"}
+LISTS = {"dimensions": "Dimensions", "features": "Features", "alignment": "Alignment", "deviation": "Deviation"}
 
 
 class DimensionSide(QWidget):
@@ -54,6 +55,7 @@ class DimensionSide(QWidget):
         self.table = DimensionTable(look, self._edit)
         self.features = FeatureTable(look)
         self.create = CreateBar(look, controllers.creating, self.features)
+        self.alignment = AlignmentPanel(look, programming, controllers.creating)
         self.create.dimensionAdded.connect(self._await)
         self._awaited = ""  # name of the dimension that was added last
         self.actions = RowActions(self.table, programming)
@@ -68,6 +70,7 @@ class DimensionSide(QWidget):
         self._lists = QStackedWidget()
         self._lists.addWidget(self.table)
         self._lists.addWidget(self.features)
+        self._lists.addWidget(self.alignment)
         self._lists.addWidget(self.deviation)
         beside = column(self.banner, row(self.list, 0), self.filter, self._lists, self.create, self.save, self.rule, spacing=8)
         beside.setStretch(3, 1)
@@ -99,9 +102,20 @@ class DimensionSide(QWidget):
             return
         self.show_rows()
         self.features.show_features(inspection.features)
+        self.alignment.show_inspection(inspection)
         self.rule.setText(f"Lengths in mm, U for k = 2, verdicts by {rule_name()}.")
         self.rule.setToolTip(decision_rule())
         self.banner.show_verdicts([found.verdict for found in inspection.dimensions])
+
+    @property
+    def is_picking(self) -> bool:
+        """Whether clicks select faces."""
+        return self.create.pick.isChecked() or self.alignment.pick.isChecked()
+
+    def end_picking(self) -> None:
+        """Let clicks select points again."""
+        self.create.pick.setChecked(False)
+        self.alignment.pick.setChecked(False)
 
     def show_rows(self) -> None:
         """Show the rows of the edited program; the worst is selected if none was."""
@@ -149,7 +163,7 @@ class DimensionSide(QWidget):
         return apply_edit(self._programming, self.table.rows, edit)
 
     def _show_list(self) -> None:
-        shown = {"dimensions": self.table, "features": self.features, "deviation": self.deviation}
+        shown = {"dimensions": self.table, "features": self.features, "alignment": self.alignment, "deviation": self.deviation}
         self._lists.setCurrentWidget(shown[self.list.value()])
         self.filter.setVisible(self.list.value() == "dimensions" and self._is_filter_offered)
         self.rule.setVisible(self.list.value() == "dimensions")
@@ -161,6 +175,8 @@ class DimensionSide(QWidget):
         self.create.setVisible(offered)
         if not offered:
             self.create.pick.setChecked(False)
+        if self.list.value() != "alignment":
+            self.alignment.pick.setChecked(False)
 
     def _await(self, name: str) -> None:
         """Select a new dimension in its table, also before it is measured."""

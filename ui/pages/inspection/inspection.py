@@ -236,7 +236,7 @@ class InspectionPage(ViewportPage):
     def end_clicking(self) -> None:
         """Stop measuring and growing by clicking."""
         self.clicking.end()
-        self.side.create.pick.setChecked(False)
+        self.side.end_picking()
 
     def _undo(self) -> None:
         """Undo the last click; without one, the last change of the program."""
@@ -299,7 +299,7 @@ class InspectionPage(ViewportPage):
     def _pick_surface(self, pick: Pick) -> None:
         """Select the face that is clicked, or read the deviation where the coloured CAD model is clicked."""
         is_tool = self.distance.is_on or self.grow.is_on
-        if self.side.create.pick.isChecked() and pick.position_mm is not None:
+        if self.side.is_picking and pick.position_mm is not None:
             self.controllers.creating.pick(pick.position_mm)
             return
         if not pick.is_point and pick.position_mm is not None and self.shape.value() == "deviation" and not is_tool:
@@ -308,7 +308,7 @@ class InspectionPage(ViewportPage):
     def _show_point(self, layer: int, place: int) -> None:
         """Show source and deviation of a picked point; or measure from it, or grow a feature."""
         stitched, inspection, comparison = self.session.stitched, self.session.inspection, self.session.comparison
-        if self.side.create.pick.isChecked():  # `_pick_surface` takes the click
+        if self.side.is_picking:  # `_pick_surface` takes the click
             return
         if stitched is None or inspection is None or layer > 0:  # an unmeasured part of the nominal
             return

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from PySide6.QtCore import Slot
 from PySide6.QtGui import QShowEvent
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QMenu, QWidget
 
 from ui.controllers.jobs import JobRunner
 from ui.look.look import Look
@@ -26,6 +26,7 @@ class PartView(QWidget):
         super().__init__()
         self._session, self._drawing = session, drawing
         self.view = CloudView(look)
+        self.view.menuOpening.connect(_without_dialogs)
         self._composer: Composer | None = None
         self._busy, self._stale = False, False
         layout = column(self.view)
@@ -90,3 +91,10 @@ class PartView(QWidget):
 def _prepare(composer: Composer, job: Job) -> tuple[Picture, ShuffledCloud]:
     picture = composer(job)
     return picture, shuffle(picture.clouds)
+
+
+def _without_dialogs(menu: QMenu, _pick: object) -> None:
+    """Remove from the view's menu what opens a dialog: the files of the computer are not an operator's."""
+    for action in menu.actions():
+        if action.text().partition("\t")[0].endswith("…"):
+            menu.removeAction(action)

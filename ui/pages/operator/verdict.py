@@ -10,7 +10,7 @@ from measureapp.data.verdicts import part_verdict
 from ui.controllers.controllers import Controllers
 from ui.look.icons import IconSet
 from ui.look.look import Look
-from ui.look.wording import several
+from ui.look.verdict_words import summary_words
 from ui.pages.inspection.part_picture import part_composer
 from ui.pages.operator.big import BigButton, big_card, big_label
 from ui.pages.operator.part_view import PartView
@@ -21,8 +21,6 @@ from ui.widgets.basic import clear, column, row
 
 SIGN_PX, WORD_PX = 96, 96
 SIDE_WIDTH = 520
-ALL_PASS = "All {count} pass."
-NO_DIMENSIONS = "The program evaluated no dimension: there is no verdict."
 DRIFTED = "A camera has moved since the calibration: the values may be wrong. Call the engineer."
 
 
@@ -174,19 +172,3 @@ class VerdictScreen(QWidget):
                 words += "\nThe first run of this part counts."
         self.filed.setText(words)
         self.filed.setVisible(bool(words))
-
-
-def summary_words(verdicts: list[str]) -> str:
-    """Return how many dimensions have which verdict, the worst first."""
-    if not verdicts:
-        return NO_DIMENSIONS
-    if set(verdicts) == {"pass"}:
-        return ALL_PASS.format(count=several(len(verdicts), "dimension"))
-    words = {
-        "fail": "{n} fail",
-        "not proven": "{n} not proven",
-        "not measured": "{n} not measured",
-        "pass": "{n} pass",
-    }
-    counts = [words[name].format(n=verdicts.count(name)) for name in words if name in verdicts]
-    return f"{', '.join(counts)}, of {several(len(verdicts), 'dimension')}."

@@ -37,7 +37,7 @@ class DimensionWords:
 def shown_dimensions(dimensions: Sequence[Dimension]) -> tuple[Dimension, ...]:
     """Return the worst dimensions, at most three: those that do not pass, or of a part that passes those nearest to a limit."""
     ordered = worst_first(dimensions)
-    open_ = [one for one in ordered if one.verdict != "pass"]
+    open_ = [one for one in ordered if one.verdict not in ("pass", "no tolerance")]
     return tuple(open_[:MOST] or ordered[:MOST])
 
 
@@ -49,17 +49,21 @@ def words_of(dimension: Dimension) -> DimensionWords:
 
 
 def _limit(dimension: Dimension, unit: str) -> str:
-    lower, upper = dimension.nominal + dimension.lower_tolerance, dimension.nominal + dimension.upper_tolerance
-    if dimension.deviation is None:
+    deviation, lower, upper = dimension.deviation, dimension.lower_tolerance, dimension.upper_tolerance
+    if deviation is None:
         return dimension.reason or "It could not be measured."
-    exceeded = dimension.deviation > dimension.upper_tolerance or dimension.deviation < dimension.lower_tolerance
-    above = dimension.deviation > (dimension.lower_tolerance + dimension.upper_tolerance) / 2
-    words = {"limit": quantity(upper if above else lower, unit), "u": quantity(dimension.round_uncertainty(), unit)}
+    if lower is None or upper is None:
+        return "The program states no tolerance."
+    above = deviation > (lower + upper) / 2
+    bound = upper if above else lower
+    words = {
+        "limit": quantity(dimension.nominal + bound, unit),
+        "u": quantity(dimension.round_uncertainty(), unit),
+        "past": quantity(abs(deviation - bound), unit),
+    }
     if dimension.verdict == "not proven":
         return ("at most {limit}, U = {u}" if above else "at least {limit}, U = {u}").format(**words)
-    past = dimension.deviation - (dimension.upper_tolerance if above else dimension.lower_tolerance)
-    words["past"] = quantity(abs(past), unit)
-    if exceeded:
+    if dimension.verdict == "fail":
         return ("at most {limit}: {past} too large" if above else "at least {limit}: {past} too small").format(**words)
     return ("at most {limit}" if above else "at least {limit}").format(**words)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QLineEdit, QWidget
@@ -15,10 +16,19 @@ from ui.widgets.basic import Button, Form, card, label, row, scrolled
 from ui.widgets.checklist import Checklist, Item
 from ui.widgets.path_field import PathField
 
+if TYPE_CHECKING:
+    from measureapp.data.raw_policy import RawPolicy
+
 EXPOSURES = {
     "plan": ("As planned", "The exposures of the plan, the same or chosen for every viewpoint there"),
     "once": ("Probe at the first viewpoint", "A probe at the first viewpoint chooses the exposures of all"),
     "each": ("Probe at every viewpoint", "A probe at every viewpoint chooses its exposures; for parts with bright and dark sides"),
+}
+RAW: dict[RawPolicy | None, tuple[str, str]] = {
+    None: ("As the project states", "New projects keep the images as they were taken"),
+    "keep": ("Keep", "As they were taken; everything can be computed again"),
+    "compress": ("Compress after the scan", "Without loss; everything can be computed again"),
+    "drop": ("Drop after the scan", "Once their clouds are stored; clouds cannot be computed again, for example with a new calibration"),
 }
 NOMINALS = "Nominals (*.stl *.ply *.obj *.step *.stp)"
 PROGRAMS = "Inspection programs (*.toml)"
@@ -58,6 +68,10 @@ class ScanSetup(QWidget):
         self.seconds.setValue(ScanChoices().seconds)
         self.seconds.setSuffix("\u00a0s")
         self.seconds.setToolTip("Time for the exposures of one viewpoint")
+        self.raw = QComboBox()
+        for policy, (words, tip) in RAW.items():
+            self.raw.addItem(words, policy)
+            self.raw.setItemData(self.raw.count() - 1, tip, Qt.ItemDataRole.ToolTipRole)
         self.rig, self.what = label("", "body", wrap=True), label("", "small", wrap=True)
         self.found = Checklist(look)
         self.check = Button("Check", look, "pass", "normal", "Connect the rig and list what prevents the scan; nothing moves")
@@ -77,6 +91,7 @@ class ScanSetup(QWidget):
         form.add("Plan", self.plan)
         form.add("Exposures", self.exposures)
         form.add("Time for each", self.seconds)
+        form.add("Raw images", self.raw)
         choices = card(label("Scan", "heading"), 4, form, 0, margin=16)
         findings = card(label("Before the scan", "heading"), 4, self.found, row(0, self.check, self.start), margin=16)
         both = row(scrolled(choices), findings, spacing=16)
@@ -90,6 +105,7 @@ class ScanSetup(QWidget):
         self.part.textChanged.connect(self._changed)
         self.exposures.currentIndexChanged.connect(self._changed)
         self.seconds.valueChanged.connect(self._changed)
+        self.raw.currentIndexChanged.connect(self._changed)
         self.check.clicked.connect(self.checkClicked)
         self.start.clicked.connect(self.startClicked)
         for signal in (self._session.rigChanged, self._session.cellChanged, self._session.planChanged, self._session.calibrationChanged):
@@ -106,6 +122,7 @@ class ScanSetup(QWidget):
             self.plan.value(),
             self.exposures.currentData(),
             self.seconds.value(),
+            self.raw.currentData(),
         )
 
     def setValue(self, choices: ScanChoices) -> None:
@@ -121,6 +138,7 @@ class ScanSetup(QWidget):
         self.part.setText(choices.part)
         self.exposures.setCurrentIndex(self.exposures.findData(choices.exposures))
         self.seconds.setValue(choices.seconds)
+        self.raw.setCurrentIndex(list(RAW).index(choices.raw))
         self._changed()
 
     def _changed(self) -> None:

@@ -1,0 +1,54 @@
+"""Every long job of the window ends within a second after Cancel; alone on the machine, since that is measured."""
+
+from __future__ import annotations
+
+import time
+from pathlib import Path
+
+import pytest
+
+from measureapp.resources import resource
+from tests.ui.heartbeat import slowness
+from tests.ui.journey.test_journey import write_quarter_rig
+from ui.controllers.startup import WARM_UP, import_with_retry
+
+LIMIT_S = 1.0
+PATIENCE_MS = 300_000
+LATER_MS = (300, 2_500)  # after its begin
+GYPSUM = Path(str(resource("parts"))) / "gypsum" / "nominal.stl"
+
+
+def _calibrate(application, folder):
+    application.controllers.rig_calibrating.start(folder / "calibration", None)
+
+
+def _demo(application, folder):
+    controllers = application.controllers
+    controllers.demo.folder = folder / "demo"
+    controllers.demo.run()
+
+
+def _generate(application, folder):
+    application.controllers.planning.generate(None, 0.98)
+
+
+@pytest.mark.slow
+@pytest.mark.timed
+@pytest.mark.parametrize("later_ms", LATER_MS)
+@pytest.mark.parametrize("begin", [_calibrate, _demo, _generate])
+def test_a_job_ends_within_a_second_after_cancel(application, window, qtbot, tmp_path, begin, later_ms):
+    from measureapp.project.rig_file import read_rig
+
+    for name in WARM_UP:
+        import_with_retry(name)
+    planning, queue = application.controllers.planning, application.controllers.jobs.queue
+    application.session.set_rig(read_rig(write_quarter_rig(tmp_path / "quarter.toml")))
+    planning.part.choose(GYPSUM)
+    qtbot.waitUntil(lambda: planning.part.prepared is not None, timeout=PATIENCE_MS)
+    begin(application, tmp_path)
+    qtbot.wait(later_ms)
+    assert queue.busy
+    start = time.monotonic()
+    application.controllers.jobs.cancel()
+    qtbot.waitUntil(lambda: not queue.busy, timeout=PATIENCE_MS)
+    assert time.monotonic() - start < LIMIT_S * slowness()

@@ -1,0 +1,33 @@
+"""Verdicts in words: how many dimensions have which, the worst first."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from ui.look.wording import several
+
+NO_DIMENSIONS = "The program evaluated no dimension: there is no verdict."
+NO_TOLERANCE = "No dimension has a tolerance: nothing is proven."
+COUNTED = {
+    "fail": "{n} fail",
+    "not proven": "{n} not proven",
+    "not measured": "{n} not measured",
+    "pass": "{n} pass",
+    "no tolerance": "{n} without tolerance",
+}
+
+
+def summary_words(verdicts: Sequence[str]) -> str:
+    """Return how many dimensions have which verdict, the worst first.
+
+    >>> summary_words(["pass", "fail"]), summary_words(["pass"])
+    ('1 fail, 1 pass, of 2 dimensions.', 'The dimension passes.')
+    """
+    if not verdicts:
+        return NO_DIMENSIONS
+    if set(verdicts) == {"pass"}:
+        return f"All {several(len(verdicts), 'dimension')} pass." if len(verdicts) > 1 else "The dimension passes."
+    if set(verdicts) == {"no tolerance"}:
+        return NO_TOLERANCE
+    counts = [words.format(n=list(verdicts).count(name)) for name, words in COUNTED.items() if name in verdicts]
+    return f"{', '.join(counts)}, of {several(len(verdicts), 'dimension')}."
