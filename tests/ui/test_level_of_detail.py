@@ -13,7 +13,7 @@ from PySide6.QtWidgets import QApplication
 from ui.look.look import Look
 from ui.viewport.cloud_view import CloudView
 from ui.viewport.colouring import plain
-from ui.viewport.frame_budget import FRAME_S, FrameBudget
+from ui.viewport.frame_budget import FRAME_S, FrameBudget, LevelChoice
 from ui.viewport.layers import CloudLayer
 from ui.viewport.point_size import HOLES, LEAST_PX, MOST_PX, point_size_px
 
@@ -190,3 +190,13 @@ def test_points_grow_when_one_looks_closer_and_stay_within_limits():
     assert point_size_px(places - 1000, (400, 400), 100_000) == LEAST_PX
     assert point_size_px(places, (400, 400), 10) == MOST_PX
     assert point_size_px(np.empty((0, 2)), (400, 400), 10) == LEAST_PX
+
+
+def test_the_finest_subsample_that_is_drawn_in_time_is_chosen_and_kept():
+    cost_s = [0.12, 0.05, 0.03, 0.02]  # of the finest to the coarsest
+    choice, chosen = LevelChoice(), []
+    for _ in range(40):
+        chosen.append(choice.place(4))
+        choice.observe(cost_s[chosen[-1]])
+    assert chosen[0] == 2 and set(chosen[-20:]) == {1}
+    assert chosen.count(0) < 6

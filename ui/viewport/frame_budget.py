@@ -38,6 +38,7 @@ class LevelChoice:
 
     def __init__(self) -> None:
         self._seconds: dict[int, float] = {}
+        self._handed: set[int] = set()
         self._place: int | None = None
 
     def place(self, count: int) -> int:
@@ -52,8 +53,10 @@ class LevelChoice:
         return self._place
 
     def observe(self, seconds: float) -> None:
-        """Take note of the time of a frame."""
-        if self._place is not None:
+        """Take note of the time of a frame; the first one of a subsample also hands it to the graphics, so it does not count."""
+        if self._place is not None and self._place not in self._handed:
+            self._handed.add(self._place)
+        elif self._place is not None:
             former = self._seconds.get(self._place)
             self._seconds[self._place] = seconds if former is None else former + LEARNING * (seconds - former)
 

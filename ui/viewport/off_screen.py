@@ -30,6 +30,7 @@ class OffScreenView(QWidget):
         self._stage, self._window, self._image, self._stale = stage, window, QImage(), True
         self._grabbed = 0.0  # time of the last image
         self._drawn_for = (0, 0, 0.0)  # size and pixel ratio of the widget for which the image was drawn
+        self._was_slow = False  # the last frame of a moving camera
         self._is_slow = False  # so slow that pictures of a moving camera have half the resolution
         window.join(self)
         self.mouse = Mouse(self, stage, self.pick)
@@ -124,7 +125,8 @@ class OffScreenView(QWidget):
     def _draw(self, *, resized: bool) -> None:
         seconds, scene = self._window.draw(), self._stage.scene
         if scene.is_moving and scene.budget.software:
-            self._is_slow = seconds > (FRAME_S * SLOW_RATIO**2 if self._is_slow else FRAME_S)
+            slow = seconds > (FRAME_S * SLOW_RATIO**2 if self._is_slow else FRAME_S)
+            self._is_slow, self._was_slow = slow and (self._was_slow or self._is_slow), slow  # a single slow frame says nothing
         now = time.monotonic()
         if scene.is_complete or resized or (scene.is_presentable and now - self._grabbed > GRAB_S):
             self._grabbed = now

@@ -281,8 +281,8 @@ class CloudsPage(ViewportPage):
         if not self.session.views:  # a measured file has none
             return None
         colour_by: ColourBy = self.colour_by.value()  # type: ignore[assignment]
-        is_merged = self.picture.merged(self.stage.value()) is not None
-        legend = self.scales.get(colour_by, [view.cloud for view in self.session.views], self.placements().values(), merged=is_merged)
+        merged = self.picture.merged(self.stage.value())
+        legend = self.scales.get(colour_by, [view.cloud for view in self.session.views], self.placements().values(), merged=merged)
         self.view.set_legend(legend)
         return self.picture.composer(self.stage.value(), colour_by, legend)
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from ui.pages.layers import ColourBy, scale_end, scale_legend, sigma_sample
 
 if TYPE_CHECKING:
-    from measureapp.data.cloud import PointCloud, ViewPlacement
+    from measureapp.data.cloud import PointCloud, StitchedCloud, ViewPlacement
     from ui.viewport.overlay.legend import Legend
 
 KEPT_STEPS = 50
@@ -28,11 +28,14 @@ class Scales:
         return bool(self._former)
 
     def get(
-        self, colour_by: ColourBy, clouds: Collection[PointCloud], placements: Collection[ViewPlacement], *, merged: bool
+        self, colour_by: ColourBy, clouds: Collection[PointCloud], placements: Collection[ViewPlacement], *, merged: StitchedCloud | None
     ) -> Legend | None:
-        """Return the legend of a colouring, with the range that the user gave it; None where there is no scale."""
+        """Return the legend of a colouring, with the range that the user gave it; None where there is no scale.
+
+        The range is that of the views, the same in all stages; the histogram is of what is shown: ``merged``, else the views.
+        """
         end = scale_end(colour_by, clouds, placements) if colour_by in {"sigma", "residual"} else 1.0
-        legend = scale_legend(colour_by, end, sigma_sample(clouds), merged=merged)
+        legend = scale_legend(colour_by, end, sigma_sample(clouds if merged is None else [merged]), merged=merged is not None)
         if legend is not None and legend.quantity in self._edited:
             legend = replace(self._edited[legend.quantity], histogram=legend.histogram, usual=legend.usual)
         return legend
