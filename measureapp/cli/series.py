@@ -42,9 +42,12 @@ def _add_show(group: typer.Typer) -> None:
         as_json: JsonOption = False,
     ) -> None:
         """Show the runs of a program, with trend and capability of every dimension."""
-        from measureapp.project.series.store import SeriesStore
+        from measureapp.project.series.store import SeriesStore, list_programs
         from measureapp.report.series.documents import series_document
 
+        known = list_programs(results)
+        if program not in known:
+            raise InputError(f"There is no series of {program}.", f"Name one of: {', '.join(known) or 'none yet'}.")
         runs = SeriesStore(program, results).runs(serial_number=serial, since=since)
         lines = [
             f"{run.measured_at}  {run.identification.serial_number or '-':20}  {run.verdict or 'no verdict'}"

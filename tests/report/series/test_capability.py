@@ -125,3 +125,8 @@ def test_the_command_line_lists_shows_and_reports_a_series(tmp_path: Path, capsy
     assert sorted(path.name for path in (tmp_path / "out").iterdir()) == ["series.csv", "series.json", "series.pdf"]
     capsys.readouterr()
     assert main(["series", "rebuild", "lid 盖 #1", str(tmp_path), *place]) == 0 and "3 runs" in capsys.readouterr().out
+
+
+def test_a_program_without_a_series_is_refused_by_name(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["series", "show", "lid", "--results", str(tmp_path)]) == 2
+    assert "There is no series of lid." in capsys.readouterr().err
