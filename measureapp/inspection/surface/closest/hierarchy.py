@@ -33,7 +33,7 @@ class TriangleHierarchy:
         points = np.ascontiguousarray(points_mm, dtype=np.float64)
         found, weights = np.zeros(len(points), np.int64), np.empty((len(points), 2))
         in_bands(
-            lambda start, stop: search(points, self._nodes, LEAF, self._references, self._shapes, start, stop, found, weights),
+            lambda start, stop: search(points, self._nodes, self._references, self._shapes, start, stop, found, weights),
             len(points),
         )
         return found, np.column_stack([1 - weights.sum(axis=1), weights])

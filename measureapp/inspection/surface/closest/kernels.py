@@ -51,15 +51,14 @@ def _on_triangle(t: Any, k: int, x: float, y: float, z: float) -> tuple[float, f
 
 
 @njit(**EXACT)
-def search(points: Any, nodes: Any, leaf: int, references: Any, shapes: Any, start: int, stop: int, found: Any, weights: Any) -> None:
+def search(points: Any, nodes: Any, references: Any, shapes: Any, start: int, stop: int, found: Any, weights: Any) -> None:
     """Find the closest triangle and the weights of its second and third corner, for the points ``start`` to ``stop``.
 
     Parameters
     ----------
     points : (N, 3) float64
     nodes : (2P, 6) boxes of a complete binary tree, root at 1, children of i at 2i and 2i + 1; the last P are its leaves
-    leaf : number of references in each leaf
-    references : (P · leaf,) triangles, in the order of the leaves
+    references : (P · R,) triangles, R per leaf, in the order of the leaves
     shapes : (T, 12) first corner, both edges from it and their products
     found : (N,) int64, filled
     weights : (N, 2), filled
@@ -67,6 +66,7 @@ def search(points: Any, nodes: Any, leaf: int, references: Any, shapes: Any, sta
     waiting = np.empty(STACK, np.int64)
     least = np.empty(STACK)
     first_leaf = len(nodes) // 2
+    leaf = len(references) // first_leaf
     for n in range(start, stop):
         x, y, z = points[n, 0], points[n, 1], points[n, 2]
         best, which, v, w = np.inf, np.int64(-1), 0.0, 0.0
