@@ -8,9 +8,8 @@ from collections import Counter
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import asdict, dataclass, field
-from typing import Any, cast
 
-import psutil
+import psutil  # type: ignore[import-untyped]
 
 SAMPLE_S = 0.02  # between two looks at the memory
 
@@ -103,7 +102,7 @@ class Profile(Stopwatch):
         """Bytes read and written by the program so far; nothing where the system does not count them."""
         if not hasattr(self._process, "io_counters"):
             return 0, 0
-        counted = cast("Any", self._process.io_counters())
+        counted = self._process.io_counters()
         return getattr(counted, "read_chars", counted.read_bytes), getattr(counted, "write_chars", counted.write_bytes)
 
     def _watch_memory(self) -> None:
