@@ -8,9 +8,10 @@ from typing import Annotated, Any, Literal
 import typer
 
 from measureapp.cli.main import OUT_OF_TOLERANCE
-from measureapp.cli.outcome import has_passed, measurement_lines, report_event
+from measureapp.cli.outcome import measurement_lines, report_event
 from measureapp.cli.reply import UNIT_HELP, JsonOption, TerminalProgress, reply
 from measureapp.data.length_unit import LengthUnit, likely_unit
+from measureapp.data.verdicts import has_passed
 from measureapp.errors import InputError
 
 

@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Annotated, Literal
 import typer
 
 from measureapp.cli.main import OUT_OF_TOLERANCE
-from measureapp.cli.outcome import has_passed, measurement_lines, report_event
+from measureapp.cli.outcome import measurement_lines, report_event
 from measureapp.cli.reply import JsonOption, TerminalProgress, reply
+from measureapp.data.verdicts import has_passed
 from measureapp.errors import InputError
 
 if TYPE_CHECKING:

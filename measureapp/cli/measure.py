@@ -8,9 +8,10 @@ from typing import Annotated
 import typer
 
 from measureapp.cli.main import OUT_OF_TOLERANCE
-from measureapp.cli.outcome import ACCEPTED, alignment_lines, dimension_line
+from measureapp.cli.outcome import alignment_lines, dimension_line
 from measureapp.cli.reply import JsonOption, TerminalProgress, UnitOption, reply
 from measureapp.data.length_unit import LengthUnit
+from measureapp.data.verdicts import ACCEPTED
 
 
 def register(app: typer.Typer) -> None:

@@ -13,7 +13,6 @@ if TYPE_CHECKING:
     from measureapp.pipeline.events import Event, ExposuresChosen, ValidityKnown
 
 MARK = {Verdict.PASS: "✓", Verdict.FAIL: "✗", Verdict.NOT_PROVEN: "?", Verdict.NOT_MEASURED: "–", Verdict.NO_TOLERANCE: "·"}
-ACCEPTED = (Verdict.PASS, Verdict.NO_TOLERANCE)
 
 
 def report_event(event: Event) -> None:
@@ -49,14 +48,6 @@ def exposures_line(event: ExposuresChosen) -> str:
         f"{place}Exposures chosen: {times} ms, {event.decodable_share:.1%} of the lit pixels decodable "
         f"(exposures of the plan: {event.planned_share:.1%}){note}."
     )
-
-
-def has_passed(measurement: Measurement) -> bool:
-    """Whether all dimensions pass and no camera has drifted since the calibration."""
-    drift = measurement.validity.drift
-    if drift is not None and drift.status == "drifted":
-        return False
-    return measurement.inspection is None or all(dimension.verdict in ACCEPTED for dimension in measurement.inspection.dimensions)
 
 
 def measurement_lines(measurement: Measurement) -> list[str]:

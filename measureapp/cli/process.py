@@ -7,13 +7,16 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from measureapp.cli.campaign import ClusterOption, answer_jobs, run_jobs
 from measureapp.cli.import_recording import process_imported
 from measureapp.cli.main import DONE, OUT_OF_TOLERANCE
-from measureapp.cli.outcome import has_passed, measurement_lines, report_event
+from measureapp.cli.outcome import measurement_lines, report_event
 from measureapp.cli.reply import JsonOption, TerminalProgress, reply
+from measureapp.data.verdicts import has_passed
+from measureapp.errors import InputError
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
+    from collections.abc import Callable, Sequence
 
     from measureapp.pipeline.events import Event
     from measureapp.project.folder import ProjectFolder
@@ -24,7 +27,9 @@ def register(app: typer.Typer) -> None:
 
     @app.command()
     def process(
-        project: Annotated[Path, typer.Argument(help="Project folder.")],
+        projects: Annotated[
+            list[Path], typer.Argument(metavar="PROJECT...", help="Project folder; several are processed one after the other.")
+        ],
         accept: Annotated[
             list[str] | None, typer.Option(help="Use this view regardless of its quality, now and later; may be given several times.")
         ] = None,
@@ -40,6 +45,7 @@ def register(app: typer.Typer) -> None:
             bool,
             typer.Option("--profile", help="State time, processor time, peak memory and bytes read and written of every stage."),
         ] = False,
+        cluster: ClusterOption = None,
         as_json: JsonOption = False,
     ) -> None:
         """Recompute everything, calibration included, from the stored images.
@@ -51,7 +57,10 @@ def register(app: typer.Typer) -> None:
         from measureapp.pipeline.watch import Profile
         from measureapp.project.folder import ProjectFolder
 
-        folder = ProjectFolder.open(project)
+        if len(projects) > 1 or cluster is not None:
+            _process_many(projects, cluster, as_json, accept or refuse or check or profile)
+            return
+        folder = ProjectFolder.open(projects[0])
         if check:
             raise typer.Exit(_check(folder, as_json))
         _choose(folder, accept or [], refuse or [])
@@ -70,6 +79,17 @@ def register(app: typer.Typer) -> None:
         reply({**outcome.document, **used, **({"damaged": damaged} if damaged else {})}, "\n".join(lines), as_json)
         if damaged or not has_passed(outcome.measurement):
             raise typer.Exit(OUT_OF_TOLERANCE)
+
+
+def _process_many(projects: Sequence[Path], cluster: str | None, as_json: bool, with_options: object) -> None:
+    """Process several projects, or one on a cluster."""
+    from measureapp.campaign.campaign_file import process_jobs
+
+    if with_options:
+        raise InputError(
+            "--accept, --refuse, --check and --profile go with one project, without --cluster.", "Give them for one project first."
+        )
+    answer_jobs(run_jobs(process_jobs(projects), cluster), as_json)
 
 
 def _reporting(damaged: dict[str, str]) -> Callable[[Event], None]:

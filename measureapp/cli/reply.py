@@ -3,42 +3,20 @@
 from __future__ import annotations
 
 import json
-import math
 import sys
 import time
 from collections.abc import Mapping
-from enum import Enum
-from pathlib import Path
 from typing import Annotated, Any
 
-import numpy as np
 import typer
 
+from measureapp.data.json_values import jsonable
 from measureapp.data.length_unit import LengthUnit
 
 JsonOption = Annotated[bool, typer.Option("--json", help="Answer with exactly one JSON document on standard output.")]
 
 UNIT_HELP = "Unit of its lengths: mm, inch, m, cm or um; default: mm, with a question if another unit is more likely."
 UnitOption = Annotated[LengthUnit, typer.Option("--unit", help=UNIT_HELP)]
-
-
-def jsonable(value: Any) -> Any:
-    """Convert arrays, paths, enums and NumPy numbers in ``value`` to plain JSON; non-finite numbers become null."""
-    if isinstance(value, Mapping):
-        return {str(key): jsonable(item) for key, item in value.items()}
-    if isinstance(value, np.ndarray):
-        return jsonable(value.tolist())
-    if isinstance(value, (list, tuple)):
-        return [jsonable(item) for item in value]
-    if isinstance(value, Enum):
-        return jsonable(value.value)
-    if isinstance(value, Path):
-        return str(value)
-    if isinstance(value, np.generic):
-        return jsonable(value.item())
-    if isinstance(value, float) and not math.isfinite(value):
-        return None
-    return value
 
 
 def reply(document: Mapping[str, Any], lines: str, as_json: bool) -> None:

@@ -9,9 +9,10 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from measureapp.cli.main import BAD_INPUT, DEVICE_FAILED, DONE, OUT_OF_TOLERANCE
-from measureapp.cli.outcome import has_passed, measurement_lines
+from measureapp.cli.outcome import measurement_lines
 from measureapp.cli.reply import JsonOption, TerminalProgress, reply, say
 from measureapp.data.raw_policy import RawPolicy
+from measureapp.data.verdicts import has_passed
 from measureapp.errors import DeviceError, InputError
 
 if TYPE_CHECKING:

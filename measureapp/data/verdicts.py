@@ -3,8 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING
 
 from measureapp.data.dimension import SEVERITY, Dimension, Verdict, worst_verdict
+
+if TYPE_CHECKING:
+    from measureapp.data.measurement import Measurement
+
+ACCEPTED = (Verdict.PASS, Verdict.NO_TOLERANCE)
 
 
 def part_verdict(verdicts: Iterable[Verdict | str]) -> Verdict:
@@ -15,6 +21,14 @@ def part_verdict(verdicts: Iterable[Verdict | str]) -> Verdict:
     """
     found = [Verdict(one) for one in verdicts]
     return worst_verdict(found) or (Verdict.NOT_PROVEN if found else Verdict.NOT_MEASURED)
+
+
+def has_passed(measurement: Measurement) -> bool:
+    """Whether all dimensions pass and no camera has drifted since the calibration."""
+    drift = measurement.validity.drift
+    if drift is not None and drift.status == "drifted":
+        return False
+    return measurement.inspection is None or all(dimension.verdict in ACCEPTED for dimension in measurement.inspection.dimensions)
 
 
 def worst_first(dimensions: Sequence[Dimension]) -> tuple[Dimension, ...]:

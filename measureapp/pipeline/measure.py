@@ -41,30 +41,46 @@ def compute_clouds(
 ) -> tuple[ViewResult, ...]:
     """Compute the clouds of all stored viewpoints; those whose images were dropped stay as they were. Raises InputError when none is stored."""
     settings, rectifier, memory = decode_settings_of(project), Rectifier(calibration.cameras), BufferPool()
-    stored = project.stored_viewpoints()
+    stored = require_stored(project)
+    kept, views = views_without_images(project), list[ViewResult]()
+    for index, viewpoint_id in enumerate(stored):
+        part = PartOf(progress, index / len(stored), (index + 1) / len(stored), f"{viewpoint_id}: ")
+        with watch.stage("clouds"):
+            view = kept.get(viewpoint_id) or compute_stored(project, viewpoint_id, calibration, part, rectifier, memory, settings)
+        if isinstance(view, ViewFailed):
+            on_event(view)
+            continue
+        views.append(view)
+        on_event(ViewReady(view))
+    return tuple(views)
+
+
+def require_stored(project: ProjectFolder) -> tuple[str, ...]:
+    """Return the viewpoints whose images are stored, in the order of the plan. Raises InputError when there is none."""
+    stored = tuple(project.stored_viewpoints())
     if not stored:
         raise InputError(
             f"{project.path} contains no images of the part.", "Scan the part first, or restore the project's folder `stacks`."
         )
-    kept, views = views_without_images(project), list[ViewResult]()
-    for index, viewpoint_id in enumerate(stored):
-        if viewpoint_id in kept:
-            views.append(kept[viewpoint_id])
-            on_event(ViewReady(views[-1]))
-            continue
-        part = PartOf(progress, index / len(stored), (index + 1) / len(stored), f"{viewpoint_id}: ")
-        with watch.stage("clouds"):
-            try:
-                stack = project.frames.load(viewpoint_id)
-                views.append(compute_cloud(stack, calibration, part, rectifier, None, memory, settings))
-            except StorageError as error:  # damaged: the others are computed without it
-                on_event(ViewFailed(viewpoint_id, str(error), damaged=True))
-                continue
-            except (DecodeError, ReconstructError) as error:
-                on_event(ViewFailed(viewpoint_id, str(error)))
-                continue
-        on_event(ViewReady(views[-1]))
-    return tuple(views)
+    return stored
+
+
+def compute_stored(
+    project: ProjectFolder,
+    viewpoint_id: str,
+    calibration: RigCalibration,
+    progress: Progress,
+    rectifier: Rectifier,
+    memory: BufferPool | None = None,
+    settings: DecodeSettings | None = None,
+) -> ViewResult | ViewFailed:
+    """Compute the cloud of a viewpoint from its stored images; where that fails, return why: the others are computed without it."""
+    try:
+        return compute_cloud(project.frames.load(viewpoint_id), calibration, progress, rectifier, None, memory, settings)
+    except StorageError as error:
+        return ViewFailed(viewpoint_id, str(error), damaged=True)
+    except (DecodeError, ReconstructError) as error:
+        return ViewFailed(viewpoint_id, str(error))
 
 
 def compute_cloud(

@@ -209,7 +209,7 @@ def process_project(project: ProjectFolder, on_event: OnEvent, progress: Progres
     if is_joined(project):
         return process_joined(project, on_event, progress, watch)
     with project.lock():
-        calibration = _calibration_of(project, on_event, PartOf(progress, 0.0, 0.2), watch)
+        calibration = calibrate_stored(project, on_event, PartOf(progress, 0.0, 0.2), watch)
         check_stored_images(project, calibration)
         views = compute_clouds(project, calibration, on_event, PartOf(progress, 0.2, 0.7), watch)
         return finish(project, assemble(project, calibration, views, on_event, PartOf(progress, 0.7, 1.0), watch), watch)
@@ -220,7 +220,8 @@ def process(project: ProjectFolder, on_event: OnEvent, progress: Progress) -> Me
     return process_project(project, on_event, progress).measurement
 
 
-def _calibration_of(project: ProjectFolder, on_event: OnEvent, progress: Progress, watch: Stopwatch) -> RigCalibration:
+def calibrate_stored(project: ProjectFolder, on_event: OnEvent, progress: Progress, watch: Stopwatch) -> RigCalibration:
+    """Return the calibration from the stored images of the board, solved anew; without such images the stored one. Raises CalibrationError."""
     if is_recording(project):
         return calibrate_recording(project, on_event, progress, watch)
     if project.board_views():

@@ -10,11 +10,12 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from measureapp.cli.reply import JsonOption, jsonable, reply
+from measureapp.cli.reply import JsonOption, reply
 from measureapp.errors import InputError
 
 if TYPE_CHECKING:
-    from measureapp.data.board import BoardDescription
+    from measureapp.data.json_values import jsonable
+from measureapp.data.board import BoardDescription
 
 ImagesOption = Annotated[list[str] | None, typer.Option("--images", help="Images of one camera: name='pattern'; once per camera.")]
 BoardOption = Annotated[

@@ -1,0 +1,130 @@
+"""A cluster of Dask distributed: on this computer, or at an address; checked before any work starts.
+
+M. Rocklin, Dask: parallel computation with blocked algorithms and task scheduling, Proc. 14th Python in Science Conference, 2015.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+from uuid import uuid4
+
+from measureapp.campaign.tasks import fingerprint
+from measureapp.errors import InputError, StorageError
+
+if TYPE_CHECKING:
+    from distributed import Client
+
+LOCAL = "local"
+CONNECTED_WITHIN_S = 10.0
+ANSWERED_WITHIN_S = 60.0  # importing the program, on a slow disk
+FIRST_WORKER_WITHIN_S = 60.0
+EXTRA = "Install it with: pip install 'measureapp[cluster]'."
+
+
+@contextmanager
+def connected_cluster(address: str) -> Iterator[Client]:
+    """Connect to the scheduler at ``address``, or start one process per processor of this computer for "local".
+
+    Raises
+    ------
+    InputError
+        Dask distributed is not installed, nothing answers, or there is no worker.
+    """
+    try:
+        import distributed
+    except ImportError as error:
+        raise InputError("Dask distributed is not installed.", EXTRA) from error
+    if address == LOCAL:
+        count = max(1, len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1)
+        with (
+            distributed.LocalCluster(n_workers=count, threads_per_worker=1, dashboard_address=None) as cluster,
+            distributed.Client(cluster) as client,
+        ):
+            yield client
+        return
+    try:
+        client = distributed.Client(address, timeout=CONNECTED_WITHIN_S)
+    except (OSError, ValueError) as error:
+        raise InputError(
+            f"No cluster answers at {address}.", "Start it with `dask scheduler` and `dask worker ADDRESS`, or use `--cluster local`."
+        ) from error
+    with client:
+        try:
+            client.wait_for_workers(1, timeout=FIRST_WORKER_WITHIN_S)
+        except TimeoutError as error:
+            raise InputError(f"The cluster at {address} has no worker.", f"Start some with: dask worker {address}") from error
+        yield client
+
+
+def check_cluster(client: Client, folders: Sequence[Path], needed_bytes: int) -> None:
+    """Check that all workers have the same program, see the storage and have enough memory; nothing was begun yet.
+
+    Parameters
+    ----------
+    folders : must be the same storage for all, under the same paths
+    needed_bytes : memory of the largest task
+
+    Raises
+    ------
+    InputError
+        A worker has another version, or too little memory.
+    StorageError
+        A worker does not see a folder.
+    """
+    ours = fingerprint()
+    for worker, theirs in _ask(client, fingerprint).items():
+        if theirs != ours:
+            raise InputError(
+                f"The worker {worker} has another version of the program: {theirs}; this is {ours}.", "Install the same one everywhere."
+            )
+    limits = {name: about.get("memory_limit") for name, about in client.scheduler_info(n_workers=-1)["workers"].items()}
+    for worker, limit in limits.items():
+        if limit and limit < needed_bytes:
+            raise InputError(
+                f"The worker {worker} may use {limit / 2**30:.1f} GiB of memory, and a task needs about {needed_bytes / 2**30:.1f} GiB.",
+                "Start fewer workers on it, or give them more: dask worker --memory-limit.",
+            )
+    for folder in dict.fromkeys(folders):
+        _check_storage(client, folder)
+
+
+def _check_storage(client: Client, folder: Path) -> None:
+    """Let every worker read what was written just now. Raises StorageError."""
+    mark, token = folder / f".seen-by-workers-{uuid4().hex}", uuid4().hex
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        mark.write_text(token, encoding="ascii")
+    except OSError as error:
+        raise StorageError(f"{folder} cannot be written to: {error.strerror or error}.", "Check the permissions and the disk.") from error
+    try:
+        blind = [worker for worker, seen in _ask(client, read_mark, str(mark)).items() if seen != token]
+    finally:
+        mark.unlink(missing_ok=True)
+    if blind:
+        raise StorageError(
+            f"The folder {folder} cannot be seen by {len(blind)} of the workers, such as {blind[0]}.",
+            "Use a storage that all computers mount under the same path.",
+        )
+
+
+def read_mark(path: str) -> str:
+    """Return the content of a file, as a worker sees it; empty where there is none."""
+    try:
+        return Path(path).read_text(encoding="ascii")
+    except OSError:
+        return ""
+
+
+def _ask(client: Client, question: Any, *arguments: Any) -> Mapping[str, Any]:
+    """Return the answer of every worker, by its address. Raises InputError where one cannot answer."""
+    answers: dict[str, Any] = client.run(question, *arguments, on_error="return")
+    for worker, answer in answers.items():
+        if isinstance(answer, ImportError):
+            raise InputError(f"The worker {worker} does not have this program: {answer}.", "Install the same version everywhere.")
+        if isinstance(answer, BaseException):
+            raise InputError(f"The worker {worker} does not answer: {answer}.", "Look at its log, and start it again.")
+    return answers
