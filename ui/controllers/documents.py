@@ -44,6 +44,16 @@ class DocumentsController(QObject):
         self._session = session
         self._runner = runner
 
+    @property
+    def _is_stored(self) -> bool:
+        """Whether the open project is one on disk."""
+        folder = self._session.folder
+        return folder is not None and (folder / "project.json").exists()
+
+    def can_write(self, kind: str) -> bool:
+        """Return whether a document of the report is there, or can be written from the project."""
+        return FORMATS[kind][1] in self._session.files or (kind in DOCUMENTS and self._is_stored)
+
     @Slot()
     def preview(self) -> None:
         """Draw the pages of the report."""
@@ -91,10 +101,21 @@ class DocumentsController(QObject):
     @Slot()
     def open_pdf(self) -> None:
         """Open the PDF in the default viewer."""
-        path = self._session.files.get("report_pdf")
-        if path is None or not path.exists():
+        path, folder, measurement = self._session.files.get("report_pdf"), self._session.folder, self._session.measurement
+        if measurement is not None and folder is not None and self._is_stored and (path is None or not path.exists()):
+            self._runner.run("Writing the report", lambda job: save_documents(folder, measurement, job), self._open_written)
+        elif path is None or not path.exists():
             self._session.tell("There is no PDF report yet.", "Run the demo, or recompute the project.", "warning")
-        elif not QDesktopServices.openUrl(QUrl.fromLocalFile(str(path))):
+        else:
+            self._open(path)
+
+    @Slot(object)
+    def _open_written(self, files: dict[str, Path]) -> None:
+        self._session.set_files({**self._session.files, **files})
+        self._open(files["report_pdf"])
+
+    def _open(self, path: Path) -> None:
+        if not QDesktopServices.openUrl(QUrl.fromLocalFile(str(path))):
             self._session.tell("No PDF viewer is installed.", f"The report is saved to {path}.", "warning")
 
     @Slot()
@@ -117,7 +138,7 @@ class DocumentsController(QObject):
             (lambda job: export_open(cloud, target, job))
             if kind == "open"
             else (lambda job: export_document(kind, folder, measurement, target, job))
-            if kind in DOCUMENTS and source is not None and folder is not None and (folder / "project.json").exists()
+            if kind in DOCUMENTS and folder is not None and self._is_stored
             else (lambda job: export(kind, source, measurement, target, job))
         )
         self._runner.run(f"Exporting {target.name}", work, self._report_export)
@@ -149,6 +170,15 @@ def export_document(kind: str, folder: Path, measurement: Measurement, target: P
     from measureapp.report.project import compose_project
 
     return write_document(compose_project(ProjectFolder.open(folder), measurement, progress=job), kind, target)  # type: ignore[arg-type]
+
+
+def save_documents(folder: Path, measurement: Measurement, job: Job) -> dict[str, Path]:
+    """Write the project's documents, and return the files of the measurement; runs on a job's thread."""
+    job.report(0, 1, "Documents")
+    from measureapp.pipeline.documents import write_reports
+    from measureapp.project.folder import ProjectFolder
+
+    return write_reports(ProjectFolder.open(folder), measurement)
 
 
 def read_header(folder: Path, job: Job) -> tuple[Identification, str, Path | None]:

@@ -11,6 +11,7 @@ from PySide6.QtCore import QObject, Slot
 from measureapp.errors import StorageError
 from ui.controllers.jobs import JobRunner
 from ui.controllers.run_events import RunEvents
+from ui.look.paths import sample_folder
 from ui.messages import OPEN_PROJECT, RECOMPUTE
 from ui.session import Session
 
@@ -95,6 +96,20 @@ class ProjectController(QObject):
             return read_project(folder, job)
 
         self._runner.run("New project", work, self._show)
+
+    @Slot(str)
+    def open_sample(self, name: str) -> None:
+        """Open a sample project, which is unpacked the first time."""
+        if self._session.refuse_during_job() or self._session.ask_about_unsaved(lambda: self.open_sample(name)):
+            return
+
+        def work(job: Job) -> ReadProject:
+            from measureapp.pipeline.samples import unpack_sample
+
+            job.report(0, 1, "Unpacking the sample project")
+            return read_project(unpack_sample(name, sample_folder(name)).path, job)
+
+        self._runner.run("Opening the sample project", work, self._show)
 
     @Slot(object)
     def save_template(self, path: Path) -> None:

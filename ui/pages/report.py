@@ -37,6 +37,7 @@ class ReportPage(Page):
     """Preview of the PDF pages, and export by format."""
 
     name, word, wants_room = "report", "Report", True
+    shows_results = True
 
     def __init__(self, look: Look, session: Session, controllers: Controllers) -> None:
         super().__init__(look, session, controllers, EmptyState(look, "report", *EMPTY, "Run the demo"))
@@ -121,10 +122,10 @@ class ReportPage(Page):
         if measurement is None:
             self.state.setText("Nothing to report.")
             return
-        files = self.session.files
+        documents = self.controllers.documents
         for kind, made in self.exports.items():
-            made.setVisible(kind in ("ply", "open") or (kind == "stl" and measurement.mesh is not None) or FORMATS[kind][1] in files)
-        self.open_pdf.setVisible("report_pdf" in files)
+            made.setVisible(kind in ("ply", "open") or (kind == "stl" and measurement.mesh is not None) or documents.can_write(kind))
+        self.open_pdf.setVisible(documents.can_write("pdf"))
         self.state.setText(f"{part_words(measurement.part)}, measured {when(measurement.measured_at) or measurement.measured_at}.")
         rows = (("Project", measurement.project), ("Part", part_words(measurement.part)), ("Rig", measurement.rig))
         times = tuple((sentence_case(name), f"{seconds:.1f} s") for name, seconds in measurement.timings_s.items())

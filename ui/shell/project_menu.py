@@ -15,6 +15,7 @@ from ui.actions.actions import Actions
 from ui.controllers.controllers import Controllers
 from ui.controllers.files import FileQuestion, FilesToMeasure
 from ui.look.look import Look
+from ui.look.wording import sentence_case
 from ui.session import Session
 from ui.settings.dialogs import choose_file, choose_folder, choose_new
 from ui.settings.settings import Settings
@@ -42,6 +43,8 @@ ENTRIES = (
     "",
     "exit",
 )
+SAMPLES = {"gypsum": "gypsum cross, all dimensions pass", "gear": "gear, one dimension is not proven"}
+"""Sample projects of `resources/samples`, in words."""
 BELOW = "project.open"  # the entry after which recent projects are listed
 
 
@@ -70,6 +73,7 @@ class ProjectMenu(QObject):
             entry.triggered.connect(lambda _=False, chosen=id_: actions.perform(chosen))
             if id_ == BELOW:
                 self._offer_recent(menu.addMenu("Open recent"))
+                self._offer_samples(menu.addMenu("Open a sample"), actions)
         menu.setToolTipsVisible(True)
 
     def _offer_recent(self, menu: QMenu) -> None:
@@ -80,6 +84,12 @@ class ProjectMenu(QObject):
             entry = menu.addAction(name.replace("&", "&&"))
             entry.setToolTip(str(folder))
             entry.triggered.connect(lambda _=False, chosen=folder: self._controllers.project.open(chosen))
+
+    def _offer_samples(self, menu: QMenu, actions: Actions) -> None:
+        for name, words in SAMPLES.items():
+            entry = menu.addAction(sentence_case(words))
+            entry.setEnabled(not self._session.busy_with)
+            entry.triggered.connect(lambda _=False, chosen=f"sample.{name}": actions.perform(chosen))
 
     def new(self) -> None:
         """Ask for name and place of a new project."""
