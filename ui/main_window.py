@@ -258,7 +258,7 @@ class MainWindow(QMainWindow):
     def save_log(self) -> None:
         """Save what support needs in one file."""
         stamp = QDateTime.currentDateTime().toString("yyyy-MM-dd-HHmm")
-        file = choose_new(self, "Save the log for support", f"measureapp-support-{stamp}.zip", "support", self.settings, "*.zip")
+        file = choose_new(self, "Save the log for support", f"measureapp-support-{stamp}.zip", "support", "*.zip")
         if file is None:
             return
         texts, folder = support_lines(self.settings, self.session.messages), Path.home() / "MeasureApp"

@@ -11,11 +11,11 @@ from PySide6.QtGui import QDesktopServices
 
 from measureapp.errors import InputError, StorageError
 from ui.controllers.jobs import JobRunner
+from ui.controllers.report_header import ReportHeader, read_header, save_header
 from ui.session import Session
 
 if TYPE_CHECKING:
     from measureapp.data.cloud import StitchedCloud
-    from measureapp.data.identification import Identification
     from measureapp.data.measurement import Measurement
     from ui.workers.job import Job
 
@@ -37,7 +37,7 @@ class DocumentsController(QObject):
 
     pagesReady = Signal(object)  # tuple of PNG files as bytes
     pagesFailed = Signal()
-    headerReady = Signal(object)  # identification, company, logo
+    headerReady = Signal(object)  # ReportHeader
 
     def __init__(self, session: Session, runner: JobRunner, parent: QObject | None = None) -> None:
         super().__init__(parent)
@@ -83,15 +83,14 @@ class DocumentsController(QObject):
             self._runner.run("Reading the report header", lambda job: read_header(folder, job), self._show_header, quiet=True)
 
     @Slot(object)
-    def _show_header(self, header: tuple[Identification, str, Path | None]) -> None:
+    def _show_header(self, header: ReportHeader) -> None:
         self.headerReady.emit(header)
 
-    @Slot(object, str, object)
-    def set_header(self, identification: Identification, company: str, logo: Path | None) -> None:
-        """Store the header, and draw the pages again."""
-        folder = self._session.folder
+    @Slot(object)
+    def set_header(self, header: ReportHeader) -> None:
+        """Store header and template, and draw the pages again."""
+        folder, measurement = self._session.folder, self._session.measurement
         if folder is not None:
-            header, measurement = (identification, company, logo), self._session.measurement
             self._runner.run("Saving the report header", lambda job: save_header(folder, header, measurement, job), self._header_saved)
 
     @Slot(object)
@@ -179,32 +178,6 @@ def save_documents(folder: Path, measurement: Measurement, job: Job) -> dict[str
     from measureapp.project.folder import ProjectFolder
 
     return write_reports(ProjectFolder.open(folder), measurement)
-
-
-def read_header(folder: Path, job: Job) -> tuple[Identification, str, Path | None]:
-    """Return identification, company and logo; runs on a job's thread."""
-    job.report(0, 1, "Report header")
-    from measureapp.project.identification_file import read_identification
-    from measureapp.report.template import default_template, own_logo
-
-    return read_identification(folder), default_template().description.company, own_logo()
-
-
-def save_header(folder: Path, header: tuple[Identification, str, Path | None], measurement: Measurement | None, job: Job) -> None:
-    """Store identification, company and logo, and write the project's documents anew; runs on a job's thread."""
-    job.report(0, 2, "Report header")
-    from measureapp.pipeline.documents import write_reports
-    from measureapp.project.folder import ProjectFolder
-    from measureapp.project.identification_file import save_identification
-    from measureapp.report.template import default_template, own_logo, save_own_template
-
-    identification, company, logo = header
-    if (company, logo) != (default_template().description.company, own_logo()):
-        save_own_template(company, logo)
-    save_identification(folder, identification)
-    job.report(1, 2, "Documents")
-    if measurement is not None:
-        write_reports(ProjectFolder.open(folder), measurement)
 
 
 def export(kind: str, source: Path | None, measurement: Measurement, target: Path, job: Job) -> Path:

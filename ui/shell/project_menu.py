@@ -107,9 +107,9 @@ class ProjectMenu(QObject):
         """Ask for a template, and for the folder of the project that starts from it."""
         if self._session.refuse_during_job():
             return
-        template = choose_file(self._window, "Choose a template", TEMPLATES, "templates", self._settings)
+        template = choose_file(self._window, "Choose a template", TEMPLATES, "templates")
         if template is not None:
-            folder = choose_new(self._window, "Create the project in a new folder", template.stem, PROJECTS, self._settings)
+            folder = choose_new(self._window, "Create the project in a new folder", template.stem, PROJECTS)
             if folder is not None:
                 self._controllers.project.start(template, folder)
 
@@ -118,7 +118,7 @@ class ProjectMenu(QObject):
         if self._session.refuse_during_job():
             return
         name = f"{self._session.part or self._session.project_name}.mpart"
-        chosen = choose_new(self._window, "Save the project as a template", name, "templates", self._settings, TEMPLATES)
+        chosen = choose_new(self._window, "Save the project as a template", name, "templates", TEMPLATES)
         if chosen is not None:
             self._controllers.project.save_template(chosen)
 
@@ -126,7 +126,7 @@ class ProjectMenu(QObject):
         """Ask for the folder of a project."""
         if self._session.refuse_during_job():
             return
-        chosen = choose_folder(self._window, "Open a project folder", PROJECTS, self._settings)
+        chosen = choose_folder(self._window, "Open a project folder", PROJECTS)
         if chosen is not None:
             self._controllers.project.open(chosen)
 
@@ -134,7 +134,7 @@ class ProjectMenu(QObject):
         """Ask for the folder of a copy."""
         if self._session.refuse_during_job():
             return
-        chosen = choose_new(self._window, "Save a copy of the project as", f"{self._session.project_name} copy", PROJECTS, self._settings)
+        chosen = choose_new(self._window, "Save a copy of the project as", f"{self._session.project_name} copy", PROJECTS)
         if chosen is not None:
             self._controllers.project.copy_to(chosen)
 
@@ -145,13 +145,13 @@ class ProjectMenu(QObject):
 
     def inspect_files(self) -> None:
         """Ask for a cloud or mesh, and for what it is compared with."""
-        cloud = choose_file(self._window, "Choose the cloud or mesh to inspect", CLOUDS, "clouds", self._settings)
+        cloud = choose_file(self._window, "Choose the cloud or mesh to inspect", CLOUDS, "clouds")
         if cloud is not None:
             self.inspect(cloud)
 
     def inspect(self, cloud: Path) -> None:
         """Ask with what a cloud or mesh is compared."""
-        reference = choose_file(self._window, "Choose its nominal or inspection program", REFERENCES, "nominals", self._settings)
+        reference = choose_file(self._window, "Choose its nominal or inspection program", REFERENCES, "nominals")
         if reference is not None:
             self._controllers.files.measure(FilesToMeasure(cloud, reference))
 

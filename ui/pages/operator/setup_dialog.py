@@ -29,8 +29,8 @@ class OperatorSetupDialog(QDialog):
         self.setFixedWidth(WIDTH)
         self._operator, self._roles = operator, roles
         self._settings = OperatorSettings()
-        self.programs = PathField(look, "Folder of the part programs", "MeasureApp/programs in your home")
-        self.parts = PathField(look, "Folder of the measured parts", "MeasureApp/parts in your home")
+        self.programs = PathField(look, "Folder of the part programs", "MeasureApp/programs in your home", "part programs")
+        self.parts = PathField(look, "Folder of the measured parts", "MeasureApp/parts in your home", "parts")
         self.shifts, self.minutes = QLineEdit(), QDoubleSpinBox()
         self.shifts.setPlaceholderText("06:00, 14:00, 22:00")
         self.minutes.setRange(1.0, 1440.0)
