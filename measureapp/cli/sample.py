@@ -12,7 +12,7 @@ from measureapp.cli.reply import JsonOption, TerminalProgress, reply
 
 def register(app: typer.Typer) -> None:
     """Add the command group."""
-    group = typer.Typer(help="Sample projects that come with the program: measured parts to look at, without a scan.", no_args_is_help=True)
+    group = typer.Typer(help="Sample projects that come with the program: measured parts, without a scan.", no_args_is_help=True)
     for add in (_add_list, _add_open, _add_pack):
         add(group)
     app.add_typer(group, name="sample")

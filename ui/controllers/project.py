@@ -121,10 +121,10 @@ class ProjectController(QObject):
         def work(job: Job) -> Path:
             from measureapp.pipeline.templates import template_of_project
             from measureapp.project.folder import ProjectFolder
-            from measureapp.project.part_program_file import write_part_program
+            from measureapp.project.part_program_file import with_former_revision, write_part_program
 
             job.report(0, 1, path.name)
-            return write_part_program(template_of_project(ProjectFolder.open(source)), path)
+            return write_part_program(with_former_revision(template_of_project(ProjectFolder.open(source)), path), path)
 
         self._runner.run("Saving the template", work, self._say_saved)
 

@@ -49,7 +49,7 @@ class Page(QWidget):
         self.setLayout(layout)
         empty.triggered.connect(controllers.demo.run)
         if self.shows_results:
-            self.sample = Button("Open a sample", look, "open", "normal", "A part measured on the virtual rig, ready to look at")
+            self.sample = Button("Open a sample", look, "open", "normal", "A part that was measured on the virtual rig")
             self.sample.clicked.connect(lambda: controllers.project.open_sample(SAMPLE))
             empty.add_quiet(self.sample)
 
