@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from types import SimpleNamespace
 
 import pytest
@@ -27,12 +28,16 @@ def press(keyboard, text: str) -> None:
         keyboard.keys[letter].click()
 
 
+@cache
+def finger() -> QPointingDevice:
+    """Return a touch screen; it is kept, since Qt keeps it as well."""
+    return QTest.createTouchDevice()
+
+
 def touch(widget) -> None:
-    finger = next((one for one in QPointingDevice.devices() if one.pointerType() == QPointingDevice.PointerType.Finger), None)
-    finger = finger or QTest.createTouchDevice()
     place = QPointF(widget.rect().center())
     left, none = Qt.MouseButton.LeftButton, Qt.KeyboardModifier.NoModifier
-    event = QMouseEvent(QMouseEvent.Type.MouseButtonPress, place, widget.mapToGlobal(place), left, left, none, finger)
+    event = QMouseEvent(QMouseEvent.Type.MouseButtonPress, place, widget.mapToGlobal(place), left, left, none, finger())
     QApplication.sendEvent(widget, event)
 
 
