@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from measureapp.arrays import FloatArray
-from measureapp.reconstruct.matching.match import sample_step
 from measureapp.reconstruct.settings import ReconstructSettings
 
 DECODABLE_RAD = 0.25  # standard deviation of a phase that hardly differs from one without fringes
+SAMPLES = 160  # along the longer side of an image
 OBLIQUE = 3.0  # times the median: surfaces seen obliquely, and pairs with a short base, are less certain
 
 
@@ -30,7 +30,7 @@ def uncertainty_limit_mm(
     """
     if settings.max_sigma_mm is not None:
         return max(settings.max_sigma_mm, least_mm)
-    every = sample_step(depth_sigma_mm.shape)
+    every = max(1, max(depth_sigma_mm.shape) // SAMPLES)
     depth, phase = depth_sigma_mm[::every, ::every], phase_sigma_rad[::every, ::every]
     known = (depth > 0) & (phase > 0)
     if not known.any():
