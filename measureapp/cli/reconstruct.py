@@ -56,7 +56,7 @@ def register(app: typer.Typer) -> None:
             float | None,
             typer.Option(
                 "--max-sigma-mm",
-                help="Leave out points with a larger standard deviation; without it, the limit follows the geometry and is stated.",
+                help="Reject points with a larger standard deviation; without it, the limit follows the geometry and is stated.",
             ),
         ] = None,
         as_json: JsonOption = False,
