@@ -146,6 +146,9 @@ class ViewErrors:
     form: FormErrors | None = None  # None where not known
     systematic: SystematicErrors | None = None  # None where not known
     scale: float = 0.0  # relative standard uncertainty of the length scale; 0: taken as exact
+    unexplained_mm: float = (
+        0.0  # standard deviation of what checks of the data find beyond all these; needs `systematic`, whose form it has
+    )
     setup_motions: FloatArray | None = None  # (6V, J), motions by the errors of the joint of several set-ups; None: a single set-up
 
     def __post_init__(self) -> None:
@@ -211,10 +214,16 @@ class ViewErrors:
             "form": self.form is not None,
             "common": self.systematic is not None,
             "setups": self.setup_motions is not None,
+            "unexplained": self.systematic is not None and self.unexplained_mm > 0,
             "scale": self.scale > 0,
         }
-        columns = (stitching, calibration, form, common, setups, scale)
+        columns = (stitching, calibration, form, common, setups, self._unexplained(common), scale)
         return {name: values for name, values in zip(known, columns, strict=True) if known[name]}
+
+    def _unexplained(self, common: FloatArray) -> FloatArray:
+        """Return the displacements by what is unexplained: as those of the systematic errors, to which registration responds equally."""
+        size = 0.0 if self.systematic is None else self.systematic.size_mm
+        return common * (self.unexplained_mm / size if size > 0 else 0.0)
 
 
 def remove_common_motion(errors: ViewErrors, points_mm: FloatArray, normals: FloatArray, view: IntArray) -> ViewErrors:

@@ -8,6 +8,7 @@ Standard uncertainties are combined in quadrature (JCGM 100). Contributions:
 - calibration: distortion of all clouds by errors of the camera calibration, with the poses adapted to it;
 - form: smooth form errors of single clouds;
 - common: systematic errors shared by all clouds, beyond the calibration;
+- unexplained: what checks of the data find beyond all these;
 - scale: length scale, as far as stated: calibration board and part temperature.
 
 For a cloud without an error model, the settings are used and stated with every result: an independent displacement `placement_mm` of each

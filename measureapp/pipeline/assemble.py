@@ -21,6 +21,7 @@ from measureapp.data.view_errors import CalibrationErrors
 from measureapp.errors import RegistrationError
 from measureapp.inspection.settings import InspectionSettings, UncertaintySettings
 from measureapp.pipeline.chosen_views import add_refused, select_views
+from measureapp.pipeline.consistency.check import check_consistency, with_unexplained
 from measureapp.pipeline.events import Event, InspectionReady, StitchReady, ValidityKnown
 from measureapp.pipeline.noise import describe_noise
 from measureapp.pipeline.surface import SurfaceBeside
@@ -76,7 +77,9 @@ def assemble(
     good = _require_usable(views, choices, validity)
     with watch.stage("stitching"):
         stitched = _stitch(project, calibrated, good, choices, PartOf(progress, 0.0, 0.5), registration_cache)
-        stitched = add_refused(stitched, views, choices)
+    with watch.stage("checks"):
+        consistency = check_consistency(good, stitched)
+        stitched = add_refused(with_unexplained(stitched, consistency), views, choices)
     on_event(StitchReady(stitched))
     with SurfaceBeside(stitched) as surface:
         with watch.stage("inspection"):
@@ -99,6 +102,7 @@ def assemble(
         settings=_settings(project) if revision is None else revision.former.settings,
         timings_s=dict(watch.seconds),
         validity=validity,
+        consistency=consistency,
     )
     with watch.stage("saving"):
         project.save_measurement(measurement, PartOf(progress, 0.9, 1.0), recomputed=revision is None)

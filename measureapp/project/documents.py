@@ -14,6 +14,7 @@ from measureapp.calibrate.motions.axis_noise import AxisNoise
 from measureapp.data.calibration import CameraArrayCalibration, HandEye, LinearGuide, Provenance, RigCalibration, RobotStation, RotationAxis
 from measureapp.data.cloud import LoopClosure, ViewPlacement
 from measureapp.data.conditions import Conditions, LensSetting
+from measureapp.data.consistency import Consistency, ConsistencyCheck
 from measureapp.data.dimension import Dimension, Verdict
 from measureapp.data.feature import Feature
 from measureapp.data.fringe import AxisReadback
@@ -215,6 +216,16 @@ def validity_from(document: Mapping[str, Any]) -> Validity:
     stored = document.get("drift")
     drift = None if stored is None else Drift(**_attributes({**stored, "cameras": tuple(stored["cameras"])}))
     return Validity(tuple(document.get("warnings", ())), drift, document.get("temperature_c"))
+
+
+def consistency_document(consistency: Consistency) -> dict[str, Any]:
+    """Return the checks of the error model as JSON."""
+    return {"checks": [_plain(check) for check in consistency.checks], "unexplained_mm": consistency.unexplained_mm}
+
+
+def consistency_from(document: Mapping[str, Any]) -> Consistency:
+    """Return the checks of a document; none for an empty one."""
+    return Consistency(tuple(ConsistencyCheck(**_attributes(check)) for check in document.get("checks", ())))
 
 
 def check_document(check: CheckRecord) -> dict[str, Any]:

@@ -11,6 +11,7 @@ from typing import Any
 
 from measureapp import __version__
 from measureapp.data.calibration import CameraCalibration, RigCalibration
+from measureapp.data.consistency import Consistency
 from measureapp.data.dimension import SEVERITY, Dimension, Verdict, worst_verdict
 from measureapp.data.measurement import Alignment, Measurement
 from measureapp.data.mesh import Mesh
@@ -96,6 +97,7 @@ def _sections(measurement: Measurement, deviation: Deviation | None, why_not: st
     return (
         Section("Cloud and alignment", _cloud_facts(measurement, deviation, why_not)),
         Section("Set-ups", _setup_facts(measurement.setups)),
+        Section("Checks of the error model", _consistency_facts(measurement.consistency)),
         Section("Calibration", calibration),
         Section("Settings", _settings_facts(measurement.settings)),
     )
@@ -205,6 +207,14 @@ def _setup_facts(setups: Sequence[JoinedSetUp]) -> tuple[Fact, ...]:
         )
         for setup in setups
     )
+
+
+def _consistency_facts(consistency: Consistency) -> tuple[Fact, ...]:
+    """Return the checks of the error model: the result in one sentence, then each check."""
+    if not consistency.checks:
+        return ()
+    facts = [Fact("Result", consistency.sentence)]
+    return (*facts, *(Fact(f"Deviations by {check.name}", check.sentence) for check in consistency.checks))
 
 
 def _validity_facts(validity: Validity) -> tuple[Fact, ...]:

@@ -11,7 +11,7 @@ from measureapp.data.dimension import Dimension
 from measureapp.data.feature import Feature
 from measureapp.data.measurement import Alignment, Measurement
 from measureapp.inspection.surface.statistics import DeviationStatistics, Extreme
-from measureapp.project.documents import setup_document, validity_document
+from measureapp.project.documents import consistency_document, setup_document, validity_document
 from measureapp.report.model import ReportModel, ViewLine
 
 
@@ -185,6 +185,7 @@ def measurement_document(measurement: Measurement) -> dict[str, Any]:
         **({"setups": [setup_document(setup) for setup in measurement.setups]} if measurement.setups else {}),
         "calibration": calibration_document(measurement.calibration),
         "validity": validity_document(measurement.validity),
+        "consistency": consistency_document(measurement.consistency),
         "settings": dict(measurement.settings),
         "timings_s": dict(measurement.timings_s),
     }
