@@ -306,6 +306,7 @@ def _complete(
         settings=dict(members[0].measurement.settings),
         timings_s=dict(watch.seconds),
         validity=_validity(members),
+        consistency=max((member.measurement.consistency for member in members), key=lambda one: one.unexplained_mm),
         setups=joined.setups,
     )
     with watch.stage("saving"):

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 import pytest
 
-from measureapp.data.dimension import Dimension
+from measureapp.data.dimension import Dimension, Verdict
 from measureapp.data.inspection_program import InspectionProgram
 from measureapp.data.view_errors import POWERS, CloudDistortion, FormErrors, SystematicErrors, ViewErrors
 from measureapp.geometry.transform import RigidTransform
@@ -192,6 +192,19 @@ def test_form_and_systematic_errors_of_clouds_are_contributions_of_their_own(sha
         assert np.linalg.norm(list(one.budget.values())) == pytest.approx(one.uncertainty)
         assert one.budget["stitching"] == pytest.approx(plain[name].budget["stitching"])
     assert formed["width"].budget[share] > 0.2 * SHIFT_MM
+
+
+def test_what_checks_leave_unexplained_is_a_contribution_and_a_contradicted_model_proves_nothing() -> None:
+    made = with_common(drawn()).exact
+    assert made.errors is not None
+    plain = {one.name: one for one in inspected(made)}
+    for size_mm, contradicted in ((0.5 * SHIFT_MM, False), (100 * SHIFT_MM, True)):
+        found = {one.name: one for one in inspected(replace(made, errors=replace(made.errors, unexplained_mm=size_mm)))}
+        width = found["width"]
+        assert width.budget["unexplained"] == pytest.approx(size_mm / SHIFT_MM * plain["width"].budget["common"], rel=1e-3)
+        assert np.linalg.norm(list(width.budget.values())) == pytest.approx(width.uncertainty)
+        assert ("contradicted" in width.warning) == contradicted
+    assert width.verdict is Verdict.NOT_PROVEN
 
 
 @pytest.mark.parametrize("errors_known", [True, False])

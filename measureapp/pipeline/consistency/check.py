@@ -20,7 +20,6 @@ TILT_STEP = 0.25  # of the components of the normal across the optical axis
 TIMES = 6  # classes of consecutive views
 ANGLES, HEIGHTS = 12, 3  # classes of the table's angle, and of the height on the part
 LOOP_FREEDOM = 3.0  # degrees of freedom of a gap: as a translation
-BRIDGE = 6.0**-0.5  # rms error of the views of a closed random walk, over the gap that it would have had open
 
 Classes = tuple[IntArray, IntArray]  # (N,) of the own and of the other point
 PROPERTIES: dict[str, tuple[Callable[[Sequence[ViewResult], Deviations, Sequence[FloatArray]], Classes], str]]
@@ -74,7 +73,8 @@ def _check(name: str, found: Dependence, cause: str) -> ConsistencyCheck:
 
 def _check_loop(closure: LoopClosure) -> ConsistencyCheck:
     cause = "axes that move otherwise than calibrated, such as run-out of the table, or a part that moved"
-    return _check("loop closure", compare_with_expected(BRIDGE * closure.gap_mm, BRIDGE * closure.sigma_mm, LOOP_FREEDOM), cause)
+    steps = len(closure.viewpoints)  # among which the joint estimate shares the gap
+    return _check("loop closure", compare_with_expected(closure.gap_mm / steps, closure.sigma_mm / steps, LOOP_FREEDOM), cause)
 
 
 def _of_points(deviations: Deviations, values: Sequence[IntArray]) -> Classes:

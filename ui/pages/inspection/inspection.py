@@ -161,6 +161,8 @@ class InspectionPage(ViewportPage):
         if inspection is None:
             self.state.setText("No inspection yet.")
             return
+        if (measurement := self.session.measurement) is not None:
+            self.side.show_checks(measurement.consistency)
         alignment = inspection.alignment
         self.state.setText(f"{sentence_case(inspection.program)}. Aligned by {alignment.name}, {millimetres(alignment.rms_mm)} rms.")
         self.program.show_inspection(inspection)
