@@ -236,6 +236,10 @@ def _calibration_facts(calibration: RigCalibration) -> tuple[Fact, ...]:
             f"straightness {number(guide.straightness_mm)} mm",
         ),
     ]
+    if calibration.motions is not None:
+        facts.append(
+            Fact("Error motions", "; ".join(sentence.removeprefix("error motions of the ") for sentence in calibration.motions.sentences))
+        )
     provenance = calibration.provenance
     if provenance.temperature_c is not None:
         facts.append(Fact("Head temperature during calibration", f"{number(provenance.temperature_c, 1)} °C"))

@@ -13,6 +13,7 @@ from measureapp.cli.calibrate.pose_options import RigTables, RobotNoise, observe
 from measureapp.cli.reply import TerminalProgress
 
 if TYPE_CHECKING:
+    from measureapp.calibrate.motions.axis_noise import AxisNoise
     from measureapp.calibrate.rig.joint_solution import RigSolution
     from measureapp.calibrate.rig.stages import RigStages
 
@@ -30,6 +31,9 @@ def register(group: typer.Typer) -> None:
         asked: RequiredLimits,
         answer: Answer,
         table_sigma_arcsec: Annotated[float, typer.Option(min=1e-6, help="Standard deviation of table angles, seconds of arc.")] = 10.0,
+        table_radial_um: Annotated[float, typer.Option(min=0, help="Radial error motion of the table, ± µm, roughly; 0: none.")] = 5.0,
+        table_axial_um: Annotated[float, typer.Option(min=0, help="Axial error motion, likewise.")] = 3.0,
+        table_tilt_arcsec: Annotated[float, typer.Option(min=0, help="Tilt error motion (wobble), ± seconds of arc, likewise.")] = 5.0,
     ) -> None:
         """Find hand-eye transform, guide and rotation axis together from images of one board fixed on the table."""
         from measureapp.calibrate.draft.draft import Setup
@@ -39,7 +43,8 @@ def register(group: typer.Typer) -> None:
 
         wanted, progress = asked.values(tuple(IN_RIG)), TerminalProgress()
         seen = observe_rig(tables, source, "the calibration of the rig", progress)
-        setup = Setup(KINDS["rig"], seen.board, seen.camera_names, seen.cameras, noise=robot.axis_noise(table_sigma_arcsec))
+        noise = _with_table_motions(robot.axis_noise(table_sigma_arcsec), table_radial_um, table_axial_um, table_tilt_arcsec)
+        setup = Setup(KINDS["rig"], seen.board, seen.camera_names, seen.cameras, noise=noise)
         with seen.explain_failure():
             solved = solve(seen.draft(setup), progress)
         solution, (rejected, _) = solved.solution, seen.outcome(solved)
@@ -50,8 +55,19 @@ def register(group: typer.Typer) -> None:
         asked.exit_unless_met(limits)
 
 
+def _with_table_motions(noise: AxisNoise, radial_um: float, axial_um: float, tilt_arcsec: float) -> AxisNoise:
+    from dataclasses import replace
+
+    from measureapp.data.axis_motions import ARCSEC
+
+    return replace(noise, table_radial_mm=radial_um / 1000, table_axial_mm=axial_um / 1000, table_tilt_rad=tilt_arcsec * ARCSEC)
+
+
 def rig_answer(solution: RigSolution) -> dict[str, Any]:
     """Return the JSON answer of a solution."""
+    from measureapp.project.documents import link_document
+
+    motions = solution.calibration.motions
     return _parts(solution.calibration) | {
         "stages": _parts(solution.stages),
         "guide_from_board": solution.guide_from_board.matrix,
@@ -66,6 +82,8 @@ def rig_answer(solution: RigSolution) -> dict[str, Any]:
             {"sentence": one.sentence, "sigma_mm": one.sigma_mm, "parameters": dict(zip(one.parameters, one.components, strict=True))}
             for one in solution.weak_directions
         ],
+        "error_motions": None if motions is None else link_document(motions),
+        "error_motions_words": [] if motions is None else motions.sentences,
         "stations": [{"read": one.read.matrix, "true": one.true.matrix} for one in solution.calibration.stations],
         "sightings": [
             {
@@ -93,6 +111,7 @@ def _lines(document: dict[str, Any], limits: list[str]) -> list[str]:
     lines = [f"Rig from {len(document['sightings'])} sightings; residuals {document['sigma_ratio']:.2f} times what was expected."]
     lines += [f"  {name:<28} ± {value:.3g}" for name, value in document["standard_deviations"].items()]
     lines += limits
+    lines += [f"  {words}" for words in document["error_motions_words"]]
     lines.append(
         f"  a guide taken to run along +Y with scale 1 would have cost {document['paper_cost_mm']:.3f} mm over the travel of these views"
     )
