@@ -222,7 +222,7 @@ def validity_from(document: Mapping[str, Any]) -> Validity:
     """Return the validity of a document; without warnings and drift check for an empty one."""
     stored = document.get("drift")
     drift = None if stored is None else Drift(**_attributes({**stored, "cameras": tuple(stored["cameras"])}))
-    return Validity(tuple(document.get("warnings", ())), drift, document.get("temperature_c"))
+    return Validity(tuple(document.get("warnings", ())), drift, document.get("temperature_c"), document.get("axes", ""))
 
 
 def check_document(check: CheckRecord) -> dict[str, Any]:

@@ -208,7 +208,7 @@ def _setup_facts(setups: Sequence[JoinedSetUp]) -> tuple[Fact, ...]:
 
 
 def _validity_facts(validity: Validity) -> tuple[Fact, ...]:
-    facts = [Fact("Warning", warning) for warning in validity.warnings]
+    facts = [Fact("Warning", warning) for warning in (*validity.warnings, *([validity.axes] if validity.axes else []))]
     if validity.drift is not None:
         alarmed = validity.drift.status in ("watch", "drifted")
         facts.append(Fact("Warning" if alarmed else "Camera drift check", validity.drift.sentence))

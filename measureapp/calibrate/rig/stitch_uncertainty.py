@@ -126,6 +126,25 @@ def pose_camera_jacobians(rig: RigUncertainty, readbacks: Sequence[AxisReadback]
     return np.asarray((turned @ changes).reshape(POSE * len(readbacks), -1))
 
 
+def motions_in_cameras(rig: RigUncertainty, readbacks: Sequence[AxisReadback]) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Return how the cameras of V views move, (V, 6, 6) each, by turn and shift of the table top about the axis' point, of the base, of the camera.
+
+    The motions of the cameras are shifts (mm), then turns (rad) in their own frames, as in `ViewUncertainty.pose_covariance`; their own are
+    the identity.
+    """
+    by_table, by_guide = [], []
+    for readback in readbacks:
+        guide_from_camera = rig.calibration.guide_from_camera(readback).matrix
+        to_camera = guide_from_camera[:3, :3].T
+        for found, point, sign in (
+            (by_table, rig.calibration.axis.point_mm, -1.0),
+            (by_guide, rig.calibration.guide.guide_from_base(readback.guide_mm).translation_mm, 1.0),
+        ):
+            lever = cross_matrices((guide_from_camera[:3, 3] - point)[None])[0]
+            found.append(sign * np.block([[-to_camera @ lever, to_camera], [to_camera, np.zeros((3, 3))]]))
+    return np.array(by_table), np.array(by_guide), np.tile(np.eye(POSE), (len(by_table), 1, 1))
+
+
 def point_sigma_mm(rig: RigUncertainty, readback: AxisReadback, points_in_part_mm: FloatArray) -> FloatArray:
     """Return the predicted standard deviation (N,) mm, the largest over all directions, of points (N, 3) seen from ``readback``.
 
