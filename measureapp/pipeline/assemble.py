@@ -14,6 +14,7 @@ from measureapp.calibrate.rig.cloud_errors import calibration_errors
 from measureapp.calibrate.rig.stitch_uncertainty import RigUncertainty, view_uncertainty
 from measureapp.data.calibration import RigCalibration
 from measureapp.data.cloud import StitchedCloud
+from measureapp.data.fringe import AxisReadback
 from measureapp.data.measurement import Inspection, Measurement, ViewResult
 from measureapp.data.mesh import Mesh
 from measureapp.data.rig import RigDescription

@@ -132,7 +132,7 @@ def test_views_of_all_worlds_are_kept_within_u(effects: str, scene, record_prope
     record_property("rms of error over U", float(np.sqrt(np.mean(np.concatenate(ratios) ** 2))))
     record_property("left out", left_out)
     record_property("doubted", doubted)
-    assert left_out <= 1
+    assert left_out <= (2 if effects == "bad" else 0)  # of 64
     assert doubted <= 1
     assert np.mean(np.abs(np.concatenate(ratios)) < 1) >= 0.92
 

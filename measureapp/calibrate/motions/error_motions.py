@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -19,6 +20,7 @@ KINDS = ((0, 1), (2, 3), (4,), (5, 6, 7), (8, 9, 10))  # components with one sca
 LARGEST_FACTOR = 30.0  # by which the data may change a scale
 RMS_OF_SINE = np.sqrt(0.5)
 TINY = 1e-300
+CURVATURE_STEP, LEAST_CURVATURE = 0.05, 0.5  # of the logarithms of scales
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -162,10 +164,10 @@ def _turn_and_shift(design: FloatArray, motion: FloatArray, levers_mm: FloatArra
 
 
 def refine_scales(model: MotionModel, precision: FloatArray, pull: FloatArray, spread: float) -> MotionModel:
-    """Return the model with the scales of its motions as the data have them: the maximum of their posterior (empirical Bayes) [1]_.
+    """Return the model with the scales of its motions as the data have them: the rms over their posterior (empirical Bayes) [1]_.
 
     The coefficients are integrated out; the logarithm of each scale has a normal prior about the stated one with standard deviation ``spread``.
-    What the poses of the calibration do not show keeps the stated scale.
+    What the poses of the calibration do not show keeps the stated scale, with the spread of its prior in it.
 
     Parameters
     ----------
@@ -191,11 +193,23 @@ def refine_scales(model: MotionModel, precision: FloatArray, pull: FloatArray, s
         return float(np.sum(np.log(np.diag(root))) - 0.5 * explained @ explained + 0.5 * np.sum((logs / spread) ** 2))
 
     found = minimize(cost, np.zeros(len(kinds)), method="L-BFGS-B", bounds=[(-limit, limit)] * len(kinds)).x
+    # rms of a scale over its posterior, log-normal about the maximum: of few visible coefficients a scale follows only roughly
+    found = found + np.diag(np.linalg.inv(_curvature(cost, found)))
     sigma = model.sigma.copy()
     present = [kind for kind in KINDS if np.isin(model.components, kind).any()]
     for log, kind in zip(found, present, strict=True):
         sigma[list(kind)] *= np.exp(log)
     return replace(model, sigma=sigma)
+
+
+def _curvature(cost: Callable[[FloatArray], float], at: FloatArray) -> FloatArray:
+    """Return the second derivatives (K, K) of ``cost``, by differences, kept positive definite."""
+    steps = CURVATURE_STEP * np.eye(len(at))
+    second = np.array([[cost(at + a + b) - cost(at + a - b) - cost(at - a + b) + cost(at - a - b) for b in steps] for a in steps]) / (
+        4 * CURVATURE_STEP**2
+    )
+    values, vectors = np.linalg.eigh(second)
+    return np.asarray((vectors * np.maximum(values, LEAST_CURVATURE)) @ vectors.T)
 
 
 def evidence_of(

@@ -132,7 +132,8 @@ def motions_in_cameras(rig: RigUncertainty, readbacks: Sequence[AxisReadback]) -
     The motions of the cameras are shifts (mm), then turns (rad) in their own frames, as in `ViewUncertainty.pose_covariance`; their own are
     the identity.
     """
-    by_table, by_guide = [], []
+    by_table: list[FloatArray] = []
+    by_guide: list[FloatArray] = []
     for readback in readbacks:
         guide_from_camera = rig.calibration.guide_from_camera(readback).matrix
         to_camera = guide_from_camera[:3, :3].T
