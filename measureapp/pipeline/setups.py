@@ -118,8 +118,8 @@ def join_projects(folders: Sequence[Path], out: Path, options: JoinOptions, on_e
         return _complete(project, members, joined, on_event, PartOf(progress, 0.5, 1.0), watch)
 
 
-def process_joined(project: ProjectFolder, on_event: OnEvent, progress: Progress) -> Outcome:
-    """Join the set-ups of a project again, from their present results.
+def process_joined(project: ProjectFolder, on_event: OnEvent, progress: Progress, watch: Stopwatch) -> Outcome:
+    """Join the set-ups of a project again, from their present results; ``watch`` notes the stages.
 
     Raises
     ------
@@ -128,7 +128,6 @@ def process_joined(project: ProjectFolder, on_event: OnEvent, progress: Progress
     RegistrationError
         As `join_projects`.
     """
-    watch = Stopwatch()
     with project.lock():
         described = read_setups(project)
         folders = [(project.path / source.path).resolve() for source in described.sources]
