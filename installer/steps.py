@@ -24,6 +24,7 @@ OLDER_PROCESSOR = {"NUMBA_CPU_NAME": "haswell", "NUMBA_CPU_FEATURES": "+avx2,+fm
 KERNEL_TESTS = (
     "tests/compiled",
     "tests/fringe/test_reference.py",
+    "tests/inspection/surface/test_closest.py",
     "tests/fringe/test_decode.py::test_highlights_and_dark_places_are_distinguished",
     "tests/reconstruct/test_kernels.py",
     "tests/reconstruct/test_reference.py",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -36,6 +36,10 @@ def register(app: typer.Typer) -> None:
                 help="Only report whether the results belong to the present images, calibration and program, and whether files are missing or cut off.",
             ),
         ] = False,
+        profile: Annotated[
+            bool,
+            typer.Option("--profile", help="State time, processor time, peak memory and bytes read and written of every stage."),
+        ] = False,
         as_json: JsonOption = False,
     ) -> None:
         """Recompute everything, calibration included, from the stored images.
@@ -44,6 +48,7 @@ def register(app: typer.Typer) -> None:
         """
         from measureapp.pipeline import process_project
         from measureapp.pipeline.recording.stages import is_recording
+        from measureapp.pipeline.watch import Profile
         from measureapp.project.folder import ProjectFolder
 
         folder = ProjectFolder.open(project)
@@ -54,8 +59,15 @@ def register(app: typer.Typer) -> None:
             process_imported(folder, as_json)
             return
         damaged: dict[str, str] = {}
-        outcome = process_project(folder, _reporting(damaged), TerminalProgress())
-        reply({**outcome.document, **({"damaged": damaged} if damaged else {})}, "\n".join(measurement_lines(outcome.measurement)), as_json)
+        used: dict[str, Any] = {}
+        if profile:
+            with Profile() as watch:
+                outcome = process_project(folder, _reporting(damaged), TerminalProgress(), watch)
+            used = {"profile": watch.document()}
+        else:
+            outcome = process_project(folder, _reporting(damaged), TerminalProgress())
+        lines = [*measurement_lines(outcome.measurement), *(watch.lines() if profile else ())]
+        reply({**outcome.document, **used, **({"damaged": damaged} if damaged else {})}, "\n".join(lines), as_json)
         if damaged or not has_passed(outcome.measurement):
             raise typer.Exit(OUT_OF_TOLERANCE)
 

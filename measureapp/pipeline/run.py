@@ -197,16 +197,17 @@ def _calibrated_for(request: ScanRequest, project: ProjectFolder) -> ProjectFold
     return other
 
 
-def process_project(project: ProjectFolder, on_event: OnEvent, progress: Progress) -> Outcome:
+def process_project(project: ProjectFolder, on_event: OnEvent, progress: Progress, watch: Stopwatch | None = None) -> Outcome:
     """Recompute everything from the stored images: calibration (if its images are stored), clouds, stitching, dimensions, report.
 
-    A project that is joined from several set-ups is joined again from their stored clouds.
+    A project that is joined from several set-ups is joined again from their stored clouds. ``watch`` notes the stages; a `Profile` notes
+    what they use, too.
     """
     from measureapp.pipeline.setups import is_joined, process_joined  # they finish a measurement as all runs do
 
+    watch = watch or Stopwatch()
     if is_joined(project):
-        return process_joined(project, on_event, progress)
-    watch = Stopwatch()
+        return process_joined(project, on_event, progress, watch)
     with project.lock():
         calibration = _calibration_of(project, on_event, PartOf(progress, 0.0, 0.2), watch)
         check_stored_images(project, calibration)

@@ -29,10 +29,11 @@ from measureapp.geometry.transform import RigidTransform
 from measureapp.inspection.alignment.best_fit import best_fit
 from measureapp.inspection.measured_points import sample_mesh
 from measureapp.inspection.settings import AlignmentSettings
-from measureapp.pipeline.assemble import compute_surface, inspect_stitched, inspection_settings
+from measureapp.pipeline.assemble import inspect_stitched, inspection_settings
 from measureapp.pipeline.events import Event, InspectionReady, StitchReady
 from measureapp.pipeline.project_names import unique_names
 from measureapp.pipeline.run import Outcome, finish
+from measureapp.pipeline.surface import SurfaceBeside
 from measureapp.pipeline.watch import Stopwatch
 from measureapp.progress import PartOf, Progress
 from measureapp.project.atomic import write_text
@@ -118,8 +119,8 @@ def join_projects(folders: Sequence[Path], out: Path, options: JoinOptions, on_e
         return _complete(project, members, joined, on_event, PartOf(progress, 0.5, 1.0), watch)
 
 
-def process_joined(project: ProjectFolder, on_event: OnEvent, progress: Progress) -> Outcome:
-    """Join the set-ups of a project again, from their present results.
+def process_joined(project: ProjectFolder, on_event: OnEvent, progress: Progress, watch: Stopwatch) -> Outcome:
+    """Join the set-ups of a project again, from their present results; ``watch`` notes the stages.
 
     Raises
     ------
@@ -128,7 +129,6 @@ def process_joined(project: ProjectFolder, on_event: OnEvent, progress: Progress
     RegistrationError
         As `join_projects`.
     """
-    watch = Stopwatch()
     with project.lock():
         described = read_setups(project)
         folders = [(project.path / source.path).resolve() for source in described.sources]
@@ -285,13 +285,14 @@ def _complete(
         for member, setup in zip(members, joined.setups, strict=True)
         for view in member.measurement.views
     )
-    with watch.stage("surface"):
-        mesh = compute_surface(joined.stitched, on_event, PartOf(progress, 0.0, 0.4))
-    with watch.stage("inspection"):
-        settings = inspection_settings(calibration, project.rig(), views)
-        inspection = inspect_stitched(project, joined.stitched, settings, PartOf(progress, 0.4, 0.8))
-    if inspection is not None:
-        on_event(InspectionReady(inspection))
+    with SurfaceBeside(joined.stitched) as surface:
+        with watch.stage("inspection"):
+            settings = inspection_settings(calibration, project.rig(), views)
+            inspection = inspect_stitched(project, joined.stitched, settings, PartOf(progress, 0.0, 0.4))
+        if inspection is not None:
+            on_event(InspectionReady(inspection))
+        with watch.stage("surface"):
+            mesh = surface.wait(on_event, PartOf(progress, 0.4, 0.8))
     measurement = Measurement(
         project=project.name,
         part=project.settings.part,

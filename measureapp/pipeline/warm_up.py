@@ -18,6 +18,7 @@ from measureapp.fringe.settings import DecodeSettings
 from measureapp.fringe.streaming import StreamingDecoder
 from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.geometry.transform import RigidTransform
+from measureapp.inspection.surface.closest.hierarchy import TriangleHierarchy
 from measureapp.progress import NoProgress, PartOf, Progress
 from measureapp.reconstruct.reconstruct import reconstruct
 from measureapp.register.grid.voxels import CHUNK, VoxelSums
@@ -36,7 +37,7 @@ GRAY_PATTERNS = PatternSet(name="warm-up", projector_px=1024, groups=(PhaseShift
 
 
 def warm_up(progress: Progress | None = None) -> None:
-    """Decode, reconstruct and stitch a small wall, so that all kernels of these stages are compiled and cached on disk.
+    """Decode, reconstruct, stitch and measure a small wall, so that all kernels of these stages are compiled and cached on disk.
 
     Parameters
     ----------
@@ -51,6 +52,7 @@ def warm_up(progress: Progress | None = None) -> None:
         "reconstructing three cameras",
         "reconstructing two",
         "stitching",
+        "distances from a nominal",
     )
 
     def begin(step: int) -> None:
@@ -74,6 +76,8 @@ def warm_up(progress: Progress | None = None) -> None:
     pose = RigidTransform.identity("part", "camera")
     stitch([cloud, cloud], [pose, pose])
     VoxelSums(1).add(np.arange(FULL_TABLE), np.zeros((FULL_TABLE, 1)))
+    begin(7)
+    TriangleHierarchy(np.eye(3)[None]).closest(np.zeros((1, 3)))
     progress.report(1, 1, "compiled")
 
 

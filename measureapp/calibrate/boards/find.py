@@ -21,7 +21,7 @@ from measureapp.calibrate.boards.quality import (
     unexpected_markers,
 )
 from measureapp.calibrate.boards.refine import mark_sigmas, off_the_grid
-from measureapp.calibrate.boards.squares import detect_squares, find_squares
+from measureapp.calibrate.boards.squares import QUICK_PX, DetectedSquares, detect_squares, find_squares
 from measureapp.calibrate.sightings import Sighting
 from measureapp.data.board import BoardDescription, CharucoDescription, CheckerboardDescription, CirclesDescription
 from measureapp.errors import CalibrationError
@@ -79,10 +79,13 @@ def _circles(grey: ImageArray, board: CirclesDescription, expected_px: FloatArra
 
 
 def _squares(grey: ImageArray, board: CheckerboardDescription, expected_px: FloatArray | None) -> tuple[IntArray, FloatArray, float]:
-    whole = find_squares(grey, board)
+    whole = find_squares(grey, board, quickly=True)
+    squares = None if whole is not None else detect_squares(grey, QUICK_PX[-1])
+    if whole is None and not _says_enough(grey, board, squares):
+        whole, squares = find_squares(grey, board, quickly=False), None
     if whole is not None:
         return np.arange(board.count), *whole
-    squares = detect_squares(grey)
+    squares = squares or detect_squares(grey)
     if squares is None or squares.count < LEAST_SHARE * board.count:
         raise missing(grey, board)
     if not are_squares(grey, squares.corners_px):
@@ -95,6 +98,14 @@ def _squares(grey: ImageArray, board: CheckerboardDescription, expected_px: Floa
     if part is None:
         raise missing(grey, board, squares)
     return part
+
+
+def _says_enough(grey: ImageArray, board: CheckerboardDescription, squares: DetectedSquares | None) -> bool:
+    """Whether no thorough search can find more: the board goes on beyond the image's edge, or the grid ends all round at the board's size."""
+    if squares is None or not are_squares(grey, squares.corners_px):
+        return False
+    ends = all(squares.ends_in_white) and squares.size == (max(board.columns, board.rows), min(board.columns, board.rows))
+    return ends or squares.is_cut_off((grey.shape[1], grey.shape[0]))
 
 
 def detect(image: ImageArray, board: BoardDescription) -> FloatArray:

@@ -12,7 +12,7 @@ from scipy.spatial import cKDTree
 from measureapp.arrays import FloatArray, IntArray
 from measureapp.data.mesh import Mesh
 from measureapp.errors import InspectionError
-from measureapp.inspection.surface.slivers import split_slivers
+from measureapp.inspection.surface.closest.hierarchy import TriangleHierarchy
 
 SHARP_DEG = 25.0
 STEEP = 1e-3  # cosine between ray and normal above which the plane of a triangle tells where a ray meets it
@@ -56,45 +56,29 @@ class NominalSurface:
         self.low_mm, self.high_mm = self.vertices_mm.min(axis=0), self.vertices_mm.max(axis=0)
         self.diagonal_mm = float(np.linalg.norm(self.high_mm - self.low_mm))
         self._offset = (self.low_mm + self.high_mm) / 2
-        self._pieces = split_slivers(corners)
-        self._scene = self._build_scene()
         self._vertex_normals = _angle_weighted_normals(corners, self.triangles, self.normals, len(self.vertices_mm))
 
-    def _build_scene(self) -> Any:
-        """Build the search structure for closest points, of pieces of the triangles."""
-        if len(self._pieces.parents) == len(self.triangles):
-            return self._ray_scene
-        vertices = self._pieces.corners_mm(self.vertices_mm[self.triangles]).reshape(-1, 3)
-        return self._scene_of(vertices, np.arange(len(vertices)).reshape(-1, 3))
+    @cached_property
+    def _hierarchy(self) -> TriangleHierarchy:
+        """The search structure for closest points."""
+        return TriangleHierarchy(self.vertices_mm[self.triangles])
 
     @cached_property
     def _ray_scene(self) -> Any:
-        """The search structure for rays, of whole triangles: pieces would be hundreds of times as many."""
-        return self._scene_of(self.vertices_mm, self.triangles)
-
-    def _scene_of(self, vertices: FloatArray, triangles: IntArray) -> Any:
+        """The search structure for rays, in single precision."""
         import open3d as o3d
 
         scene = o3d.t.geometry.RaycastingScene()
-        single = (vertices - self._offset).astype(np.float32)
-        scene.add_triangles(o3d.core.Tensor.from_numpy(single), o3d.core.Tensor.from_numpy(triangles.astype(np.uint32)))
+        single = (self.vertices_mm - self._offset).astype(np.float32)
+        scene.add_triangles(o3d.core.Tensor.from_numpy(single), o3d.core.Tensor.from_numpy(self.triangles.astype(np.uint32)))
         return scene
 
     def closest(self, points_mm: FloatArray) -> Closest:
-        """Return the closest surface points to ``points_mm`` (N, 3).
+        """Return the closest surface points to ``points_mm`` (N, 3), in double precision.
 
         The pseudo-normals of J. A. Bærentzen and H. Aanæs, IEEE TVCG 11(3), 2005, give the correct sign of a distance.
         """
-        import open3d as o3d
-
-        query = o3d.core.Tensor.from_numpy(np.ascontiguousarray(points_mm - self._offset, dtype=np.float32))
-        answer = self._scene.compute_closest_points(query)
-        pieces = answer["primitive_ids"].numpy().astype(np.int64)
-        uv = answer["primitive_uvs"].numpy().astype(np.float64)
-        weights = np.column_stack([1 - uv.sum(axis=1), uv])
-        if len(self._pieces.parents) > len(self.triangles):
-            weights = np.einsum("nk,nkc->nc", weights, self._pieces.weights[pieces])
-        triangles = self._pieces.parents[pieces]
+        triangles, weights = self._hierarchy.closest(points_mm)
         points = np.einsum("nk,nkd->nd", weights, self.vertices_mm[self.triangles[triangles]])
         normals = self.normals[triangles]
         border = np.flatnonzero(weights.min(axis=1) < ON_EDGE)

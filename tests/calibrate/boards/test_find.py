@@ -8,7 +8,8 @@ import cv2
 import numpy as np
 import pytest
 
-from measureapp.calibrate.boards.find import detect, require_unambiguous
+from measureapp.calibrate.boards.find import detect, find_board, require_unambiguous
+from measureapp.calibrate.boards.squares import detect_squares, find_squares
 from measureapp.data.board import CheckerboardDescription
 from measureapp.errors import CalibrationError
 
@@ -49,6 +50,22 @@ def test_corners_are_found_to_a_twentieth_of_a_pixel_whatever_way_the_board_lies
     found = detect(image, BOARD)
     assert np.sqrt(np.mean((found - truth) ** 2)) < 0.05
     assert np.linalg.norm(found[0] - truth[0]) < 0.3
+
+
+def test_the_quick_search_is_as_accurate_as_the_thorough_one(generator):
+    image, truth = photographed(BOARD, 20, generator)
+    quick, _ = find_squares(image, BOARD, quickly=True)
+    thorough, _ = find_squares(image, BOARD, quickly=False)
+    assert np.abs(quick - thorough).max() < 0.01
+    assert np.sqrt(np.mean((quick - truth) ** 2)) < 0.05
+
+
+def test_a_board_that_goes_on_beyond_the_image_is_told_from_one_that_is_whole(generator):
+    image, truth = photographed(BOARD, 0, generator)
+    half = np.ascontiguousarray(image[:, : int(truth[:, 0].mean())])
+    assert detect_squares(half).is_cut_off(half.shape[::-1])
+    assert not detect_squares(image).is_cut_off(image.shape[::-1])
+    assert len(find_board(half, BOARD).ids) >= 0.4 * BOARD.count
 
 
 def test_small_squares_are_refined_with_a_small_window(generator):

@@ -28,7 +28,7 @@ def test_signed_distances_from_a_box_are_those_of_the_closed_form_at_faces_edges
     half, rng = np.array([50.0, 30.0, 20.0]), np.random.default_rng(1)
     points = rng.uniform(-1.3, 1.3, (4000, 3)) * half
     found = signed_distances(points, NominalSurface(box(half)))
-    assert np.allclose(found, box_distance(points, half), atol=2e-4)
+    assert np.allclose(found, box_distance(points, half), atol=1e-9)
 
 
 def test_an_open_surface_has_signs_on_both_sides(samples) -> None:
@@ -110,8 +110,7 @@ def test_closest_points_on_long_narrow_triangles_are_as_near_as_in_double_precis
     nominal = Mesh(vertices, triangles, "nominal")
     points = sample_mesh(nominal, 4000).points_mm + rng.normal(0, 0.05, (4000, 3))
     exact = foot_distances(points, vertices[triangles])
-    single = 2.0**-23 * 120  # of a coordinate
-    assert np.abs(np.abs(signed_distances(points, NominalSurface(nominal))) - exact).max() < 20 * single
+    assert np.abs(np.abs(signed_distances(points, NominalSurface(nominal))) - exact).max() < 1e-9
 
 
 def test_no_place_of_the_impeller_is_nearer_along_a_ray_than_its_closest_point(samples) -> None:

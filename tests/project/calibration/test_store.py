@@ -114,7 +114,7 @@ def test_error_motions_of_the_axes_make_version_2_and_a_file_of_version_1_still_
     assert found is not None
     readback = AxisReadback(RigidTransform.from_vector([0.1, 2.0, 0.2], [500, 10, 300], "base", "flange"), 120.0, 1.1)
     placed = found.part_from_camera(readback).matrix
-    np.testing.assert_array_equal(placed, replace(calibration, motions=motions).part_from_camera(readback).matrix)
+    np.testing.assert_allclose(placed, replace(calibration, motions=motions).part_from_camera(readback).matrix, atol=1e-11)
     assert np.abs(placed - calibration.part_from_camera(readback).matrix).max() > 1e-5
     (tmp_path / "new" / "rig.json").write_text('{"schema_version": 3}', encoding="utf-8")
     with pytest.raises(StorageError, match="newer version"):

@@ -11,6 +11,7 @@ from measureapp.project.operator_settings import OperatorSettings, operator_file
 from ui.controllers.operator import OperatorController
 from ui.controllers.operator_roles import RoleController
 from ui.look.look import Look
+from ui.pages.operator.releases import Releases
 from ui.widgets.basic import Button, Form, column, label, row
 from ui.widgets.path_field import PathField
 
@@ -29,8 +30,9 @@ class OperatorSetupDialog(QDialog):
         self.setFixedWidth(WIDTH)
         self._operator, self._roles = operator, roles
         self._settings = OperatorSettings()
-        self.programs = PathField(look, "Folder of the part programs", "MeasureApp/programs in your home")
-        self.parts = PathField(look, "Folder of the measured parts", "MeasureApp/parts in your home")
+        self.programs = PathField(look, "Folder of the part programs", "MeasureApp/programs in your home", "part programs")
+        self.parts = PathField(look, "Folder of the measured parts", "MeasureApp/parts in your home", "parts")
+        self.releases = Releases(look, operator.stock)
         self.shifts, self.minutes = QLineEdit(), QDoubleSpinBox()
         self.shifts.setPlaceholderText("06:00, 14:00, 22:00")
         self.minutes.setRange(1.0, 1440.0)
@@ -51,6 +53,7 @@ class OperatorSetupDialog(QDialog):
     def _lay_out(self) -> None:
         form = Form()
         form.add("Part programs", self.programs)
+        form.add("Released", self.releases)
         form.add("Measured parts", self.parts)
         form.add("Shifts begin at", self.shifts)
         form.add("Engineer's role ends after", self.minutes)
@@ -70,6 +73,7 @@ class OperatorSetupDialog(QDialog):
         self.parts.setValue(self._settings.parts_folder)
         self.shifts.setText(", ".join(self._settings.shift_starts))
         self.minutes.setValue(self._settings.idle_minutes)
+        self._operator.stock.reload()
         self.pin.clear()
         self.again.clear()
         self.state.setText(PIN_SET if self._roles.has_pin else NO_PIN)

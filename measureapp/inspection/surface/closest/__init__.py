@@ -1,0 +1,1 @@
+"""Closest points of a triangle mesh, in double precision."""
