@@ -15,7 +15,7 @@ from ui.pages.operator.releases import Releases
 from ui.widgets.basic import Button, Form, column, label, row
 from ui.widgets.path_field import PathField
 
-WIDTH = 560
+WIDTH = 1120
 PIN_SET = "A PIN is set. Type a new one twice to change it."
 NO_PIN = "No PIN is set: anyone can leave operator mode. Type one twice, 4 or more characters."
 FORGOTTEN = "If it is forgotten: measureapp gui --reset-engineer-pin"
@@ -53,14 +53,17 @@ class OperatorSetupDialog(QDialog):
     def _lay_out(self) -> None:
         form = Form()
         form.add("Part programs", self.programs)
-        form.add("Released", self.releases)
         form.add("Measured parts", self.parts)
         form.add("Shifts begin at", self.shifts)
         form.add("Engineer's role ends after", self.minutes)
         form.add("New PIN or password", self.pin)
         form.add("Once more", self.again)
         buttons = row(0, self.close_button, self.save)
-        self.setLayout(column(form, self.state, label(FORGOTTEN, "small", wrap=True), self.problem, buttons, margin=24, spacing=16))
+        settings = column(form, self.state, label(FORGOTTEN, "small", wrap=True), self.problem, 0, spacing=16)
+        both = row(settings, self.releases, spacing=32)
+        both.setStretch(0, 1)
+        both.setStretch(1, 1)
+        self.setLayout(column(both, buttons, margin=24, spacing=16))
 
     def open(self) -> None:
         """Show the present settings."""
