@@ -13,7 +13,6 @@ from measureapp.cli.calibrate.pose_options import RigTables, RobotNoise, observe
 from measureapp.cli.reply import TerminalProgress
 
 if TYPE_CHECKING:
-    from measureapp.calibrate.motions.axis_noise import AxisNoise
     from measureapp.calibrate.rig.joint_solution import RigSolution
     from measureapp.calibrate.rig.stages import RigStages
 
@@ -31,9 +30,6 @@ def register(group: typer.Typer) -> None:
         asked: RequiredLimits,
         answer: Answer,
         table_sigma_arcsec: Annotated[float, typer.Option(min=1e-6, help="Standard deviation of table angles, seconds of arc.")] = 10.0,
-        table_radial_um: Annotated[float, typer.Option(min=0, help="Radial error motion of the table, ± µm, roughly; 0: none.")] = 5.0,
-        table_axial_um: Annotated[float, typer.Option(min=0, help="Axial error motion, likewise.")] = 3.0,
-        table_tilt_arcsec: Annotated[float, typer.Option(min=0, help="Tilt error motion (wobble), ± seconds of arc, likewise.")] = 5.0,
     ) -> None:
         """Find hand-eye transform, guide and rotation axis together from images of one board fixed on the table."""
         from measureapp.calibrate.draft.draft import Setup
@@ -43,8 +39,7 @@ def register(group: typer.Typer) -> None:
 
         wanted, progress = asked.values(tuple(IN_RIG)), TerminalProgress()
         seen = observe_rig(tables, source, "the calibration of the rig", progress)
-        noise = _with_table_motions(robot.axis_noise(table_sigma_arcsec), table_radial_um, table_axial_um, table_tilt_arcsec)
-        setup = Setup(KINDS["rig"], seen.board, seen.camera_names, seen.cameras, noise=noise)
+        setup = Setup(KINDS["rig"], seen.board, seen.camera_names, seen.cameras, noise=robot.axis_noise(table_sigma_arcsec))
         with seen.explain_failure():
             solved = solve(seen.draft(setup), progress)
         solution, (rejected, _) = solved.solution, seen.outcome(solved)
@@ -53,14 +48,6 @@ def register(group: typer.Typer) -> None:
         document = rig_answer(solution) | limits_answer(limits) | carried_on | {"images_rejected": rejected}
         answer.give(ctx, document, _lines(document, limit_lines(limits)))
         asked.exit_unless_met(limits)
-
-
-def _with_table_motions(noise: AxisNoise, radial_um: float, axial_um: float, tilt_arcsec: float) -> AxisNoise:
-    from dataclasses import replace
-
-    from measureapp.data.axis_motions import ARCSEC
-
-    return replace(noise, table_radial_mm=radial_um / 1000, table_axial_mm=axial_um / 1000, table_tilt_rad=tilt_arcsec * ARCSEC)
 
 
 def rig_answer(solution: RigSolution) -> dict[str, Any]:
