@@ -7,8 +7,10 @@ from typing import Annotated
 
 import typer
 
+from measureapp.cli.calibrate.option_groups import with_groups
 from measureapp.cli.main import OUT_OF_TOLERANCE
 from measureapp.cli.outcome import ACCEPTED, alignment_lines, dimension_line
+from measureapp.cli.part_options import PartState
 from measureapp.cli.reply import JsonOption, TerminalProgress, UnitOption, reply
 from measureapp.data.length_unit import LengthUnit
 
@@ -17,6 +19,7 @@ def register(app: typer.Typer) -> None:
     """Add the command."""
 
     @app.command()
+    @with_groups
     def measure(
         cloud: Annotated[Path, typer.Argument(help="Cloud or mesh: PLY, STL, OBJ, PCD, XYZ.")],
         program: Annotated[Path, typer.Argument(help="Inspection program (TOML).")],
@@ -34,9 +37,10 @@ def register(app: typer.Typer) -> None:
                 "--scale-ppm",
                 min=0,
                 max=1e6,
-                help="Relative standard uncertainty of the length scale (calibration board, part temperature), in ppm.",
+                help="Relative standard uncertainty of the length scale (class or certificate of the calibration board), in ppm.",
             ),
         ] = 0.0,
+        part: PartState = PartState(),  # noqa: B008 - frozen
         unit: UnitOption = LengthUnit.MM,
         as_json: JsonOption = False,
     ) -> None:
@@ -53,7 +57,10 @@ def register(app: typer.Typer) -> None:
         if alignment is not None:
             described = replace_alignment(described, alignment)
         nominal = read_program_nominal(program, described)
-        settings = InspectionSettings(uncertainty=UncertaintySettings(scale_ppm=scale_ppm))
+        settings = InspectionSettings(
+            uncertainty=UncertaintySettings(scale_ppm=scale_ppm, scale_source="--scale-ppm" if scale_ppm else "not stated"),
+            temperature=part.temperature(),
+        )
         inspection = inspect(read_cloud_or_mesh(cloud, unit=unit), described, nominal, settings, TerminalProgress())
         rule = RULES[settings.verdict_rule]
         document = {
@@ -62,10 +69,11 @@ def register(app: typer.Typer) -> None:
             "alignments": {name: alignment_document(further) for name, further in inspection.further.items()},
             "features": [feature_document(feature) for feature in inspection.features],
             "dimensions": [dimension_document(dimension) for dimension in inspection.dimensions],
+            "lengths": list(inspection.lengths),
             "verdict_rule": rule,
         }
         lines = [f"{inspection.program}. {alignment_lines(inspection.alignment)}"]
         lines += [f"{name}: {alignment_lines(further)}" for name, further in inspection.further.items()]
-        reply(document, "\n".join([*lines, *map(dimension_line, worst_first(inspection.dimensions)), rule]), as_json)
+        reply(document, "\n".join([*lines, *map(dimension_line, worst_first(inspection.dimensions)), *inspection.lengths, rule]), as_json)
         if any(dimension.verdict not in ACCEPTED for dimension in inspection.dimensions):
             raise typer.Exit(OUT_OF_TOLERANCE)

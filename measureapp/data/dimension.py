@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 
-CONTRIBUTIONS = ("noise", "stitching", "calibration", "form", "common", "setups", "scale")  # of the uncertainty budget
+CONTRIBUTIONS = ("noise", "stitching", "calibration", "form", "common", "setups", "temperature", "scale")  # of the uncertainty budget
 CONTRIBUTION_LABELS = {"common": "systematic", "setups": "set-ups"}  # where the printed name differs from that in files
 CONTRIBUTION_DIGITS = 4  # so that small contributions are visible
 

@@ -15,6 +15,7 @@ from measureapp.data.calibration import RigCalibration
 from measureapp.data.cloud import StitchedCloud
 from measureapp.data.measurement import Inspection, Measurement, ViewResult
 from measureapp.data.mesh import Mesh
+from measureapp.data.part_temperature import PartTemperature
 from measureapp.data.rig import RigDescription
 from measureapp.data.validity import Validity
 from measureapp.data.view_choices import ViewChoices
@@ -23,11 +24,13 @@ from measureapp.errors import RegistrationError
 from measureapp.inspection.settings import InspectionSettings, UncertaintySettings
 from measureapp.pipeline.chosen_views import add_refused, select_views
 from measureapp.pipeline.events import Event, InspectionReady, StitchReady, SurfaceFailed, ValidityKnown
+from measureapp.pipeline.lengths import length_scale, temperature_of
 from measureapp.pipeline.noise import describe_noise
 from measureapp.pipeline.validity import validity_of
 from measureapp.pipeline.watch import Stopwatch
 from measureapp.progress import PartOf, Progress
 from measureapp.project.folder import ProjectFolder
+from measureapp.project.identification_file import read_identification
 from measureapp.register.joint.pose_prior import PosePrior
 from measureapp.register.joint.registration_cache import RegistrationCache
 from measureapp.register.place import number_stations
@@ -82,7 +85,7 @@ def assemble(
     with watch.stage("surface"):
         mesh = compute_surface(stitched, on_event, PartOf(progress, 0.5, 0.7))
     with watch.stage("inspection"):
-        inspection = inspect_stitched(project, stitched, inspection_settings(calibrated, project.rig(), good), PartOf(progress, 0.7, 0.9))
+        inspection = inspect_stitched(project, stitched, project_settings(project, calibrated, good), PartOf(progress, 0.7, 0.9))
     if inspection is not None:
         on_event(InspectionReady(inspection))
     measurement = Measurement(
@@ -180,7 +183,14 @@ def stitch_settings(calibration: RigCalibration, views: Sequence[ViewResult]) ->
     return StitchSettings(pose_sigma_mm=KNOWN_STATION_MM, pose_sigma_deg=KNOWN_STATION_DEG) if known else StitchSettings()
 
 
-def inspection_settings(calibration: RigCalibration, rig: RigDescription, views: Sequence[ViewResult]) -> InspectionSettings:
+def project_settings(project: ProjectFolder, calibration: RigCalibration, views: Sequence[ViewResult]) -> InspectionSettings:
+    """Return the settings with which the part of a project is inspected, the temperature in its header included."""
+    return inspection_settings(calibration, project.rig(), views, temperature_of(read_identification(project.path)))
+
+
+def inspection_settings(
+    calibration: RigCalibration, rig: RigDescription, views: Sequence[ViewResult], temperature: PartTemperature | None = None
+) -> InspectionSettings:
     """Return the inspection settings, with assumed uncertainties of axes and calibration for clouds without an error model.
 
     If the robot's error was measured at all stations, a view's position is as uncertain as the robot's repeatability and the table's
@@ -192,10 +202,11 @@ def inspection_settings(calibration: RigCalibration, rig: RigDescription, views:
     scales = [
         camera.standard_deviations.get("fx", 0.0) / float(camera.pinhole.matrix[0, 0]) for camera in calibration.cameras.cameras.values()
     ]
-    scale_ppm = rig.calibration_rules.scale_ppm
-    return InspectionSettings(
-        uncertainty=UncertaintySettings(placement_mm=placement_mm, systematic_relative=max(scales), scale_ppm=scale_ppm)
+    scale = length_scale(calibration.cameras, rig)
+    uncertainty = UncertaintySettings(
+        placement_mm=placement_mm, systematic_relative=max(scales), scale_ppm=scale.ppm, scale_source=scale.source
     )
+    return InspectionSettings(uncertainty=uncertainty, temperature=temperature)
 
 
 def inspect_stitched(
