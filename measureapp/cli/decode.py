@@ -20,6 +20,15 @@ RuleOption = Annotated[
 PerFrequencyOption = Annotated[bool, typer.Option("--per-frequency", help="Choose the exposures for each pitch separately.")]
 NoiseOption = Annotated[Path | None, typer.Option("--noise", help="Noise models of the cameras, from `measureapp noise`.")]
 ResponseOption = Annotated[Path | None, typer.Option("--response", help="Projector response, from `measureapp response`.")]
+ModulationOption = Annotated[
+    float | None,
+    typer.Option(
+        "--min-modulation", help="Least modulation of a pixel whose fringe orders are beyond doubt, in grey levels of 255; else 3."
+    ),
+]
+PhaseSigmaOption = Annotated[
+    float | None, typer.Option("--max-phase-sigma", help="Largest standard deviation of a phase in radians; else 0.25.")
+]
 BloomingOption = Annotated[
     str,
     typer.Option(
@@ -42,6 +51,8 @@ def register(app: typer.Typer) -> None:
         noise: NoiseOption = None,
         response: ResponseOption = None,
         blooming_px: BloomingOption = "0",
+        min_modulation: ModulationOption = None,
+        max_phase_sigma: PhaseSigmaOption = None,
         as_json: JsonOption = False,
     ) -> None:
         """Decode fringe images: exposure synthesis, wrapped phase, absolute phase.
@@ -62,7 +73,7 @@ def register(app: typer.Typer) -> None:
         from measureapp.project.fringes.phase_file import write_phase_map
 
         stack = read_manifest(manifest)
-        settings = decode_settings(stack, rule, per_frequency, noise, response, blooming_px)
+        settings = with_limits(decode_settings(stack, rule, per_frequency, noise, response, blooming_px), min_modulation, max_phase_sigma)
         maps = decode_stack(stack, settings, TerminalProgress())
         cameras = {}
         for name, phase_map in maps.items():
@@ -97,6 +108,21 @@ def decode_settings(
         phase_correction=read_response(response).phase_correction(stack.patterns) if response else (),
     )
     return settings.model_copy(update={"blooming_radius_px": _blooming_px(stack, settings, blooming_px)})
+
+
+def with_limits(settings: DecodeSettings, min_modulation: float | None, max_phase_sigma: float | None) -> DecodeSettings:
+    """Return the settings with limits of the command line; raises InputError for values that are none."""
+    from measureapp.errors import InputError
+
+    if min_modulation is not None and not min_modulation >= 0:
+        raise InputError(f"--min-modulation {min_modulation:g} is below 0.", "Give grey levels of an 8-bit image.")
+    if max_phase_sigma is not None and not max_phase_sigma > 0:
+        raise InputError(f"--max-phase-sigma {max_phase_sigma:g} is not an angle above 0.", "Give radians.")
+    limits = {"faint_modulation": min_modulation, "max_sigma_rad": max_phase_sigma}
+    given = {name: value for name, value in limits.items() if value is not None}
+    if min_modulation is not None:
+        given["min_modulation"] = max(settings.min_modulation, min_modulation)
+    return settings.model_copy(update=given)
 
 
 def _blooming_px(stack: FringeStack, settings: DecodeSettings, wanted: str) -> int:

@@ -74,6 +74,7 @@ def _limits(plan: DecodePlan, chain: HeterodynePlan | None, scales: FloatArray, 
     return Limits(
         saturated_grey=np.float32(min(saturation * max(plan.exposures_us) / min(plan.exposures_us), 65535.0)),
         least_modulation=np.float32(settings.min_modulation_grey(saturation)),
+        faint_modulation=np.float32(settings.faint_modulation_grey(saturation)),
         image_gain=np.float32(1 / plan.noise.electrons_per_grey(saturation)),
         image_floor=np.float32(plan.noise.floor_variance(saturation)),
         sure_variance=np.float32(_sure_variance(plan, chain, scales)),

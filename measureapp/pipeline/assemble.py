@@ -14,7 +14,6 @@ from measureapp.calibrate.rig.stitch_uncertainty import RigUncertainty, view_unc
 from measureapp.data.calibration import RigCalibration
 from measureapp.data.cloud import StitchedCloud
 from measureapp.data.measurement import Inspection, Measurement, ViewResult
-from measureapp.data.mesh import Mesh
 from measureapp.data.part_temperature import PartTemperature
 from measureapp.data.rig import RigDescription
 from measureapp.data.validity import Validity
@@ -23,9 +22,10 @@ from measureapp.data.view_errors import CalibrationErrors
 from measureapp.errors import RegistrationError
 from measureapp.inspection.settings import InspectionSettings, UncertaintySettings
 from measureapp.pipeline.chosen_views import add_refused, select_views
-from measureapp.pipeline.events import Event, InspectionReady, StitchReady, SurfaceFailed, ValidityKnown
+from measureapp.pipeline.events import Event, InspectionReady, StitchReady, ValidityKnown
 from measureapp.pipeline.lengths import length_scale, temperature_of
 from measureapp.pipeline.noise import describe_noise
+from measureapp.pipeline.surface import SurfaceBeside
 from measureapp.pipeline.validity import validity_of
 from measureapp.pipeline.watch import Stopwatch
 from measureapp.progress import PartOf, Progress
@@ -36,7 +36,6 @@ from measureapp.register.joint.registration_cache import RegistrationCache
 from measureapp.register.place import number_stations
 from measureapp.register.settings import StitchSettings
 from measureapp.register.stitch import stitch
-from measureapp.register.surface.closed import reconstruct_surface
 
 TYPICAL_RADIUS_MM = 100.0  # typical distance of points from the table's axis
 KNOWN_STATION_MM, KNOWN_STATION_DEG = 0.03, 0.004  # repeatability of the robot and uncertainty of the board's pose, combined
@@ -82,12 +81,14 @@ def assemble(
         stitched = _stitch(project, calibrated, good, choices, PartOf(progress, 0.0, 0.5), registration_cache)
         stitched = add_refused(stitched, views, choices)
     on_event(StitchReady(stitched))
-    with watch.stage("surface"):
-        mesh = compute_surface(stitched, on_event, PartOf(progress, 0.5, 0.7))
-    with watch.stage("inspection"):
-        inspection = inspect_stitched(project, stitched, project_settings(project, calibrated, good), PartOf(progress, 0.7, 0.9))
-    if inspection is not None:
-        on_event(InspectionReady(inspection))
+    with SurfaceBeside(stitched) as surface:
+        with watch.stage("inspection"):
+            settings = project_settings(project, calibrated, good)
+            inspection = inspect_stitched(project, stitched, settings, PartOf(progress, 0.5, 0.7))
+        if inspection is not None:
+            on_event(InspectionReady(inspection))
+        with watch.stage("surface"):
+            mesh = surface.wait(on_event, PartOf(progress, 0.7, 0.9))
     measurement = Measurement(
         project=project.name,
         part=project.settings.part,
@@ -106,15 +107,6 @@ def assemble(
         project.save_measurement(measurement, PartOf(progress, 0.9, 1.0), recomputed=revision is None)
     progress.report(1.0, 1.0, "measured")
     return measurement
-
-
-def compute_surface(stitched: StitchedCloud, on_event: Callable[[Event], None], progress: Progress) -> Mesh | None:
-    """Compute the surface; None if that fails, for example for lack of memory: no dimension depends on it."""
-    try:
-        return reconstruct_surface(stitched, progress=progress)
-    except RegistrationError as error:
-        on_event(SurfaceFailed(error.message, error.hint))
-        return None
 
 
 def _require_usable(views: Sequence[ViewResult], choices: ViewChoices, validity: Validity) -> list[ViewResult]:

@@ -101,7 +101,11 @@ def compute_cloud(
         cloud=result.cloud,
         quality=quality,
         part_from_camera=calibration.part_from_camera(stack.readback),
-        decode={name: decode_figures(phase_map) for name, phase_map in maps.items()},
+        decode={
+            name: decode_figures(phase_map)
+            | {"limits": limits_told(phase_map, settings or DecodeSettings(), result.max_sigma_mm.get(name))}
+            for name, phase_map in maps.items()
+        },
         pairs=tuple(asdict(pair) for pair in result.pairs),
         rejected=dict(result.rejected),
         readback=stack.readback,
@@ -126,6 +130,16 @@ def decode_figures(phase_map: PhaseMap) -> dict[str, Any]:
         "modulation_median": float(np.median(phase_map.modulation[valid])) if valid.any() else 0.0,
         "phase_sigma_median": float(np.median(phase_map.sigma_rad[valid])) if valid.any() else 0.0,
         "order_conflicts": int(np.count_nonzero(phase_map.state == PixelState.ORDER_CONFLICT)),
+    }
+
+
+def limits_told(phase_map: PhaseMap, settings: DecodeSettings, max_sigma_mm: float | None) -> dict[str, float | None]:
+    """Return the limits beyond which pixels of a camera became no points."""
+    return {
+        "modulation_grey": settings.faint_modulation_grey(phase_map.saturation),
+        "modulation_of_doubtful_orders_grey": settings.min_modulation_grey(phase_map.saturation),
+        "phase_sigma_rad": settings.max_sigma_rad,
+        "point_sigma_mm": max_sigma_mm,
     }
 
 

@@ -51,6 +51,7 @@ class InspectionPage(ViewportPage):
     """Table of dimensions with verdicts, and the features in 3-D."""
 
     name, word, wants_room = "inspection", "Inspect", True
+    shows_results = True
 
     def __init__(self, look: Look, session: Session, controllers: Controllers) -> None:
         super().__init__(look, session, controllers, EmptyState(look, "inspection", *EMPTY, "Run the demo"))
