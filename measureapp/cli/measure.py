@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -13,6 +13,9 @@ from measureapp.cli.outcome import ACCEPTED, alignment_lines, dimension_line
 from measureapp.cli.part_options import PartState
 from measureapp.cli.reply import JsonOption, TerminalProgress, UnitOption, reply
 from measureapp.data.length_unit import LengthUnit
+
+if TYPE_CHECKING:
+    from measureapp.inspection.settings import InspectionSettings
 
 
 def register(app: typer.Typer) -> None:
@@ -47,7 +50,6 @@ def register(app: typer.Typer) -> None:
         """Measure the dimensions of an inspection program; exit code 1 unless all pass."""
         from measureapp.data.verdicts import worst_first
         from measureapp.inspection.dimensions import inspect
-        from measureapp.inspection.settings import InspectionSettings, UncertaintySettings
         from measureapp.inspection.verdict import RULES
         from measureapp.project.geometry.files import read_cloud_or_mesh
         from measureapp.project.program_file import read_program, read_program_nominal, replace_alignment
@@ -57,10 +59,7 @@ def register(app: typer.Typer) -> None:
         if alignment is not None:
             described = replace_alignment(described, alignment)
         nominal = read_program_nominal(program, described)
-        settings = InspectionSettings(
-            uncertainty=UncertaintySettings(scale_ppm=scale_ppm, scale_source="--scale-ppm" if scale_ppm else "not stated"),
-            temperature=part.temperature(),
-        )
+        settings = _settings(scale_ppm, part)
         inspection = inspect(read_cloud_or_mesh(cloud, unit=unit), described, nominal, settings, TerminalProgress())
         rule = RULES[settings.verdict_rule]
         document = {
@@ -77,3 +76,11 @@ def register(app: typer.Typer) -> None:
         reply(document, "\n".join([*lines, *map(dimension_line, worst_first(inspection.dimensions)), *inspection.lengths, rule]), as_json)
         if any(dimension.verdict not in ACCEPTED for dimension in inspection.dimensions):
             raise typer.Exit(OUT_OF_TOLERANCE)
+
+
+def _settings(scale_ppm: float, part: PartState) -> InspectionSettings:
+    """Return the settings of the options. Raises InputError for an absurd temperature."""
+    from measureapp.inspection.settings import InspectionSettings, UncertaintySettings
+
+    uncertainty = UncertaintySettings(scale_ppm=scale_ppm, scale_source="--scale-ppm" if scale_ppm else "not stated")
+    return InspectionSettings(uncertainty=uncertainty, temperature=part.temperature())

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -75,19 +76,8 @@ def register(app: typer.Typer) -> None:
         if per_viewpoint and auto_bracket is None:
             raise InputError("--per-viewpoint chooses no exposures by itself.", "Add --auto-bracket SECONDS.")
         wanted, program = _plan_and_program(plan)
-        request = ScanRequest(
-            wanted,
-            read_rig(rig),
-            project,
-            resume,
-            calibration,
-            auto_bracket,
-            per_viewpoint,
-            tuple(retake or ()),
-            part_program=program,
-            raw=raw,
-            stated=part.identification(),
-        )
+        request = ScanRequest(wanted, read_rig(rig), project, resume, calibration, auto_bracket, per_viewpoint, tuple(retake or ()))
+        request = replace(request, part_program=program, raw=raw, stated=part.identification())
         require_devices(request.rig)
         raise typer.Exit(_rehearse(request, as_json) if dry_run else _scan(request, as_json))
 
