@@ -51,7 +51,7 @@ class ReportPage(Page):
         self._scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._scroll.setWidget(self._sheet)
         self.exports = {kind: self._export_button(kind) for kind in FORMATS}
-        self.header_button = Button("Header and template…", look, "labels")
+        self.header_button = Button("Header, template…", look, "labels")
         self.header_button.clicked.connect(controllers.documents.ask_header)
         controllers.documents.headerReady.connect(self._edit_header)
         folder = Button("Show in folder", look, "open", "quiet")

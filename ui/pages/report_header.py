@@ -37,11 +37,6 @@ class HeaderDialog(QDialog):
         self._header, identification = header, header.identification
         self.setWindowTitle("Report header")
         form = Form()
-        self.fields = {name: QLineEdit(_text(getattr(identification, name))) for name in FIELDS}
-        for name, field in self.fields.items():
-            field.setMaxLength(LONGEST_TEXT if name == "remarks" else LONGEST_LINE)
-            field.setAccessibleName(LABELS[name])
-            form.add(LABELS[name], field)
         self.company = QLineEdit(header.company)
         self.company.setMaxLength(LONGEST_LINE)
         self.company.setAccessibleName("Company")
@@ -54,6 +49,11 @@ class HeaderDialog(QDialog):
         form.add("Template", column(self.template, self.note, spacing=4))
         form.add("Company", self.company)
         form.add("Logo", self.logo)
+        self.fields = {name: QLineEdit(_text(getattr(identification, name))) for name in FIELDS}
+        for name, field in self.fields.items():
+            field.setMaxLength(LONGEST_TEXT if name == "remarks" else LONGEST_LINE)
+            field.setAccessibleName(LABELS[name])
+            form.add(LABELS[name], field)
         self.problem = label("", "problem", wrap=True)
         self.problem.hide()
         self.accept_button = Button("Save", look, "", "primary")
