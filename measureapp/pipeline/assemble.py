@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from typing import Any
 
 import numpy as np
 
+from measureapp.calibrate.rig.axis_patterns import axis_patterns
 from measureapp.calibrate.rig.cloud_errors import calibration_errors
 from measureapp.calibrate.rig.stitch_uncertainty import RigUncertainty, view_uncertainty
 from measureapp.data.calibration import RigCalibration
 from measureapp.data.cloud import StitchedCloud
+from measureapp.data.fringe import AxisReadback
 from measureapp.data.measurement import Inspection, Measurement, ViewResult
 from measureapp.data.part_temperature import PartTemperature
 from measureapp.data.rig import RigDescription
@@ -31,12 +33,28 @@ from measureapp.pipeline.watch import Stopwatch
 from measureapp.progress import PartOf, Progress
 from measureapp.project.folder import ProjectFolder
 from measureapp.project.identification_file import read_identification
+from measureapp.register.joint.axis_doubt import AxisPattern
 from measureapp.register.joint.pose_prior import PosePrior
 from measureapp.register.joint.registration_cache import RegistrationCache
 from measureapp.register.place import number_stations
 from measureapp.register.settings import StitchSettings
 from measureapp.register.stitch import stitch
 
+RECALIBRATE = "calibrate the rig again."
+DOUBTED = {  # pattern -> what is left between views, what is doubted, the remedy
+    "table": ("follows the angle of the table", "the model of the table's error motions", f"Check the table for play, and {RECALIBRATE}"),
+    "guide": (
+        "follows the position of the guide",
+        "the model of the guide's error motions",
+        f"Check the guide for play, and {RECALIBRATE}",
+    ),
+    "robot": ("differs from one pose of the robot to the next", "the calibrated robot", f"Let it warm up, and {RECALIBRATE}"),
+    "views": (
+        "differs from view to view, whatever the axes read",
+        "the repeatability of the axes",
+        f"Check that head and part are fixed, and {RECALIBRATE}",
+    ),
+}
 TYPICAL_RADIUS_MM = 100.0  # typical distance of points from the table's axis
 KNOWN_STATION_MM, KNOWN_STATION_DEG = 0.03, 0.004  # repeatability of the robot and uncertainty of the board's pose, combined
 
@@ -80,6 +98,7 @@ def assemble(
     with watch.stage("stitching"):
         stitched = _stitch(project, calibrated, good, choices, PartOf(progress, 0.0, 0.5), registration_cache)
         stitched = add_refused(stitched, views, choices)
+        validity = replace(validity, axes=stitched.axis_doubt)
     on_event(StitchReady(stitched))
     with SurfaceBeside(stitched) as surface:
         with watch.stage("inspection"):
@@ -150,7 +169,14 @@ def pose_prior(rig: RigUncertainty | None, views: Sequence[ViewResult], approach
     stations = number_stations(readbacks)
     if rig is None:
         return PosePrior(stations)
-    return PosePrior(stations, view_uncertainty(rig, readbacks, approaches).pose_covariance, camera_errors(rig, views))
+    covariance = view_uncertainty(rig, readbacks, approaches).pose_covariance
+    return PosePrior(stations, covariance, camera_errors(rig, views), named_patterns(rig, readbacks))
+
+
+def named_patterns(rig: RigUncertainty, readbacks: Sequence[AxisReadback]) -> tuple[AxisPattern, ...]:
+    """Return the patterns in which the axes may depart from their calibration, with the words for each."""
+    found = axis_patterns(rig, readbacks)
+    return tuple(AxisPattern(*DOUBTED[name], motions) for name, motions in found.items())
 
 
 def camera_errors(rig: RigUncertainty, views: Sequence[ViewResult]) -> CalibrationErrors | None:

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from measureapp.calibrate.motions.axis_noise import AxisNoise
+from measureapp.data.axis_motions import AxisMotions
 from measureapp.data.calibration import CameraArrayCalibration, HandEye, LinearGuide, Provenance, RigCalibration, RobotStation, RotationAxis
 from measureapp.data.cloud import LoopClosure, ViewPlacement
 from measureapp.data.conditions import Conditions, LensSetting
@@ -87,15 +88,16 @@ def digest(document: Mapping[str, Any]) -> str:
 
 
 def rig_calibration_document(calibration: RigCalibration) -> dict[str, Any]:
-    """Return a rig calibration without its cameras, which have their own file, as JSON."""
+    """Return a rig calibration without its cameras, which have their own file, as JSON; version 2 has the error motions of the axes."""
     return {
-        "schema_version": 1,
+        "schema_version": 1 if calibration.motions is None else 2,
         "hand_eye": link_document(calibration.hand_eye),
         "guide": link_document(calibration.guide),
         "axis": link_document(calibration.axis),
         "provenance": asdict(calibration.provenance),
         "stations": [_plain(station) for station in calibration.stations],
         **({} if calibration.view_gaps_mm is None else {"view_gaps_mm": calibration.view_gaps_mm}),
+        **({} if calibration.motions is None else {"motions": link_document(calibration.motions)}),
     }
 
 
@@ -109,7 +111,13 @@ def rig_calibration_from(document: Mapping[str, Any], cameras: CameraArrayCalibr
         provenance=Provenance(**document["provenance"] | {"arguments": tuple(document["provenance"].get("arguments", ()))}),
         stations=tuple(RobotStation(transform_from(station["read"]), transform_from(station["true"])) for station in document["stations"]),
         view_gaps_mm=document.get("view_gaps_mm"),
+        motions=motions_from(document.get("motions")),
     )
+
+
+def motions_from(document: Mapping[str, Any] | None) -> AxisMotions | None:
+    """Return the error motions of a document; None where it has none."""
+    return None if document is None else AxisMotions(**document)
 
 
 def link_document(link: Any) -> dict[str, Any]:
@@ -216,7 +224,7 @@ def validity_from(document: Mapping[str, Any]) -> Validity:
     """Return the validity of a document; without warnings and drift check for an empty one."""
     stored = document.get("drift")
     drift = None if stored is None else Drift(**_attributes({**stored, "cameras": tuple(stored["cameras"])}))
-    return Validity(tuple(document.get("warnings", ())), drift, document.get("temperature_c"))
+    return Validity(tuple(document.get("warnings", ())), drift, document.get("temperature_c"), document.get("axes", ""))
 
 
 def check_document(check: CheckRecord) -> dict[str, Any]:

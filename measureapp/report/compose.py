@@ -208,7 +208,7 @@ def _setup_facts(setups: Sequence[JoinedSetUp]) -> tuple[Fact, ...]:
 
 
 def _validity_facts(validity: Validity) -> tuple[Fact, ...]:
-    facts = [Fact("Warning", warning) for warning in validity.warnings]
+    facts = [Fact("Warning", warning) for warning in (*validity.warnings, *([validity.axes] if validity.axes else []))]
     if validity.drift is not None:
         alarmed = validity.drift.status in ("watch", "drifted")
         facts.append(Fact("Warning" if alarmed else "Camera drift check", validity.drift.sentence))
@@ -236,6 +236,10 @@ def _calibration_facts(calibration: RigCalibration) -> tuple[Fact, ...]:
             f"straightness {number(guide.straightness_mm)} mm",
         ),
     ]
+    if calibration.motions is not None:
+        facts.append(
+            Fact("Error motions", "; ".join(sentence.removeprefix("error motions of the ") for sentence in calibration.motions.sentences))
+        )
     provenance = calibration.provenance
     if provenance.temperature_c is not None:
         facts.append(Fact("Head temperature during calibration", f"{number(provenance.temperature_c, 1)} °C"))
