@@ -139,6 +139,8 @@ def _blooming_px(stack: FringeStack, settings: DecodeSettings, wanted: str) -> i
 
 def figures(phase_map: PhaseMap) -> dict[str, Any]:
     """Return the decoding figures of one camera."""
+    from dataclasses import asdict
+
     import numpy as np
 
     from measureapp.data.phase import PixelState
@@ -152,6 +154,7 @@ def figures(phase_map: PhaseMap) -> dict[str, Any]:
         "phase_sigma_median": float(np.median(phase_map.sigma_rad[valid])) if valid.any() else None,
         "snr_median": float(np.median(phase_map.snr[valid])) if valid.any() else 0.0,
         "order_conflicts": int((phase_map.state == PixelState.ORDER_CONFLICT).sum()),
+        "noise": None if phase_map.evidence is None else asdict(phase_map.evidence),
         "orders_repaired": int(phase_map.details.get("orders_repaired", 0)),
         "rejected": {state.name.lower(): int((phase_map.state == state).sum()) for state in PixelState if state != PixelState.VALID},
     }
@@ -179,5 +182,14 @@ def _lines(name: str, entry: dict[str, Any]) -> list[str]:
     )
     return [
         f"{name}: valid per exposure {exposures}; composite {entry['valid_ratio']['composite']:.1%}; decoded {entry['decoded_ratio']:.1%}",
+        *([_noise_line(entry["noise"])] if entry["noise"] else []),
         f"  {noise}; {entry['order_conflicts']} order conflicts → {entry['file']}",
     ]
+
+
+def _noise_line(noise: dict[str, Any]) -> str:
+    source = "by its images" if noise["from_images"] else "given or assumed"
+    return (
+        f"  noise {source}: full well {noise['full_well_e']:.0f} e, read noise {noise['read_noise_e']:.1f} e; "
+        f"phases scatter {noise['scatter']:.2f} times as predicted from it, and the stated σ where that is more"
+    )

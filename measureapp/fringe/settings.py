@@ -40,7 +40,12 @@ class DecodeSettings(Model):
         le=16,
         description="an exposure is not used so close to a pixel it saturates; 0 for sensors that do not spill over (`spill_radius_px`)",
     )
-    noise: CameraNoise = CameraNoise()
+    noise: CameraNoise = Field(default=CameraNoise(), description="assumed of cameras without an entry in `camera_noise`")
+    noise_from_images: bool = Field(
+        default=True,
+        description="the noise of cameras without an entry is estimated from the residuals of their fringe images, and standard deviations are "
+        "widened where phases scatter more than predicted",
+    )
     camera_noise: dict[str, CameraNoise] = Field(default_factory=dict, description="of cameras that differ from `noise`, by name")
     phase_correction: tuple[tuple[tuple[int, float, float], ...], ...] = Field(
         default=(),

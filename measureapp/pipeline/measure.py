@@ -22,6 +22,7 @@ from measureapp.fringe.settings import DecodeSettings
 from measureapp.pipeline.events import Event, ViewFailed, ViewReady
 from measureapp.pipeline.kept_views import views_without_images
 from measureapp.pipeline.noise import decode_settings_of
+from measureapp.pipeline.stack_findings import stack_findings
 from measureapp.pipeline.watch import Stopwatch
 from measureapp.progress import PartOf, Progress
 from measureapp.project.folder import ProjectFolder
@@ -109,7 +110,7 @@ def compute_cloud(
         pairs=tuple(asdict(pair) for pair in result.pairs),
         rejected=dict(result.rejected),
         readback=stack.readback,
-        findings=tuple(f"{finding.message} {finding.remedy}" for finding in findings),
+        findings=(*(f"{finding.message} {finding.remedy}" for finding in findings), *stack_findings(maps, result.cloud)),
         shift=camera_shift(maps, calibration.cameras),
     )
 
@@ -129,6 +130,7 @@ def decode_figures(phase_map: PhaseMap) -> dict[str, Any]:
         "decoded_ratio": float(valid.mean()),
         "modulation_median": float(np.median(phase_map.modulation[valid])) if valid.any() else 0.0,
         "phase_sigma_median": float(np.median(phase_map.sigma_rad[valid])) if valid.any() else 0.0,
+        "noise": None if phase_map.evidence is None else asdict(phase_map.evidence),
         "order_conflicts": int(np.count_nonzero(phase_map.state == PixelState.ORDER_CONFLICT)),
     }
 

@@ -22,6 +22,7 @@ from ui.pages.inspection.dimension_rows import Selection, decision_rule, feature
 from ui.pages.inspection.dimension_table import DimensionTable
 from ui.pages.inspection.feature_table import FeatureTable
 from ui.pages.inspection.filter_bar import FilterBar
+from ui.pages.inspection.no_alignment import NoAlignment
 from ui.pages.inspection.row_actions import RowActions
 from ui.pages.inspection.save_bar import SaveBar
 from ui.widgets.basic import column, label, row
@@ -72,8 +73,12 @@ class DimensionSide(QWidget):
         self._lists.addWidget(self.features)
         self._lists.addWidget(self.alignment)
         self._lists.addWidget(self.deviation)
-        beside = column(self.banner, row(self.list, 0), self.filter, self._lists, self.create, self.save, self.rule, spacing=8)
-        beside.setStretch(3, 1)
+        self.unaligned = NoAlignment(look, programming)
+        self.unaligned.choose.clicked.connect(lambda: self.list.setValue("alignment"))
+        beside = column(
+            self.banner, self.unaligned, row(self.list, 0), self.filter, self._lists, self.create, self.save, self.rule, spacing=8
+        )
+        beside.setStretch(4, 1)
         self.setLayout(beside)
 
     @property
@@ -103,6 +108,7 @@ class DimensionSide(QWidget):
         self.show_rows()
         self.features.show_features(inspection.features)
         self.alignment.show_inspection(inspection)
+        self.unaligned.show_program()
         self.rule.setText(f"Lengths in mm, U for k = 2, verdicts by {rule_name()}.")
         self.rule.setToolTip(decision_rule())
         self.banner.show_verdicts([found.verdict for found in inspection.dimensions])
