@@ -7,9 +7,11 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from measureapp.cli.calibrate.option_groups import with_groups
 from measureapp.cli.import_recording import process_imported
 from measureapp.cli.main import DONE, OUT_OF_TOLERANCE
 from measureapp.cli.outcome import has_passed, measurement_lines, report_event
+from measureapp.cli.part_options import PartState
 from measureapp.cli.reply import JsonOption, TerminalProgress, reply
 
 if TYPE_CHECKING:
@@ -23,8 +25,10 @@ def register(app: typer.Typer) -> None:
     """Add the commands."""
 
     @app.command()
+    @with_groups
     def process(
         project: Annotated[Path, typer.Argument(help="Project folder.")],
+        part: PartState,
         accept: Annotated[
             list[str] | None, typer.Option(help="Use this view regardless of its quality, now and later; may be given several times.")
         ] = None,
@@ -55,6 +59,7 @@ def register(app: typer.Typer) -> None:
         if check:
             raise typer.Exit(_check(folder, as_json))
         _choose(folder, accept or [], refuse or [])
+        _state(folder, part)
         if is_recording(folder):
             process_imported(folder, as_json)
             return
@@ -70,6 +75,15 @@ def register(app: typer.Typer) -> None:
         reply({**outcome.document, **used, **({"damaged": damaged} if damaged else {})}, "\n".join(lines), as_json)
         if damaged or not has_passed(outcome.measurement):
             raise typer.Exit(OUT_OF_TOLERANCE)
+
+
+def _state(folder: ProjectFolder, part: PartState) -> None:
+    """Store temperature and material of the part in the header, where they are stated. Raises InputError."""
+    from measureapp.project.identification_file import read_identification, save_identification
+
+    stated = part.identification()
+    if stated is not None:
+        save_identification(folder.path, stated.with_defaults(read_identification(folder.path)))
 
 
 def _reporting(damaged: dict[str, str]) -> Callable[[Event], None]:

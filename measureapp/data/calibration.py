@@ -9,6 +9,7 @@ import numpy as np
 
 from measureapp.arrays import FloatArray, read_only
 from measureapp.data.axis_motions import AxisMotions
+from measureapp.data.certificate import BoardLengths
 from measureapp.data.conditions import LensSetting
 from measureapp.data.fringe import AxisReadback
 from measureapp.errors import CalibrationError
@@ -100,6 +101,7 @@ class CameraArrayCalibration:
     provenance: Provenance = field(default_factory=Provenance)
     projector: ProjectorCalibration | None = None
     covariance: LabelledCovariance | None = None  # of cameras and projector; None if unknown
+    lengths: BoardLengths | None = None  # of the board that gave the scale; None: nobody stated them
 
     def __post_init__(self) -> None:
         if self.reference not in self.cameras:

@@ -67,6 +67,7 @@ class Inspection:
     features: tuple[Feature, ...]  # in the nominal's frame
     dimensions: tuple[Dimension, ...]
     further: Mapping[str, Alignment] = field(default_factory=dict)  # alignments that single dimensions name
+    lengths: tuple[str, ...] = ()  # where their scale comes from, at which temperature they hold: sentences
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -133,7 +133,7 @@ class CalibrationRules(Model):
     scale_ppm: float = Field(
         default=0.0,
         ge=0,
-        description="standard uncertainty of the scale: board certificate and part temperature; 0: exact",
+        description="standard uncertainty of the scale, where the board states no class or certificate; 0: that of its class",
     )
     when_exceeded: Literal["warn", "refuse"] = Field(default="warn", description="refuse: no scan starts with an invalid calibration")
 

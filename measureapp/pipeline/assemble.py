@@ -16,6 +16,7 @@ from measureapp.data.calibration import RigCalibration
 from measureapp.data.cloud import StitchedCloud
 from measureapp.data.fringe import AxisReadback
 from measureapp.data.measurement import Inspection, Measurement, ViewResult
+from measureapp.data.part_temperature import PartTemperature
 from measureapp.data.rig import RigDescription
 from measureapp.data.validity import Validity
 from measureapp.data.view_choices import ViewChoices
@@ -25,12 +26,14 @@ from measureapp.inspection.settings import InspectionSettings, UncertaintySettin
 from measureapp.pipeline.chosen_views import add_refused, select_views
 from measureapp.pipeline.consistency.check import check_consistency, with_unexplained
 from measureapp.pipeline.events import Event, InspectionReady, StitchReady, ValidityKnown
+from measureapp.pipeline.lengths import length_scale, temperature_of
 from measureapp.pipeline.noise import describe_noise
 from measureapp.pipeline.surface import SurfaceBeside
 from measureapp.pipeline.validity import validity_of
 from measureapp.pipeline.watch import Stopwatch
 from measureapp.progress import PartOf, Progress
 from measureapp.project.folder import ProjectFolder
+from measureapp.project.identification_file import read_identification
 from measureapp.register.joint.axis_doubt import AxisPattern
 from measureapp.register.joint.pose_prior import PosePrior
 from measureapp.register.joint.registration_cache import RegistrationCache
@@ -102,7 +105,7 @@ def assemble(
     on_event(StitchReady(stitched))
     with SurfaceBeside(stitched) as surface:
         with watch.stage("inspection"):
-            settings = inspection_settings(calibrated, project.rig(), good)
+            settings = project_settings(project, calibrated, good)
             inspection = inspect_stitched(project, stitched, settings, PartOf(progress, 0.5, 0.7))
         if inspection is not None:
             on_event(InspectionReady(inspection))
@@ -202,7 +205,14 @@ def stitch_settings(calibration: RigCalibration, views: Sequence[ViewResult]) ->
     return StitchSettings(pose_sigma_mm=KNOWN_STATION_MM, pose_sigma_deg=KNOWN_STATION_DEG) if known else StitchSettings()
 
 
-def inspection_settings(calibration: RigCalibration, rig: RigDescription, views: Sequence[ViewResult]) -> InspectionSettings:
+def project_settings(project: ProjectFolder, calibration: RigCalibration, views: Sequence[ViewResult]) -> InspectionSettings:
+    """Return the settings with which the part of a project is inspected, the temperature in its header included."""
+    return inspection_settings(calibration, project.rig(), views, temperature_of(read_identification(project.path)))
+
+
+def inspection_settings(
+    calibration: RigCalibration, rig: RigDescription, views: Sequence[ViewResult], temperature: PartTemperature | None = None
+) -> InspectionSettings:
     """Return the inspection settings, with assumed uncertainties of axes and calibration for clouds without an error model.
 
     If the robot's error was measured at all stations, a view's position is as uncertain as the robot's repeatability and the table's
@@ -214,10 +224,11 @@ def inspection_settings(calibration: RigCalibration, rig: RigDescription, views:
     scales = [
         camera.standard_deviations.get("fx", 0.0) / float(camera.pinhole.matrix[0, 0]) for camera in calibration.cameras.cameras.values()
     ]
-    scale_ppm = rig.calibration_rules.scale_ppm
-    return InspectionSettings(
-        uncertainty=UncertaintySettings(placement_mm=placement_mm, systematic_relative=max(scales), scale_ppm=scale_ppm)
+    scale = length_scale(calibration.cameras, rig)
+    uncertainty = UncertaintySettings(
+        placement_mm=placement_mm, systematic_relative=max(scales), scale_ppm=scale.ppm, scale_source=scale.source
     )
+    return InspectionSettings(uncertainty=uncertainty, temperature=temperature)
 
 
 def inspect_stitched(

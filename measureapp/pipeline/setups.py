@@ -29,7 +29,7 @@ from measureapp.geometry.transform import RigidTransform
 from measureapp.inspection.alignment.best_fit import best_fit
 from measureapp.inspection.measured_points import sample_mesh
 from measureapp.inspection.settings import AlignmentSettings
-from measureapp.pipeline.assemble import inspect_stitched, inspection_settings
+from measureapp.pipeline.assemble import inspect_stitched, project_settings
 from measureapp.pipeline.events import Event, InspectionReady, StitchReady
 from measureapp.pipeline.project_names import unique_names
 from measureapp.pipeline.run import Outcome, finish
@@ -287,7 +287,7 @@ def _complete(
     )
     with SurfaceBeside(joined.stitched) as surface:
         with watch.stage("inspection"):
-            settings = inspection_settings(calibration, project.rig(), views)
+            settings = project_settings(project, calibration, views)
             inspection = inspect_stitched(project, joined.stitched, settings, PartOf(progress, 0.0, 0.4))
         if inspection is not None:
             on_event(InspectionReady(inspection))

@@ -191,6 +191,7 @@ def inspection_document(inspection: Inspection) -> dict[str, Any]:
         "features": [_plain(feature) for feature in inspection.features],
         "dimensions": [_plain(dimension) for dimension in inspection.dimensions],
         "further": {name: _plain(alignment) for name, alignment in inspection.further.items()},
+        "lengths": list(inspection.lengths),
     }
 
 
@@ -202,6 +203,7 @@ def inspection_from(document: Mapping[str, Any]) -> Inspection:
         features=tuple(_feature_from(feature) for feature in document["features"]),
         dimensions=tuple(_dimension_from(dimension) for dimension in document["dimensions"]),
         further={name: _alignment_from(stored) for name, stored in document.get("further", {}).items()},
+        lengths=tuple(document.get("lengths", ())),
     )
 
 

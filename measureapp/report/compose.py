@@ -91,7 +91,7 @@ def _sections(measurement: Measurement, deviation: Deviation | None, why_not: st
     calibration = (
         *_validity_facts(measurement.validity),
         Fact("Calibration age", calibration_age(measurement)),
-        *_length_facts(dimensions),
+        *_length_facts(dimensions, () if measurement.inspection is None else measurement.inspection.lengths),
         *_calibration_facts(measurement.calibration),
     )
     return (
@@ -260,15 +260,13 @@ def _calibration_facts(calibration: RigCalibration) -> tuple[Fact, ...]:
     return tuple(facts)
 
 
-def _length_facts(dimensions: Sequence[Dimension]) -> tuple[Fact, ...]:
-    """Return what calibration and length reference add to the lengths of this report."""
+def _length_facts(dimensions: Sequence[Dimension], lengths: Sequence[str]) -> tuple[Fact, ...]:
+    """Return what calibration and length reference add to the lengths of this report, and the temperature at which they hold."""
     if not dimensions:
         return ()
-    stated = any(one.budget.get("scale") for one in dimensions)
-    uncertainty = 'in the contribution "scale"' if stated else "not included (taken as exact)"
-    reference = Fact("Length reference", f"calibration board; uncertainty of its lengths and of the part temperature {uncertainty}")
     added = added_to_lengths(dimensions)
-    return (*((Fact("Adds to a length (k = 2)", added),) if added else ()), reference)
+    stated = [Fact(title, sentence) for title, sentence in zip(("Length reference", "Temperature of the part"), lengths, strict=False)]
+    return (*((Fact("Adds to a length (k = 2)", added),) if added else ()), *stated)
 
 
 def added_to_lengths(dimensions: Sequence[Dimension]) -> str:

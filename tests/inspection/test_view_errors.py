@@ -9,6 +9,7 @@ import pytest
 
 from measureapp.data.dimension import Dimension, Verdict
 from measureapp.data.inspection_program import InspectionProgram
+from measureapp.data.part_temperature import PartTemperature
 from measureapp.data.view_errors import POWERS, CloudDistortion, FormErrors, SystematicErrors, ViewErrors
 from measureapp.geometry.transform import RigidTransform
 from measureapp.inspection.dimensions import inspect
@@ -257,3 +258,18 @@ def test_a_best_fit_alignment_removes_motions_of_the_whole_part() -> None:
     motions = np.hstack([normals, np.cross(arms, normals)])
     np.testing.assert_allclose(motions.T @ after[:, own], 0, atol=1e-6 * float(np.abs(motions.T @ before[:, own]).max()))
     assert 0.2 < np.linalg.norm(after[:, own]) / np.linalg.norm(before[:, own]) < 1
+
+
+@pytest.mark.parametrize("errors_known", [True, False])
+def test_lengths_are_corrected_to_20_degrees_with_a_share_of_their_own(errors_known: bool) -> None:
+    exact = drawn().exact if errors_known else replace(drawn().exact, errors=None)
+    heat = PartTemperature(30.0, 1.0, 20e-6, 1e-6)
+    cold, warm = (inspect(exact, PROGRAM, settings=InspectionSettings(temperature=state)) for state in (None, heat))
+    before = {one.name: one for one in cold.dimensions}
+    for one in warm.dimensions:
+        if one.unit == "mm" and one.kind in ("distance", "diameter", "length"):
+            assert one.measured == pytest.approx((before[one.name].measured or 0) / (1 + 10 * 20e-6), abs=2e-6), one.name
+    width = next(one for one in warm.dimensions if one.name == "width")
+    assert width.budget["temperature"] == pytest.approx(2 * 80 * np.hypot(20e-6 * 0.5, 10 * 1e-6), rel=1e-3)
+    assert "corrected to 20 °C" in width.traceability and "corrected to 20 °C" in warm.lengths[1]
+    assert "not stated" in cold.lengths[1] and "temperature" not in before["width"].budget

@@ -11,7 +11,7 @@ from measureapp.data.dimension import CONTRADICTED, Dimension, Verdict
 from measureapp.data.inspection_program import ZONES, DimensionProgram
 from measureapp.errors import InspectionError
 from measureapp.inspection.evaluate import evaluate_dimension, evaluate_pattern_mean
-from measureapp.inspection.features.feature_errors import CALIBRATION, NOISE, SCALE
+from measureapp.inspection.features.feature_errors import CALIBRATION, NOISE, SCALE, TEMPERATURE
 from measureapp.inspection.features.found_feature import FoundFeature
 from measureapp.inspection.settings import InspectionSettings
 from measureapp.inspection.uncertainty import COVERAGE_FACTOR, assumed_calibration
@@ -112,7 +112,11 @@ def _complete_budget(
         )
     if chosen.scale_ppm > 0 and unit == "mm":
         budget.setdefault(SCALE, chosen.scale_ppm * 1e-6 * abs(value.value))  # without views a value scales like a length
-        assumptions.append(f"length scale ± {chosen.scale_ppm:g} ppm (k = 1), from calibration board and part temperature")
+        assumptions.append(f"length scale ± {chosen.scale_ppm:g} ppm (k = 1), from {chosen.scale_source}")
+    if settings.temperature is not None and unit == "mm":
+        if settings.temperature.sigma > 0:
+            budget.setdefault(TEMPERATURE, settings.temperature.sigma * abs(value.value))
+        assumptions.append(settings.temperature.words)
     return budget, tuple(assumptions)
 
 
