@@ -265,8 +265,16 @@ def _length_facts(dimensions: Sequence[Dimension], lengths: Sequence[str]) -> tu
     if not dimensions:
         return ()
     added = added_to_lengths(dimensions)
-    stated = [Fact(title, sentence) for title, sentence in zip(("Length reference", "Temperature of the part"), lengths, strict=False)]
+    titles = ("Length reference", "Temperature of the part")
+    stated = [Fact(title, sentence) for title, sentence in zip(titles, lengths or _lengths_before(dimensions), strict=False)]
     return (*((Fact("Adds to a length (k = 2)", added),) if added else ()), *stated)
+
+
+def _lengths_before(dimensions: Sequence[Dimension]) -> tuple[str]:
+    """Return the length reference of an inspection from before inspections stated theirs."""
+    stated = any(one.budget.get("scale") for one in dimensions)
+    known = 'in the contribution "scale"' if stated else "not included (taken as exact)"
+    return (f"calibration board; uncertainty of its lengths and of the part temperature {known}",)
 
 
 def added_to_lengths(dimensions: Sequence[Dimension]) -> str:
