@@ -156,7 +156,7 @@ def truth_deviation(measurement: Measurement, world: World) -> tuple[Mesh, dict[
 
 
 def true_dimensions(measurement: Measurement, world: World, project: ProjectFolder) -> list[dict[str, Any]]:
-    """Compare every dimension with its true value: that of the part as it was made, by the same inspection program on its true surface.
+    """Compare every dimension with its true value: that of the part as it was made, at 20 °C, by the same inspection program.
 
     Returns
     -------
@@ -165,7 +165,7 @@ def true_dimensions(measurement: Measurement, world: World, project: ProjectFold
     if measurement.inspection is None or project.program is None:
         return []
     nominal = None if project.nominal is None else read_mesh(project.nominal)
-    found = inspect(world.part.mesh, read_program(project.program), nominal)
+    found = inspect(world.part.at_reference(), read_program(project.program), nominal)
     true = {dimension.name: dimension.measured for dimension in found.dimensions}
     return [
         {

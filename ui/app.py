@@ -82,6 +82,8 @@ def run(project: Path | None = None, demo: bool = False) -> int:
         built.controllers.project.open(project)
     elif demo:
         open_demo(built)
+    if project is None:
+        built.window.tour.offer()
     code = application.exec()
     if not built.controllers.end(LAST_WAIT_MS):
         _leave(code)

@@ -32,6 +32,7 @@ from ui.shell.drops import DropActions, DropTarget
 from ui.shell.header_state import HeaderState
 from ui.shell.project_menu import ProjectMenu
 from ui.shell.support_log import save_support_log, support_lines
+from ui.shell.tour import Tour
 from ui.shell.unsaved import UnsavedQuestion
 from ui.widgets.basic import column, row
 from ui.widgets.closing_bar import ClosingBar
@@ -42,6 +43,7 @@ from ui.widgets.messages_dialog import MessagesDialog
 from ui.widgets.properties_panel import PropertiesPanel
 from ui.widgets.rail import Rail
 from ui.widgets.settings_dialog import SettingsDialog
+from ui.widgets.tour_bar import TourBar
 
 PAGES = (RigPage, CalibrationPage, PlanPage, ScanPage, CloudsPage, InspectionPage, ReportPage)
 SMALLEST = (1280, 720)
@@ -85,6 +87,8 @@ class MainWindow(QMainWindow):
         self.project_menu = ProjectMenu(self.look, self.session, self.controllers, self.settings, self)
         self.messages = MessagesDialog(self.look, self.session.messages, self._words_of, self)
         self.help = HelpDialog(self.look, self)
+        self.tour = Tour(self, TourBar(self.look), self)
+        self.help.tourClicked.connect(self.tour.begin)
         self.settings_dialog = SettingsDialog(self.look, self.settings, self)
         self.palette_ = CommandPalette(self.look, self.actions_, words, self)
         self.shortcuts = ShortcutList(self.look, self.actions_, words, self)
@@ -162,7 +166,7 @@ class MainWindow(QMainWindow):
         middle = row(self.rail, self.stack, self.properties, spacing=0)
         middle.setStretch(1, 1)
         self.unsaved = UnsavedQuestion(self.look, self.session, self.controllers.programming, self)
-        whole = column(self.header, self.closing, self.unsaved.bar, middle, self.strip, spacing=0)
+        whole = column(self.header, self.closing, self.unsaved.bar, middle, self.tour.bar, self.strip, spacing=0)
         whole.setStretch(3, 1)
         centre = QWidget()
         centre.setLayout(whole)
@@ -254,7 +258,7 @@ class MainWindow(QMainWindow):
     def save_log(self) -> None:
         """Save what support needs in one file."""
         stamp = QDateTime.currentDateTime().toString("yyyy-MM-dd-HHmm")
-        file = choose_new(self, "Save the log for support", f"measureapp-support-{stamp}.zip", "support", self.settings, "*.zip")
+        file = choose_new(self, "Save the log for support", f"measureapp-support-{stamp}.zip", "support", "*.zip")
         if file is None:
             return
         texts, folder = support_lines(self.settings, self.session.messages), Path.home() / "MeasureApp"

@@ -140,8 +140,10 @@ class Session(QObject):
 
     @property
     def scale_ppm(self) -> float:
-        """Relative standard uncertainty of all lengths from the rig description, in ppm; 0: exact."""
-        return 0.0 if self.rig is None else self.rig.calibration_rules.scale_ppm
+        """Relative standard uncertainty of all lengths from board or rig, in ppm; 0: exact."""
+        from measureapp.pipeline.lengths import length_scale
+
+        return length_scale(self.cameras, self.rig).ppm
 
     def _emit_results_changed(self) -> None:
         """Emit the change signals of everything computed from the images."""

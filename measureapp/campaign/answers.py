@@ -26,7 +26,8 @@ class Answers:
 
     def of(self, jobs: Sequence[Job]) -> dict[str, Finished]:
         """Return the answers that are stored, by the name of the job; one of another version of the program, of
-        other settings or of other images is none."""
+        other settings or of other images is none.
+        """
         self._requests = {job.name: _request(job) for job in jobs}
         found = {job.name: self._read(job) for job in jobs}
         return {name: one for name, one in found.items() if one is not None}

@@ -20,6 +20,15 @@ RuleOption = Annotated[
 PerFrequencyOption = Annotated[bool, typer.Option("--per-frequency", help="Choose the exposures for each pitch separately.")]
 NoiseOption = Annotated[Path | None, typer.Option("--noise", help="Noise models of the cameras, from `measureapp noise`.")]
 ResponseOption = Annotated[Path | None, typer.Option("--response", help="Projector response, from `measureapp response`.")]
+ModulationOption = Annotated[
+    float | None,
+    typer.Option(
+        "--min-modulation", help="Least modulation of a pixel whose fringe orders are beyond doubt, in grey levels of 255; else 3."
+    ),
+]
+PhaseSigmaOption = Annotated[
+    float | None, typer.Option("--max-phase-sigma", help="Largest standard deviation of a phase in radians; else 0.25.")
+]
 BloomingOption = Annotated[
     str,
     typer.Option(
@@ -42,6 +51,8 @@ def register(app: typer.Typer) -> None:
         noise: NoiseOption = None,
         response: ResponseOption = None,
         blooming_px: BloomingOption = "0",
+        min_modulation: ModulationOption = None,
+        max_phase_sigma: PhaseSigmaOption = None,
         as_json: JsonOption = False,
     ) -> None:
         """Decode fringe images: exposure synthesis, wrapped phase, absolute phase.
@@ -62,7 +73,7 @@ def register(app: typer.Typer) -> None:
         from measureapp.project.fringes.phase_file import write_phase_map
 
         stack = read_manifest(manifest)
-        settings = decode_settings(stack, rule, per_frequency, noise, response, blooming_px)
+        settings = with_limits(decode_settings(stack, rule, per_frequency, noise, response, blooming_px), min_modulation, max_phase_sigma)
         maps = decode_stack(stack, settings, TerminalProgress())
         cameras = {}
         for name, phase_map in maps.items():
@@ -99,6 +110,21 @@ def decode_settings(
     return settings.model_copy(update={"blooming_radius_px": _blooming_px(stack, settings, blooming_px)})
 
 
+def with_limits(settings: DecodeSettings, min_modulation: float | None, max_phase_sigma: float | None) -> DecodeSettings:
+    """Return the settings with limits of the command line; raises InputError for values that are none."""
+    from measureapp.errors import InputError
+
+    if min_modulation is not None and not min_modulation >= 0:
+        raise InputError(f"--min-modulation {min_modulation:g} is below 0.", "Give grey levels of an 8-bit image.")
+    if max_phase_sigma is not None and not max_phase_sigma > 0:
+        raise InputError(f"--max-phase-sigma {max_phase_sigma:g} is not an angle above 0.", "Give radians.")
+    limits = {"faint_modulation": min_modulation, "max_sigma_rad": max_phase_sigma}
+    given = {name: value for name, value in limits.items() if value is not None}
+    if min_modulation is not None:
+        given["min_modulation"] = max(settings.min_modulation, min_modulation)
+    return settings.model_copy(update=given)
+
+
 def _blooming_px(stack: FringeStack, settings: DecodeSettings, wanted: str) -> int:
     """Return the radius of the blooming guard; raises InputError."""
     from measureapp.errors import InputError
@@ -113,6 +139,8 @@ def _blooming_px(stack: FringeStack, settings: DecodeSettings, wanted: str) -> i
 
 def figures(phase_map: PhaseMap) -> dict[str, Any]:
     """Return the decoding figures of one camera."""
+    from dataclasses import asdict
+
     import numpy as np
 
     from measureapp.data.phase import PixelState
@@ -126,6 +154,7 @@ def figures(phase_map: PhaseMap) -> dict[str, Any]:
         "phase_sigma_median": float(np.median(phase_map.sigma_rad[valid])) if valid.any() else None,
         "snr_median": float(np.median(phase_map.snr[valid])) if valid.any() else 0.0,
         "order_conflicts": int((phase_map.state == PixelState.ORDER_CONFLICT).sum()),
+        "noise": None if phase_map.evidence is None else asdict(phase_map.evidence),
         "orders_repaired": int(phase_map.details.get("orders_repaired", 0)),
         "rejected": {state.name.lower(): int((phase_map.state == state).sum()) for state in PixelState if state != PixelState.VALID},
     }
@@ -153,5 +182,14 @@ def _lines(name: str, entry: dict[str, Any]) -> list[str]:
     )
     return [
         f"{name}: valid per exposure {exposures}; composite {entry['valid_ratio']['composite']:.1%}; decoded {entry['decoded_ratio']:.1%}",
+        *([_noise_line(entry["noise"])] if entry["noise"] else []),
         f"  {noise}; {entry['order_conflicts']} order conflicts → {entry['file']}",
     ]
+
+
+def _noise_line(noise: dict[str, Any]) -> str:
+    source = "by its images" if noise["from_images"] else "given or assumed"
+    return (
+        f"  noise {source}: full well {noise['full_well_e']:.0f} e, read noise {noise['read_noise_e']:.1f} e; "
+        f"phases scatter {noise['scatter']:.2f} times as predicted from it, and the stated σ where that is more"
+    )

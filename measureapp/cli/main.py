@@ -19,7 +19,7 @@ from measureapp.errors import DeviceError, MeasureError
 from measureapp.progress import Cancelled
 
 DONE, OUT_OF_TOLERANCE, BAD_INPUT, DEVICE_FAILED, CANCELLED = 0, 1, 2, 3, 130
-NOT_COMMANDS = ("help_words", "main", "outcome", "reply", "scan_log", "stop_signals")
+NOT_COMMANDS = ("help_words", "main", "outcome", "part_options", "reply", "scan_log", "stop_signals")
 
 
 def build() -> typer.Typer:

@@ -3,21 +3,27 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from measureapp.cli.calibrate.option_groups import with_groups
 from measureapp.cli.main import OUT_OF_TOLERANCE
 from measureapp.cli.outcome import alignment_lines, dimension_line
+from measureapp.cli.part_options import PartState
 from measureapp.cli.reply import JsonOption, TerminalProgress, UnitOption, reply
 from measureapp.data.length_unit import LengthUnit
 from measureapp.data.verdicts import ACCEPTED
+
+if TYPE_CHECKING:
+    from measureapp.inspection.settings import InspectionSettings
 
 
 def register(app: typer.Typer) -> None:
     """Add the command."""
 
     @app.command()
+    @with_groups
     def measure(
         cloud: Annotated[Path, typer.Argument(help="Cloud or mesh: PLY, STL, OBJ, PCD, XYZ.")],
         program: Annotated[Path, typer.Argument(help="Inspection program (TOML).")],
@@ -35,16 +41,16 @@ def register(app: typer.Typer) -> None:
                 "--scale-ppm",
                 min=0,
                 max=1e6,
-                help="Relative standard uncertainty of the length scale (calibration board, part temperature), in ppm.",
+                help="Relative standard uncertainty of the length scale (class or certificate of the calibration board), in ppm.",
             ),
         ] = 0.0,
+        part: PartState = PartState(),  # noqa: B008 - frozen
         unit: UnitOption = LengthUnit.MM,
         as_json: JsonOption = False,
     ) -> None:
         """Measure the dimensions of an inspection program; exit code 1 unless all pass."""
         from measureapp.data.verdicts import worst_first
         from measureapp.inspection.dimensions import inspect
-        from measureapp.inspection.settings import InspectionSettings, UncertaintySettings
         from measureapp.inspection.verdict import RULES
         from measureapp.project.geometry.files import read_cloud_or_mesh
         from measureapp.project.program_file import read_program, read_program_nominal, replace_alignment
@@ -54,7 +60,7 @@ def register(app: typer.Typer) -> None:
         if alignment is not None:
             described = replace_alignment(described, alignment)
         nominal = read_program_nominal(program, described)
-        settings = InspectionSettings(uncertainty=UncertaintySettings(scale_ppm=scale_ppm))
+        settings = _settings(scale_ppm, part)
         inspection = inspect(read_cloud_or_mesh(cloud, unit=unit), described, nominal, settings, TerminalProgress())
         rule = RULES[settings.verdict_rule]
         document = {
@@ -63,10 +69,19 @@ def register(app: typer.Typer) -> None:
             "alignments": {name: alignment_document(further) for name, further in inspection.further.items()},
             "features": [feature_document(feature) for feature in inspection.features],
             "dimensions": [dimension_document(dimension) for dimension in inspection.dimensions],
+            "lengths": list(inspection.lengths),
             "verdict_rule": rule,
         }
         lines = [f"{inspection.program}. {alignment_lines(inspection.alignment)}"]
         lines += [f"{name}: {alignment_lines(further)}" for name, further in inspection.further.items()]
-        reply(document, "\n".join([*lines, *map(dimension_line, worst_first(inspection.dimensions)), rule]), as_json)
+        reply(document, "\n".join([*lines, *map(dimension_line, worst_first(inspection.dimensions)), *inspection.lengths, rule]), as_json)
         if any(dimension.verdict not in ACCEPTED for dimension in inspection.dimensions):
             raise typer.Exit(OUT_OF_TOLERANCE)
+
+
+def _settings(scale_ppm: float, part: PartState) -> InspectionSettings:
+    """Return the settings of the options. Raises InputError for an absurd temperature."""
+    from measureapp.inspection.settings import InspectionSettings, UncertaintySettings
+
+    uncertainty = UncertaintySettings(scale_ppm=scale_ppm, scale_source="--scale-ppm" if scale_ppm else "not stated")
+    return InspectionSettings(uncertainty=uncertainty, temperature=part.temperature())

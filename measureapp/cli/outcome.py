@@ -58,6 +58,8 @@ def measurement_lines(measurement: Measurement) -> list[str]:
         if placement.verdict != "good":
             lines.append(f"  {placement.viewpoint_id}: {placement.verdict}")
     lines += [f"Calibration: {sentence}" for sentence in measurement.validity.all_warnings]
+    if measurement.consistency.sentence:
+        lines.append(f"Checks of the error model: {measurement.consistency.sentence}")
     if measurement.inspection is None:
         return [*lines, "The project has no inspection program."]
     from measureapp.data.verdicts import worst_first

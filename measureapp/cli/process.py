@@ -7,10 +7,12 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from measureapp.cli.calibrate.option_groups import with_groups
 from measureapp.cli.campaign import ClusterOption, answer_jobs, run_jobs
 from measureapp.cli.import_recording import process_imported
 from measureapp.cli.main import DONE, OUT_OF_TOLERANCE
 from measureapp.cli.outcome import measurement_lines, report_event
+from measureapp.cli.part_options import PartState
 from measureapp.cli.reply import JsonOption, TerminalProgress, reply
 from measureapp.data.verdicts import has_passed
 from measureapp.errors import InputError
@@ -26,10 +28,12 @@ def register(app: typer.Typer) -> None:
     """Add the commands."""
 
     @app.command()
+    @with_groups
     def process(
         projects: Annotated[
             list[Path], typer.Argument(metavar="PROJECT...", help="Project folder; several are processed one after the other.")
         ],
+        part: PartState,
         accept: Annotated[
             list[str] | None, typer.Option(help="Use this view regardless of its quality, now and later; may be given several times.")
         ] = None,
@@ -58,12 +62,13 @@ def register(app: typer.Typer) -> None:
         from measureapp.project.folder import ProjectFolder
 
         if len(projects) > 1 or cluster is not None:
-            _process_many(projects, cluster, as_json, accept or refuse or check or profile)
+            _process_many(projects, cluster, as_json, accept or refuse or check or profile or part.identification())
             return
         folder = ProjectFolder.open(projects[0])
         if check:
             raise typer.Exit(_check(folder, as_json))
         _choose(folder, accept or [], refuse or [])
+        _state(folder, part)
         if is_recording(folder):
             process_imported(folder, as_json)
             return
@@ -87,9 +92,18 @@ def _process_many(projects: Sequence[Path], cluster: str | None, as_json: bool, 
 
     if with_options:
         raise InputError(
-            "--accept, --refuse, --check and --profile go with one project, without --cluster.", "Give them for one project first."
+            "Several projects, and --cluster, take no other option than --json.", "Process the project alone to give it options."
         )
     answer_jobs(run_jobs(process_jobs(projects), cluster), as_json)
+
+
+def _state(folder: ProjectFolder, part: PartState) -> None:
+    """Store temperature and material of the part in the header, where they are stated. Raises InputError."""
+    from measureapp.project.identification_file import read_identification, save_identification
+
+    stated = part.identification()
+    if stated is not None:
+        save_identification(folder.path, stated.with_defaults(read_identification(folder.path)))
 
 
 def _reporting(damaged: dict[str, str]) -> Callable[[Event], None]:

@@ -11,12 +11,15 @@ import typer
 
 from measureapp.cli.decode import (
     BloomingOption,
+    ModulationOption,
     NoiseOption,
     PerFrequencyOption,
+    PhaseSigmaOption,
     ResponseOption,
     RuleOption,
     decode_settings,
     most_frequent_loss,
+    with_limits,
 )
 from measureapp.cli.reply import JsonOption, TerminalProgress, reply, say
 
@@ -27,6 +30,7 @@ if TYPE_CHECKING:
     from measureapp.progress import Progress
     from measureapp.reconstruct.diagnosis.diagnose import Finding
     from measureapp.reconstruct.reconstruct import Reconstruction
+    from measureapp.reconstruct.settings import ReconstructSettings
 
 
 def register(app: typer.Typer) -> None:
@@ -46,6 +50,15 @@ def register(app: typer.Typer) -> None:
             bool,
             typer.Option("--projector", help="Triangulate areas visible to only one camera with the calibrated projector of cameras.json."),
         ] = False,
+        min_modulation: ModulationOption = None,
+        max_phase_sigma: PhaseSigmaOption = None,
+        max_sigma_mm: Annotated[
+            float | None,
+            typer.Option(
+                "--max-sigma-mm",
+                help="Reject points with a larger standard deviation; without it, the limit follows the geometry and is stated.",
+            ),
+        ] = None,
         as_json: JsonOption = False,
     ) -> None:
         """Decode fringe images, match the cameras by phase and triangulate; a single camera needs a calibrated projector.
@@ -62,12 +75,14 @@ def register(app: typer.Typer) -> None:
 
         calibration = read_cameras(cameras)
         stack = read_manifest(manifest)
-        settings = decode_settings(stack, rule, per_frequency, noise, response, blooming_px)
+        settings = with_limits(decode_settings(stack, rule, per_frequency, noise, response, blooming_px), min_modulation, max_phase_sigma)
         _check_fits(stack, calibration, cameras)
         progress = TerminalProgress()
         maps = decode(stack, settings, PartOf(progress, 0.0, 0.5))
         findings = diagnose_maps(maps, calibration)
-        made, agreement = _reconstruct(maps, calibration, projector or len(maps) == 1, PartOf(progress, 0.5, 1.0))
+        made, agreement = _reconstruct(
+            maps, calibration, projector or len(maps) == 1, reconstruct_settings(max_sigma_mm), PartOf(progress, 0.5, 1.0)
+        )
         if len(made.cloud) == 0:
             raise ReconstructError(*_no_points(maps, manifest, cameras))
         write_cloud(out, made.cloud)
@@ -118,16 +133,30 @@ def _validity(maps: Mapping[str, PhaseMap], calibration: CameraArrayCalibration)
     return validity_document(validity)
 
 
+def reconstruct_settings(max_sigma_mm: float | None) -> ReconstructSettings:
+    """Return the settings of reconstruction; raises InputError for a limit that is not positive."""
+    from measureapp.errors import InputError
+    from measureapp.reconstruct.settings import ReconstructSettings
+
+    if max_sigma_mm is not None and not max_sigma_mm > 0:
+        raise InputError(f"--max-sigma-mm {max_sigma_mm:g} is not a length above 0.", "Give a length in mm, or omit the option.")
+    return ReconstructSettings(max_sigma_mm=max_sigma_mm)
+
+
 def _reconstruct(
-    maps: Mapping[str, PhaseMap], calibration: CameraArrayCalibration, with_projector: bool, progress: Progress
+    maps: Mapping[str, PhaseMap],
+    calibration: CameraArrayCalibration,
+    with_projector: bool,
+    settings: ReconstructSettings,
+    progress: Progress,
 ) -> tuple[Reconstruction, dict[str, Any]]:
     """Return the reconstruction and, with the projector, its agreement with the cameras."""
     from measureapp.reconstruct.projector.with_projector import reconstruct_view_with_projector
     from measureapp.reconstruct.reconstruct import reconstruct as reconstruct_maps
 
     if not with_projector:
-        return reconstruct_maps(maps, calibration, None, progress), {}
-    view = reconstruct_view_with_projector(maps, calibration, None, progress)
+        return reconstruct_maps(maps, calibration, settings, progress), {}
+    view = reconstruct_view_with_projector(maps, calibration, settings, progress)
     agreement = {name: asdict(each) for name, each in view.agreement.items()}
     return view.reconstruction, {"points": view.points, "agreement": agreement}
 
@@ -171,6 +200,7 @@ def _document(made: Reconstruction, out: Path) -> dict[str, Any]:
             for pair in made.pairs
         ],
         "rejected": made.rejected,
+        "max_sigma_mm": made.max_sigma_mm,
         "file": out,
     }
 
@@ -191,4 +221,6 @@ def _lines(document: dict[str, Any]) -> str:
         result = f"not matched, {pair['skipped']}" if pair["skipped"] else f"{pair['matched']} matched{errors}"
         lines.append(f"  {'–'.join(pair['cameras'])}: {result}")
     lines.append("  rejected: " + ", ".join(f"{count} {reason}" for reason, count in document["rejected"].items() if count))
+    limits = ", ".join(f"{name} {limit:.2g} mm" for name, limit in document["max_sigma_mm"].items())
+    lines.append(f"  largest σ of a point: {limits}")
     return "\n".join(lines)

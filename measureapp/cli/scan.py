@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import sys
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from measureapp.cli.calibrate.option_groups import with_groups
 from measureapp.cli.main import BAD_INPUT, DEVICE_FAILED, DONE, OUT_OF_TOLERANCE
 from measureapp.cli.outcome import measurement_lines
+from measureapp.cli.part_options import PartState
 from measureapp.cli.reply import JsonOption, TerminalProgress, reply, say
 from measureapp.data.raw_policy import RawPolicy
 from measureapp.data.verdicts import has_passed
@@ -30,10 +33,12 @@ def register(app: typer.Typer) -> None:
     """Add the command."""
 
     @app.command()
+    @with_groups
     def scan(
         plan: Annotated[Path, typer.Argument(help="Scan plan (JSON or TOML), or a part program (.mpart).")],
         rig: Annotated[str, typer.Option("--rig", help="Rig description: a TOML file, or a name in resources/rigs.")],
         project: Annotated[Path, typer.Option("--project", help="Project folder, new or with a calibration of this rig.")],
+        part: PartState,
         calibration: Annotated[
             Path | None, typer.Option("--calibration", help="Another project of this rig whose calibration is copied into a new project.")
         ] = None,
@@ -72,18 +77,8 @@ def register(app: typer.Typer) -> None:
         if per_viewpoint and auto_bracket is None:
             raise InputError("--per-viewpoint chooses no exposures by itself.", "Add --auto-bracket SECONDS.")
         wanted, program = _plan_and_program(plan)
-        request = ScanRequest(
-            wanted,
-            read_rig(rig),
-            project,
-            resume,
-            calibration,
-            auto_bracket,
-            per_viewpoint,
-            tuple(retake or ()),
-            part_program=program,
-            raw=raw,
-        )
+        request = ScanRequest(wanted, read_rig(rig), project, resume, calibration, auto_bracket, per_viewpoint, tuple(retake or ()))
+        request = replace(request, part_program=program, raw=raw, stated=part.identification())
         require_devices(request.rig)
         raise typer.Exit(_rehearse(request, as_json) if dry_run else _scan(request, as_json))
 

@@ -11,6 +11,7 @@ import numpy as np
 from pydantic import Discriminator, Field, SerializerFunctionWrapHandler, Tag, model_serializer, model_validator
 
 from measureapp.arrays import FloatArray, ImageArray, IntArray
+from measureapp.data.certificate import BoardLengths
 from measureapp.data.conditions import Conditions
 from measureapp.data.fringe import AxisReadback
 from measureapp.data.model import Model
@@ -41,6 +42,9 @@ class BoardDescription(Model):
     certified_mm: tuple[tuple[float, float, float], ...] | None = Field(
         default=None, description="position of every mark in frame `board`, as certified; none: the nominal grid"
     )
+    lengths: BoardLengths | None = Field(
+        default=None, description="class or certificate; none: nobody stated how well its lengths are known"
+    )
 
     @model_validator(mode="after")
     def _certificate_is_complete(self) -> BoardDescription:
@@ -50,9 +54,9 @@ class BoardDescription(Model):
 
     @model_serializer(mode="wrap")
     def _without_empty_certificate(self, serialise: SerializerFunctionWrapHandler) -> dict[str, Any]:
-        """Write `certified_mm` only where there is a certificate: files without one keep the form they have always had."""
+        """Write `certified_mm` and `lengths` only where they are known: files without them keep the form they have always had."""
         written: dict[str, Any] = serialise(self)
-        return {name: value for name, value in written.items() if name != "certified_mm" or value is not None}
+        return {name: value for name, value in written.items() if name not in ("certified_mm", "lengths") or value is not None}
 
     @property
     @abstractmethod
@@ -61,8 +65,9 @@ class BoardDescription(Model):
 
     @property
     def flat_corners_mm(self) -> FloatArray:
-        """The marks (columns·rows, 3) without bow, row by row: as certified, else of the nominal grid."""
-        return self.nominal_corners_mm if self.certified_mm is None else np.array(self.certified_mm, float)
+        """The marks (columns·rows, 3) without bow, row by row: as certified, else of the nominal grid; as warm as the board was."""
+        marks = self.nominal_corners_mm if self.certified_mm is None else np.array(self.certified_mm, float)
+        return marks if self.lengths is None else marks * self.lengths.factor
 
     @property
     @abstractmethod

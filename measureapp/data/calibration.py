@@ -8,6 +8,8 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from measureapp.arrays import FloatArray, read_only
+from measureapp.data.axis_motions import AxisMotions
+from measureapp.data.certificate import BoardLengths
 from measureapp.data.conditions import LensSetting
 from measureapp.data.fringe import AxisReadback
 from measureapp.errors import CalibrationError
@@ -99,6 +101,7 @@ class CameraArrayCalibration:
     provenance: Provenance = field(default_factory=Provenance)
     projector: ProjectorCalibration | None = None
     covariance: LabelledCovariance | None = None  # of cameras and projector; None if unknown
+    lengths: BoardLengths | None = None  # of the board that gave the scale; None: nobody stated them
 
     def __post_init__(self) -> None:
         if self.reference not in self.cameras:
@@ -193,6 +196,7 @@ class RigCalibration:
     provenance: Provenance = field(default_factory=Provenance)
     stations: tuple[RobotStation, ...] = ()
     view_gaps_mm: float | None = None  # by which it separates views of one part before registration, rms, k = 2; None: not known
+    motions: AxisMotions | None = None  # error motions of table and guide; None: not estimated
 
     def __post_init__(self) -> None:
         if self.axis.frame != "guide":
@@ -208,7 +212,10 @@ class RigCalibration:
         """Return the pose of the reference camera in the guide frame by forward kinematics; at a station, corrected for the robot's error."""
         station = self.station(readback)
         base_from_flange = readback.base_from_flange if station is None else station.true
-        return self.guide.guide_from_base(readback.guide_mm) @ base_from_flange @ self.hand_eye.flange_from_camera
+        guide_from_base = self.guide.guide_from_base(readback.guide_mm)
+        if self.motions is not None:
+            guide_from_base = guide_from_base @ self.motions.guide_motion(readback.guide_mm)
+        return guide_from_base @ base_from_flange @ self.hand_eye.flange_from_camera
 
     @property
     def table_from_guide(self) -> RigidTransform:
@@ -221,6 +228,12 @@ class RigCalibration:
         return RigidTransform.from_parts(rotation, origin, "guide", "table").inverse()
 
     def part_from_camera(self, readback: AxisReadback) -> RigidTransform:
-        """Return the kinematic position of the viewpoint: part ← table ← guide ← base ← flange ← camera, with all axes as read back."""
+        """Return the kinematic position of the viewpoint: part ← table ← guide ← base ← flange ← camera, with all axes as read back.
+
+        The error motions of table and guide are corrected, as far as they are known.
+        """
         part_from_table = RigidTransform.from_parts(rotation_about([0, 0, 1], -readback.table_rad), np.zeros(3), "part", "table")
-        return part_from_table @ self.table_from_guide @ self.guide_from_camera(readback)
+        guide_from_camera = self.guide_from_camera(readback)
+        if self.motions is not None:
+            guide_from_camera = self.motions.table_motion(readback.table_rad).inverse() @ guide_from_camera
+        return part_from_table @ self.table_from_guide @ guide_from_camera

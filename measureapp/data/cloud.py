@@ -144,6 +144,7 @@ class StitchedCloud:
     view_names: tuple[str, ...] = ()  # names of the views that `view` numbers; those of the placements if known
     sampled_view: IntArray | None = None  # (N,) int16, one view per point, sampled with probability proportional to its weight
     errors: ViewErrors | None = None  # of the views that `view` numbers; None where not known
+    axis_doubt: str = ""  # a sentence, where many views contradict the calibrated axes in one pattern
 
     def __post_init__(self) -> None:
         count = len(self.points_mm)

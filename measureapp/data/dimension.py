@@ -6,8 +6,19 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 
-CONTRIBUTIONS = ("noise", "stitching", "calibration", "form", "common", "setups", "scale")  # of the uncertainty budget
+CONTRIBUTIONS = (
+    "noise",
+    "stitching",
+    "calibration",
+    "form",
+    "common",
+    "setups",
+    "unexplained",
+    "temperature",
+    "scale",
+)  # of the uncertainty budget
 CONTRIBUTION_LABELS = {"common": "systematic", "setups": "set-ups"}  # where the printed name differs from that in files
+CONTRADICTED = 0.75  # share of U that is unexplained above which the error model is contradicted: such a verdict is not proven
 CONTRIBUTION_DIGITS = 4  # so that small contributions are visible
 
 

@@ -8,6 +8,7 @@ from typing import Annotated, Literal
 from pydantic import AfterValidator, Field
 
 from measureapp.data.model import Model
+from measureapp.data.part_temperature import read_temperature
 
 LONGEST_LINE, LONGEST_TEXT = 200, 4000
 ABSOLUTE_ZERO_C, HOTTEST_C = -273.15, 200.0
@@ -26,6 +27,13 @@ def one_line(text: str) -> str:
 
 def _lines(text: str) -> str:
     return "\n".join(one_line(line) for line in text.splitlines()).strip()
+
+
+def _temperature(text: str) -> str:
+    """Return a text that states a temperature, or nothing. Raises ValueError."""
+    if text:
+        read_temperature(text)
+    return text
 
 
 Line = Annotated[str, Field(max_length=LONGEST_LINE), AfterValidator(one_line)]
@@ -48,6 +56,10 @@ class Identification(Model):
     location: Line = ""
     temperature_c: float | None = Field(default=None, ge=ABSOLUTE_ZERO_C, le=HOTTEST_C, description="air temperature in °C")
     temperature_source: Line = Field(default="", description="who or what measured the temperature")
+    part_temperature: Annotated[Line, AfterValidator(_temperature)] = Field(
+        default="", description="of the part in °C with its uncertainty (k = 2), such as 23±0.5: lengths are corrected to 20 °C"
+    )
+    material: Line = Field(default="", description="of the part, such as steel, or its expansion, such as 11.5±0.6 ppm/K")
     humidity_percent: float | None = Field(default=None, ge=0, le=100, description="relative humidity of the air")
     remarks: Text = ""
 
@@ -77,6 +89,8 @@ LABELS = {
     "location": "Location",
     "temperature_c": "Temperature (°C)",
     "temperature_source": "Temperature from",
+    "part_temperature": "Part temperature",
+    "material": "Material",
     "humidity_percent": "Relative humidity (%)",
     "remarks": "Remarks",
 }

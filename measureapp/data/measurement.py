@@ -9,6 +9,7 @@ from typing import Any
 from measureapp.data.calibration import RigCalibration
 from measureapp.data.camera_shift import ShiftEvidence
 from measureapp.data.cloud import CloudQuality, PointCloud, StitchedCloud
+from measureapp.data.consistency import Consistency
 from measureapp.data.dimension import Dimension
 from measureapp.data.feature import Feature
 from measureapp.data.fringe import AxisReadback
@@ -66,6 +67,7 @@ class Inspection:
     features: tuple[Feature, ...]  # in the nominal's frame
     dimensions: tuple[Dimension, ...]
     further: Mapping[str, Alignment] = field(default_factory=dict)  # alignments that single dimensions name
+    lengths: tuple[str, ...] = ()  # where their scale comes from, at which temperature they hold: sentences
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -84,4 +86,5 @@ class Measurement:
     settings: Mapping[str, Any] = field(default_factory=dict)  # patterns, exposures, thresholds (JSON-ready)
     timings_s: Mapping[str, float] = field(default_factory=dict)
     validity: Validity = field(default_factory=Validity)  # of the calibration, for these images
+    consistency: Consistency = field(default_factory=Consistency)  # with its error model
     setups: tuple[JoinedSetUp, ...] = ()  # of a measurement that is joined from several; the calibration is that of the first one

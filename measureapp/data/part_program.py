@@ -24,6 +24,25 @@ class CalibrationReference(Model):
     id: str = Field(max_length=64, description="of the calibration when the template was made")
 
 
+class Release(Model):
+    """Release of a part program for operators: by whom, when, and of exactly which contents."""
+
+    by: str = Field(min_length=1, max_length=200)
+    at: str = Field(description="ISO 8601")
+    digest: str = Field(max_length=64, description="of the contents; others are not released")
+
+
+class ProgramRecord(Model):
+    """Which part program a project was begun with."""
+
+    schema_version: Literal[1] = 1
+    name: str
+    revision: int = Field(default=0, ge=0, description="0: it was not released")
+    by: str = ""
+    at: str = ""
+    sha256: str = Field(max_length=64, description="of inspection program and nominal as they were stored")
+
+
 CODE_GROUPS = ("part", "serial", "order")
 AskedField = Literal["serial", "order", "remarks"]
 
@@ -31,7 +50,7 @@ AskedField = Literal["serial", "order", "remarks"]
 class PartProgramFacts(Model):
     """What identifies a part program and a part to be measured with it, and the checksums of what it contains."""
 
-    schema_version: Literal[1, 2] = 2
+    schema_version: Literal[1, 2, 3] = 3
     name: str = Field(min_length=1, max_length=200)
     part_number: str = Field(default="", max_length=200)
     version: str = Field(default="", max_length=200, description="printed in reports, and kept with every result")
@@ -44,6 +63,8 @@ class PartProgramFacts(Model):
     raw: RawPolicy | None = Field(default=None, description="what becomes of raw images after a scan; none: as the project states")
     calibration: CalibrationReference | None = Field(default=None, description="of the template's rig; none: not named")
     board: AnyBoard | None = Field(default=None, description="that new projects are calibrated with; none: the usual one")
+    revision: int = Field(default=0, ge=0, description="of the last release; each release has the next one")
+    release: Release | None = Field(default=None, description="only released programs are offered to operators")
     sha256: Mapping[str, str] = Field(default={}, description="of each file by its name")
 
     @field_validator("code_pattern")

@@ -25,6 +25,22 @@ class PixelState(IntEnum):
     BLOOMING = 7  # next to a saturated pixel that blooms
 
 
+@dataclass(frozen=True, slots=True)
+class StackEvidence:
+    """What the fringe images of one camera say of its noise, and of what contradicts a scene at rest in steady light."""
+
+    full_well_e: float  # of the noise model that the standard deviations are of
+    read_noise_e: float
+    from_images: bool  # else it was given, or assumed
+    scatter: float = (
+        1.0  # standard deviation of phases about smooth surfaces over what the noise model predicts; wider σ than it are stated
+    )
+    vibration_rad: float = 0.0  # phase noise by fringes that moved between the steps; 0 where none is clear
+    light_rad: float = 0.0  # the same by light that changed between the steps
+    light_step: float = 0.0  # share by which light changed most from one group of images to the next
+    light_exposure_us: float = 0.0  # exposure whose images show that most
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class PhaseMap:
     """Absolute phase of the finest pitch, its standard deviation and the state of every pixel. Masked pixels are 0, never NaN."""
@@ -46,6 +62,7 @@ class PhaseMap:
     orthogonal: PhaseMap | None = None  # of the orthogonal (horizontal) fringes, if the set has both directions
     direction: Direction = "vertical"  # of the fringes
     snr_at_one_rad: float = 0.0  # B/σ_I of one image that gives a phase standard deviation of 1 rad
+    evidence: StackEvidence | None = None  # of the images it came from; None without images
     exposures_us: tuple[float, ...] = ()  # indexed by `exposure_index`, longest first; may be empty for a single one
 
     @property

@@ -10,6 +10,7 @@ from typing import Any, Literal
 from pydantic import Field, TypeAdapter, ValidationError, field_validator, model_validator
 
 from measureapp.data.board import AnyBoard
+from measureapp.data.certificate import BoardClass
 from measureapp.data.model import Model, first_problem
 from measureapp.data.plan import FlangePose
 
@@ -42,7 +43,9 @@ class RecordedBoard(Model):
     dictionary: str | None = None
     legacy_pattern: bool | None = None
     diameter_mm: float | None = Field(default=None, gt=0)
-    certificate: str | None = Field(default=None, description="table of the certified positions of the marks")
+    certificate: str | None = Field(default=None, description="table of the certified positions of the marks, or certificate in TOML")
+    board_class: BoardClass | None = Field(default=None, description="how well its lengths are known, without a certificate")
+    temperature: str | None = Field(default=None, description="of the board during the calibration in °C, such as 21.5±0.5 (k = 2)")
 
     @model_validator(mode="after")
     def _is_a_board(self) -> RecordedBoard:

@@ -89,6 +89,9 @@ class RobotDescription(Model):
     speed_mm_s: Speed | None = Field(default=None, description="of the flange; none: a usual one, for arms without a kinematic model")
     speed_deg_s: Speed | None = Field(default=None, description="of the flange's reorientation, likewise")
     ramp_s: float | None = Field(default=None, ge=0, le=60, description="to accelerate and brake; none: a usual one")
+    thermal_drift_mm: float | None = Field(
+        default=None, ge=0, description="displacement of the flange since the calibration by warming up, largest; none: not counted"
+    )
 
 
 class GuideDescription(Model):
@@ -99,6 +102,8 @@ class GuideDescription(Model):
     repeatability_mm: float
     speed_mm_s: Speed | None = Field(default=None, description="at which a scan drives; none: a usual one")
     acceleration_mm_s2: Speed | None = Field(default=None, description="likewise")
+    straightness_mm: float | None = Field(default=None, ge=0, description="straightness error over the stroke, ±; none: a usual one")
+    angular_error_arcsec: float | None = Field(default=None, ge=0, description="pitch, yaw and roll over the stroke, ±; none: usual ones")
 
 
 class TableDescription(Model):
@@ -112,6 +117,11 @@ class TableDescription(Model):
     centre_in_guide_mm: Vector
     speed_deg_s: Speed | None = Field(default=None, description="at which a scan drives; none: a usual one")
     acceleration_deg_s2: Speed | None = Field(default=None, description="likewise")
+    radial_error_mm: float | None = Field(
+        default=None, ge=0, description="radial error motion, ± (ISO 230-7), without run-out; none: a usual one"
+    )
+    axial_error_mm: float | None = Field(default=None, ge=0, description="axial error motion, ±; none: a usual one")
+    tilt_error_arcsec: float | None = Field(default=None, ge=0, description="tilt error motion (wobble), ±; none: a usual one")
 
 
 class CalibrationRules(Model):
@@ -123,7 +133,7 @@ class CalibrationRules(Model):
     scale_ppm: float = Field(
         default=0.0,
         ge=0,
-        description="standard uncertainty of the scale: board certificate and part temperature; 0: exact",
+        description="standard uncertainty of the scale, where the board states no class or certificate; 0: that of its class",
     )
     when_exceeded: Literal["warn", "refuse"] = Field(default="warn", description="refuse: no scan starts with an invalid calibration")
 

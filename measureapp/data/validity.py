@@ -33,12 +33,17 @@ class Validity:
     warnings: tuple[str, ...] = ()  # age and temperature, each a sentence with effect and remedy
     drift: Drift | None = None  # None: not checked
     temperature_c: float | None = None  # of the head during the scan; None where no device reports one
+    axes: str = ""  # doubt about the axes by the views of the scan, a sentence; empty: none
 
     @property
     def all_warnings(self) -> tuple[str, ...]:
-        """All warnings, including that of a drift."""
+        """All warnings, including those of a drift and of axes that the views contradict."""
         alarmed = self.drift is not None and self.drift.status in ("watch", "drifted")
-        return (*self.warnings, *((self.drift.sentence,) if self.drift is not None and alarmed else ()))
+        return (
+            *self.warnings,
+            *((self.axes,) if self.axes else ()),
+            *((self.drift.sentence,) if self.drift is not None and alarmed else ()),
+        )
 
 
 @dataclass(frozen=True, slots=True)

@@ -146,6 +146,8 @@ class ViewErrors:
     form: FormErrors | None = None  # None where not known
     systematic: SystematicErrors | None = None  # None where not known
     scale: float = 0.0  # relative standard uncertainty of the length scale; 0: taken as exact
+    unexplained_mm: float = 0.0  # standard deviation of what checks of the data find beyond all these, in the form of `systematic`
+    temperature: float = 0.0  # relative standard uncertainty of the correction of lengths to 20 °C
     setup_motions: FloatArray | None = None  # (6V, J), motions by the errors of the joint of several set-ups; None: a single set-up
 
     def __post_init__(self) -> None:
@@ -204,17 +206,33 @@ class ViewErrors:
                 common[rows] = self.systematic.along(*seen) + lever @ self.systematic.motions[block]
             if self.setup_motions is not None:
                 setups[rows] = lever @ self.setup_motions[block]
-        scale = self.scale * np.sum((points_mm - self.centres_mm.mean(axis=0)) * directions, axis=1)[:, None]
+        outwards = np.sum((points_mm - self.centres_mm.mean(axis=0)) * directions, axis=1)[:, None]
         known = {
             "stitching": True,
             "calibration": self.distortion is not None,
             "form": self.form is not None,
             "common": self.systematic is not None,
             "setups": self.setup_motions is not None,
+            "unexplained": self.systematic is not None and self.unexplained_mm > 0,
+            "temperature": self.temperature > 0,
             "scale": self.scale > 0,
         }
-        columns = (stitching, calibration, form, common, setups, scale)
+        columns = (
+            stitching,
+            calibration,
+            form,
+            common,
+            setups,
+            self._unexplained(common),
+            self.temperature * outwards,
+            self.scale * outwards,
+        )
         return {name: values for name, values in zip(known, columns, strict=True) if known[name]}
+
+    def _unexplained(self, common: FloatArray) -> FloatArray:
+        """Return the displacements by what is unexplained: as those of the systematic errors, to which registration responds equally."""
+        size = 0.0 if self.systematic is None else self.systematic.size_mm
+        return common * (self.unexplained_mm / size if size > 0 else 0.0)
 
 
 def remove_common_motion(errors: ViewErrors, points_mm: FloatArray, normals: FloatArray, view: IntArray) -> ViewErrors:

@@ -22,6 +22,7 @@ from measureapp.fringe.kernels.structures import (
     Workspace,
     round_up_to_chunks,
 )
+from measureapp.fringe.noise.model import CameraNoise
 from measureapp.fringe.unwrap import HeterodynePlan, extent_px, plan_heterodyne
 
 RANGE_MARGIN_PX = 2.0
@@ -30,13 +31,14 @@ LUT_LENGTH = 1024
 NORMAL_QUANTILE = 3.09  # one pixel in a thousand without fringes passes for one with fringes
 
 
-def make_model(plan: DecodePlan, chain: HeterodynePlan | None, votes: bool) -> DecodeModel:
+def make_model(plan: DecodePlan, chain: HeterodynePlan | None, votes: bool, noise: CameraNoise) -> DecodeModel:
     """Return how sums become phase, with the origin at a crest.
 
     Parameters
     ----------
     chain : None where a Gray code numbers the periods
     votes : doubtful orders keep their phase for the vote
+    noise : of the camera; the weights of the sums are those of the plan's, with which the images were added
     """
     pitches = np.array([group.pitch_px for group in plan.groups])
     scales, steps = pitches.min() / pitches, np.array([group.steps for group in plan.groups])
@@ -52,8 +54,8 @@ def make_model(plan: DecodePlan, chain: HeterodynePlan | None, votes: bool) -> D
             shifts=(2 * scales / steps).astype(np.float32),
         ),
         unwrapping=_unwrapping(plan, chain),
-        sets=_exposure_sets(plan),
-        limits=_limits(plan, chain, scales, votes),
+        sets=_exposure_sets(plan, noise),
+        limits=_limits(plan, chain, scales, votes, noise),
     )
 
 
@@ -69,13 +71,14 @@ def _unwrapping(plan: DecodePlan, chain: HeterodynePlan | None) -> Unwrapping:
     )
 
 
-def _limits(plan: DecodePlan, chain: HeterodynePlan | None, scales: FloatArray, votes: bool) -> Limits:
+def _limits(plan: DecodePlan, chain: HeterodynePlan | None, scales: FloatArray, votes: bool, noise: CameraNoise) -> Limits:
     settings, saturation, finest_px = plan.settings, plan.saturation, plan.patterns.finest_pitch_px
     return Limits(
         saturated_grey=np.float32(min(saturation * max(plan.exposures_us) / min(plan.exposures_us), 65535.0)),
         least_modulation=np.float32(settings.min_modulation_grey(saturation)),
-        image_gain=np.float32(1 / plan.noise.electrons_per_grey(saturation)),
-        image_floor=np.float32(plan.noise.floor_variance(saturation)),
+        faint_modulation=np.float32(settings.faint_modulation_grey(saturation)),
+        image_gain=np.float32(1 / noise.electrons_per_grey(saturation)),
+        image_floor=np.float32(noise.floor_variance(saturation)),
         sure_variance=np.float32(_sure_variance(plan, chain, scales)),
         weak_variance=np.float32(settings.max_sigma_rad**2),
         shadow_variance=np.float32(shadow_sigma(scales) ** 2),
@@ -96,9 +99,9 @@ def _sure_variance(plan: DecodePlan, chain: HeterodynePlan | None, scales: Float
     return chain.sure_sigma_rad**2 / float((scales**2).sum())
 
 
-def _exposure_sets(plan: DecodePlan) -> ExposureSets:
+def _exposure_sets(plan: DecodePlan, noise: CameraNoise) -> ExposureSets:
     """Tabulate the properties of the sum over every set of exposures, bit e for exposure e."""
-    noise, saturation = plan.noise, plan.saturation
+    saturation = plan.saturation
     time, weight = np.array(plan.exposures_us, float), np.array(plan.weights, float)
     members = (np.arange(1 << len(time))[:, None] >> np.arange(len(time))) & 1 == 1
     occupied = members.any(axis=1)

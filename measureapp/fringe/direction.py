@@ -7,20 +7,23 @@ from math import tau
 
 import numpy as np
 
-from measureapp.arrays import ImageArray, IntArray, read_only
+from measureapp.arrays import FloatArray, ImageArray, IntArray, read_only
 from measureapp.compiled.buffer_pool import BufferPool
-from measureapp.data.phase import PhaseMap, PixelState
+from measureapp.data.phase import PhaseMap, PixelState, StackEvidence
 from measureapp.errors import DecodeError
 from measureapp.fringe.decode_model import crop, find_chain, make_maps, make_model
 from measureapp.fringe.decode_plan import DecodePlan
 from measureapp.fringe.exposures.blooming import mark_near_saturation
 from measureapp.fringe.fringe_origin import Solve, find_origin
 from measureapp.fringe.kernels.structures import CHUNK, STRETCH, Counts, DecodeModel, ExposureSums, ImageLayout, PixelMaps, Workspace
+from measureapp.fringe.noise.phase_scatter import scatter_ratios, widen
+from measureapp.fringe.noise.residuals import StackResiduals
 from measureapp.fringe.order_vote import settle_orders, vote_limits
 from measureapp.fringe.pixel_loop import UNGUARDED, PixelLoop, contiguous, total_counts
 from measureapp.fringe.unwrap import extent_px
 
 LEAST_USABLE, MOST_OUTSIDE = 0.01, 0.8
+CLEARLY = 2.0  # times the phase noise, from which on motion and changing light count
 Fill = Callable[[ExposureSums, list[tuple[int, int]]], None]  # writes the sums of some chunks (begin, end) one after the other
 UNLIT = (PixelState.SATURATED, PixelState.WEAK_MODULATION, PixelState.SHADOW, PixelState.BLOOMING)
 
@@ -50,8 +53,11 @@ class DirectionDecoder:
         self._camera, self._viewpoint_id = names
         self._pixels = shape[0] * shape[1]
         self._chain = find_chain(plan)
-        self._at_crest = make_model(plan, self._chain, votes=plan.settings.vote_radius > 0)
+        self._at_crest = make_model(plan, self._chain, votes=plan.settings.vote_radius > 0, noise=plan.noise)
         self._loop = PixelLoop(plan, self._dtype, self._pixels, self._at_crest, memory)
+        layout, self._noise = plan.layout(), plan.noise
+        groups = [(int(first), int(steps)) for first, steps in zip(layout.first_image, layout.steps, strict=True)]
+        self._residuals = StackResiduals(groups, plan.exposures_us, plan.saturation, plan.noise, shape)
         self._added = self._loop.no_counts()
         self._sums: ExposureSums | None = None
 
@@ -61,6 +67,8 @@ class DirectionDecoder:
             for exposure in range(len(images)):
                 self.add(exposure, images[exposure])
             return self.finish()
+        for exposure in range(len(images)):
+            self._residuals.add(exposure, images[exposure])
         flat, loop = contiguous(images.reshape(*images.shape[:2], self._pixels)), self._loop
 
         def sum_sample(sums: ExposureSums, chunks: list[tuple[int, int]]) -> None:
@@ -87,6 +95,7 @@ class DirectionDecoder:
         """Add the images (P, H, W) of one exposure to the sums."""
         if self._sums is None:
             self._sums = self._plan.sums(self._dtype, self._pixels, self._memory)
+        self._residuals.add(exposure, images)
         sums, radius, loop = self._sums, self._plan.settings.blooming_radius_px, self._loop
         one = contiguous(images.reshape(1, len(images), self._pixels))
         blocked = mark_near_saturation(one[0], self._shape, loop.layout, loop.rule, radius) if radius else UNGUARDED
@@ -112,7 +121,11 @@ class DirectionDecoder:
         return self._phase_map(maps, model, total_counts([self._added, *solved]))
 
     def _find_origin(self, fill: Fill) -> DecodeModel:
-        """Return the model with the origin of the phase; the samples are too small to be worth sharing among processors."""
+        """Return the model with noise of the camera and origin of the phase; the samples are too small to be worth sharing among processors."""
+        plan = self._plan
+        if plan.settings.noise_from_images and self._camera not in plan.settings.camera_noise:
+            self._noise = self._residuals.noise()
+            self._at_crest = make_model(plan, self._chain, plan.settings.vote_radius > 0, self._noise)
 
         def sample(chunks: list[tuple[int, int]]) -> Solve:
             pixels = sum(end - begin for begin, end in chunks)
@@ -148,6 +161,7 @@ class DirectionDecoder:
         if limits.radius or limits.edge_step < plan.patterns.phase_range_rad:
             repaired, change = settle_orders(maps, self._shape, limits, self._memory)
             states = states + change
+        evidence = self._widen(maps)
         return PhaseMap(
             camera=self._camera,
             viewpoint_id=self._viewpoint_id,
@@ -171,9 +185,25 @@ class DirectionDecoder:
             },
             saturation=float(plan.saturation),
             direction=plan.direction,
+            evidence=evidence,
             exposures_us=tuple(float(exposure) for exposure in plan.exposures_us),
             snr_at_one_rad=_snr_at_one_rad(model, self._loop.layout),
         )
+
+    def _widen(self, maps: PixelMaps) -> StackEvidence:
+        """Widen the standard deviations where the phases contradict the noise model; return what the images say of it."""
+        if not self._plan.settings.noise_from_images:
+            return self._residuals.evidence(self._noise, 1.0)
+        phase, sigma, state = (each.reshape(self._shape) for each in (maps.phase, maps.sigma, maps.state))
+        scatter, factors = scatter_ratios(phase, sigma, state)
+        evidence = self._residuals.evidence(self._noise, scatter)
+        if factors is not None:
+            widen(sigma, factors)
+        common = float(np.hypot(evidence.vibration_rad, evidence.light_rad))
+        known = sigma[:: max(1, self._shape[0] // 100)]
+        if common > CLEARLY * _median_of_known(known):
+            np.sqrt(sigma * sigma + np.where(sigma > 0, np.float32(common**2), np.float32(0)), out=sigma)
+        return evidence
 
     def _check_within(self, states: IntArray) -> None:
         """Raise DecodeError where nearly all phases are beyond the projector: the images do not match the set."""
@@ -184,6 +214,11 @@ class DirectionDecoder:
                 f"{outside / usable:.0%} of the phases of camera {self._camera!r} lie beyond the projector.",
                 "Check shift_sign, the order of the images, the pitches and projector_px.",
             )
+
+
+def _median_of_known(sigma: FloatArray) -> float:
+    """Return the median of the standard deviations that are not 0; 0 without any."""
+    return float(np.median(sigma[sigma > 0])) if (sigma > 0).any() else 0.0
 
 
 def _snr_at_one_rad(model: DecodeModel, layout: ImageLayout) -> float:

@@ -23,10 +23,14 @@ class DecodeSettings(Model):
     min_modulation: float = Field(
         default=10.0,
         ge=0,
-        description="least B at the exposure taken, in grey levels of an 8-bit image; of a pixel whose orders are beyond doubt, of one "
-        "image as exact as all its exposures together",
+        description="least B at the exposure taken, in grey levels of an 8-bit image, of a pixel whose fringe orders may be in doubt",
     )
-    max_sigma_rad: float = Field(default=0.15, gt=0, description="largest standard deviation of the absolute phase")
+    faint_modulation: float = Field(
+        default=3.0,
+        ge=0,
+        description="the same of a pixel whose orders are beyond doubt; of one image as exact as all its exposures together",
+    )
+    max_sigma_rad: float = Field(default=0.25, gt=0, description="largest standard deviation of the absolute phase")
     residual_gate: float = Field(default=0.35, gt=0, le=0.5, description="largest rounding residual of an order without support, cycles")
     vote_radius: int = Field(default=2, ge=0, le=4, description="radius of the window that votes about orders, px; 0: no vote")
     edge_step_rad: float = Field(default=3.0, gt=0, description="phase step between neighbours that marks an edge")
@@ -36,7 +40,12 @@ class DecodeSettings(Model):
         le=16,
         description="an exposure is not used so close to a pixel it saturates; 0 for sensors that do not spill over (`spill_radius_px`)",
     )
-    noise: CameraNoise = CameraNoise()
+    noise: CameraNoise = Field(default=CameraNoise(), description="assumed of cameras without an entry in `camera_noise`")
+    noise_from_images: bool = Field(
+        default=True,
+        description="the noise of cameras without an entry is estimated from the residuals of their fringe images, and standard deviations are "
+        "widened where phases scatter more than predicted",
+    )
     camera_noise: dict[str, CameraNoise] = Field(default_factory=dict, description="of cameras that differ from `noise`, by name")
     phase_correction: tuple[tuple[tuple[int, float, float], ...], ...] = Field(
         default=(),
@@ -46,6 +55,10 @@ class DecodeSettings(Model):
     def min_modulation_grey(self, saturation: float) -> float:
         """Return the least modulation in grey levels of images that saturate at ``saturation``."""
         return self.min_modulation * saturation / EIGHT_BIT_WHITE
+
+    def faint_modulation_grey(self, saturation: float) -> float:
+        """Return the least modulation of a pixel whose orders are beyond doubt, in grey levels of images that saturate at ``saturation``."""
+        return min(self.faint_modulation, self.min_modulation) * saturation / EIGHT_BIT_WHITE
 
     def noise_of(self, camera: str) -> CameraNoise:
         """Return the noise model of a camera."""

@@ -80,9 +80,9 @@ class MeasuredPoints:
         errors = remove_common_motion(self.errors, some.points_mm, np.asarray(some.normals, np.float64), some.view)
         return replace(self, errors=errors)
 
-    def with_scale_uncertainty(self, ppm: float) -> MeasuredPoints:
-        """Return the same points with this relative standard uncertainty of the length scale, if they have an error model."""
-        return self if self.errors is None else replace(self, errors=replace(self.errors, scale=ppm * 1e-6))
+    def with_scale_uncertainty(self, ppm: float, temperature: float = 0.0) -> MeasuredPoints:
+        """Return the same points with relative standard uncertainties of scale and of temperature, if they have an error model."""
+        return self if self.errors is None else replace(self, errors=replace(self.errors, scale=ppm * 1e-6, temperature=temperature))
 
     def thin(self, count: int) -> MeasuredPoints:
         """Return about ``count`` points, evenly distributed over the surface."""

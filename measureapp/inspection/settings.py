@@ -7,6 +7,7 @@ from typing import Literal
 from pydantic import Field
 
 from measureapp.data.model import Model
+from measureapp.data.part_temperature import PartTemperature
 
 VerdictRule = Literal["iso-14253-1:2017", "guard-band", "simple"]
 
@@ -33,7 +34,8 @@ class UncertaintySettings(Model):
     placement_mm: float = Field(default=0.010, ge=0, description="of the position of a single view after registration")
     systematic_mm: float = Field(default=0.006, ge=0, description="of the calibration, constant part of a length")
     systematic_relative: float = Field(default=4e-5, ge=0, description="of the calibration, proportional part of a length")
-    scale_ppm: float = Field(default=0.0, ge=0, description="of the length scale: calibration board and part temperature; 0: exact")
+    scale_ppm: float = Field(default=0.0, ge=0, description="of the length scale: calibration board; 0: exact")
+    scale_source: str = Field(default="calibration board", description="where `scale_ppm` comes from, in words")
 
 
 class InspectionSettings(Model):
@@ -41,6 +43,7 @@ class InspectionSettings(Model):
 
     alignment: AlignmentSettings = AlignmentSettings()
     uncertainty: UncertaintySettings = UncertaintySettings()
+    temperature: PartTemperature | None = Field(default=None, description="of the part; none: lengths are those at its temperature")
     verdict_rule: VerdictRule = "iso-14253-1:2017"
     least_points: int = Field(default=30, ge=6, description="least number of points of a feature")
     trim_sigma: float = Field(default=3.5, gt=1, description="points further from the fit than this many robust σ are rejected")

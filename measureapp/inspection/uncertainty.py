@@ -8,7 +8,9 @@ Standard uncertainties are combined in quadrature (JCGM 100). Contributions:
 - calibration: distortion of all clouds by errors of the camera calibration, with the poses adapted to it;
 - form: smooth form errors of single clouds;
 - common: systematic errors shared by all clouds, beyond the calibration;
-- scale: length scale, as far as stated: calibration board and part temperature.
+- unexplained: what checks of the data find beyond all these;
+- temperature: correction of lengths to 20 °C, by the uncertainty of the part's temperature and of its expansion;
+- scale: length scale, by the class or certificate of the calibration board.
 
 For a cloud without an error model, the settings are used and stated with every result: an independent displacement `placement_mm` of each
 view, and `systematic_mm` plus `systematic_relative` of a length for the calibration.
@@ -45,7 +47,7 @@ def correlation_factor(points_mm: FloatArray, residuals_mm: FloatArray, correlat
     Time Series Analysis 16(1), 67-103, 1995). Patches too small for this are divided into smaller cells, which show at least the
     correlation of adjacent points.
     """
-    if len(points_mm) < 2 or not np.any(residuals_mm):
+    if len(points_mm) < 2 or not float(residuals_mm @ residuals_mm):  # also where squares are too small for a number
         return 1.0
 
     known = _factors(points_mm, residuals_mm, [correlation_mm * size for size in CELL_SIZES], LEAST_CELLS, unknowns, 0.0)

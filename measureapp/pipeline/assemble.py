@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from typing import Any
 
 import numpy as np
 
+from measureapp.calibrate.rig.axis_patterns import axis_patterns
 from measureapp.calibrate.rig.cloud_errors import calibration_errors
 from measureapp.calibrate.rig.stitch_uncertainty import RigUncertainty, view_uncertainty
 from measureapp.data.calibration import RigCalibration
 from measureapp.data.cloud import StitchedCloud
+from measureapp.data.fringe import AxisReadback
 from measureapp.data.measurement import Inspection, Measurement, ViewResult
-from measureapp.data.mesh import Mesh
+from measureapp.data.part_temperature import PartTemperature
 from measureapp.data.rig import RigDescription
 from measureapp.data.validity import Validity
 from measureapp.data.view_choices import ViewChoices
@@ -22,19 +24,38 @@ from measureapp.data.view_errors import CalibrationErrors
 from measureapp.errors import RegistrationError
 from measureapp.inspection.settings import InspectionSettings, UncertaintySettings
 from measureapp.pipeline.chosen_views import add_refused, select_views
-from measureapp.pipeline.events import Event, InspectionReady, StitchReady, SurfaceFailed, ValidityKnown
+from measureapp.pipeline.consistency.check import check_consistency, with_unexplained
+from measureapp.pipeline.events import Event, InspectionReady, StitchReady, ValidityKnown
+from measureapp.pipeline.lengths import length_scale, temperature_of
 from measureapp.pipeline.noise import describe_noise
+from measureapp.pipeline.surface import SurfaceBeside
 from measureapp.pipeline.validity import validity_of
 from measureapp.pipeline.watch import Stopwatch
 from measureapp.progress import PartOf, Progress
 from measureapp.project.folder import ProjectFolder
+from measureapp.project.identification_file import read_identification
+from measureapp.register.joint.axis_doubt import AxisPattern
 from measureapp.register.joint.pose_prior import PosePrior
 from measureapp.register.joint.registration_cache import RegistrationCache
 from measureapp.register.place import number_stations
 from measureapp.register.settings import StitchSettings
 from measureapp.register.stitch import stitch
-from measureapp.register.surface.closed import reconstruct_surface
 
+RECALIBRATE = "calibrate the rig again."
+DOUBTED = {  # pattern -> what is left between views, what is doubted, the remedy
+    "table": ("follows the angle of the table", "the model of the table's error motions", f"Check the table for play, and {RECALIBRATE}"),
+    "guide": (
+        "follows the position of the guide",
+        "the model of the guide's error motions",
+        f"Check the guide for play, and {RECALIBRATE}",
+    ),
+    "robot": ("differs from one pose of the robot to the next", "the calibrated robot", f"Let it warm up, and {RECALIBRATE}"),
+    "views": (
+        "differs from view to view, whatever the axes read",
+        "the repeatability of the axes",
+        f"Check that head and part are fixed, and {RECALIBRATE}",
+    ),
+}
 TYPICAL_RADIUS_MM = 100.0  # typical distance of points from the table's axis
 KNOWN_STATION_MM, KNOWN_STATION_DEG = 0.03, 0.004  # repeatability of the robot and uncertainty of the board's pose, combined
 
@@ -77,14 +98,19 @@ def assemble(
     good = _require_usable(views, choices, validity)
     with watch.stage("stitching"):
         stitched = _stitch(project, calibrated, good, choices, PartOf(progress, 0.0, 0.5), registration_cache)
-        stitched = add_refused(stitched, views, choices)
+        validity = replace(validity, axes=stitched.axis_doubt)
+    with watch.stage("checks"):
+        consistency = check_consistency(good, stitched)
+        stitched = add_refused(with_unexplained(stitched, consistency), views, choices)
     on_event(StitchReady(stitched))
-    with watch.stage("surface"):
-        mesh = compute_surface(stitched, on_event, PartOf(progress, 0.5, 0.7))
-    with watch.stage("inspection"):
-        inspection = inspect_stitched(project, stitched, inspection_settings(calibrated, project.rig(), good), PartOf(progress, 0.7, 0.9))
-    if inspection is not None:
-        on_event(InspectionReady(inspection))
+    with SurfaceBeside(stitched) as surface:
+        with watch.stage("inspection"):
+            settings = project_settings(project, calibrated, good)
+            inspection = inspect_stitched(project, stitched, settings, PartOf(progress, 0.5, 0.7))
+        if inspection is not None:
+            on_event(InspectionReady(inspection))
+        with watch.stage("surface"):
+            mesh = surface.wait(on_event, PartOf(progress, 0.7, 0.9))
     measurement = Measurement(
         project=project.name,
         part=project.settings.part,
@@ -98,20 +124,12 @@ def assemble(
         settings=_settings(project) if revision is None else revision.former.settings,
         timings_s=dict(watch.seconds),
         validity=validity,
+        consistency=consistency,
     )
     with watch.stage("saving"):
         project.save_measurement(measurement, PartOf(progress, 0.9, 1.0), recomputed=revision is None)
     progress.report(1.0, 1.0, "measured")
     return measurement
-
-
-def compute_surface(stitched: StitchedCloud, on_event: Callable[[Event], None], progress: Progress) -> Mesh | None:
-    """Compute the surface; None if that fails, for example for lack of memory: no dimension depends on it."""
-    try:
-        return reconstruct_surface(stitched, progress=progress)
-    except RegistrationError as error:
-        on_event(SurfaceFailed(error.message, error.hint))
-        return None
 
 
 def _require_usable(views: Sequence[ViewResult], choices: ViewChoices, validity: Validity) -> list[ViewResult]:
@@ -155,7 +173,14 @@ def pose_prior(rig: RigUncertainty | None, views: Sequence[ViewResult], approach
     stations = number_stations(readbacks)
     if rig is None:
         return PosePrior(stations)
-    return PosePrior(stations, view_uncertainty(rig, readbacks, approaches).pose_covariance, camera_errors(rig, views))
+    covariance = view_uncertainty(rig, readbacks, approaches).pose_covariance
+    return PosePrior(stations, covariance, camera_errors(rig, views), named_patterns(rig, readbacks))
+
+
+def named_patterns(rig: RigUncertainty, readbacks: Sequence[AxisReadback]) -> tuple[AxisPattern, ...]:
+    """Return the patterns in which the axes may depart from their calibration, with the words for each."""
+    found = axis_patterns(rig, readbacks)
+    return tuple(AxisPattern(*DOUBTED[name], motions) for name, motions in found.items())
 
 
 def camera_errors(rig: RigUncertainty, views: Sequence[ViewResult]) -> CalibrationErrors | None:
@@ -180,7 +205,14 @@ def stitch_settings(calibration: RigCalibration, views: Sequence[ViewResult]) ->
     return StitchSettings(pose_sigma_mm=KNOWN_STATION_MM, pose_sigma_deg=KNOWN_STATION_DEG) if known else StitchSettings()
 
 
-def inspection_settings(calibration: RigCalibration, rig: RigDescription, views: Sequence[ViewResult]) -> InspectionSettings:
+def project_settings(project: ProjectFolder, calibration: RigCalibration, views: Sequence[ViewResult]) -> InspectionSettings:
+    """Return the settings with which the part of a project is inspected, the temperature in its header included."""
+    return inspection_settings(calibration, project.rig(), views, temperature_of(read_identification(project.path)))
+
+
+def inspection_settings(
+    calibration: RigCalibration, rig: RigDescription, views: Sequence[ViewResult], temperature: PartTemperature | None = None
+) -> InspectionSettings:
     """Return the inspection settings, with assumed uncertainties of axes and calibration for clouds without an error model.
 
     If the robot's error was measured at all stations, a view's position is as uncertain as the robot's repeatability and the table's
@@ -192,10 +224,11 @@ def inspection_settings(calibration: RigCalibration, rig: RigDescription, views:
     scales = [
         camera.standard_deviations.get("fx", 0.0) / float(camera.pinhole.matrix[0, 0]) for camera in calibration.cameras.cameras.values()
     ]
-    scale_ppm = rig.calibration_rules.scale_ppm
-    return InspectionSettings(
-        uncertainty=UncertaintySettings(placement_mm=placement_mm, systematic_relative=max(scales), scale_ppm=scale_ppm)
+    scale = length_scale(calibration.cameras, rig)
+    uncertainty = UncertaintySettings(
+        placement_mm=placement_mm, systematic_relative=max(scales), scale_ppm=scale.ppm, scale_source=scale.source
     )
+    return InspectionSettings(uncertainty=uncertainty, temperature=temperature)
 
 
 def inspect_stitched(

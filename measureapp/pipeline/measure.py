@@ -22,6 +22,7 @@ from measureapp.fringe.settings import DecodeSettings
 from measureapp.pipeline.events import Event, ViewFailed, ViewReady
 from measureapp.pipeline.kept_views import views_without_images
 from measureapp.pipeline.noise import decode_settings_of
+from measureapp.pipeline.stack_findings import stack_findings
 from measureapp.pipeline.watch import Stopwatch
 from measureapp.progress import PartOf, Progress
 from measureapp.project.folder import ProjectFolder
@@ -117,11 +118,15 @@ def compute_cloud(
         cloud=result.cloud,
         quality=quality,
         part_from_camera=calibration.part_from_camera(stack.readback),
-        decode={name: decode_figures(phase_map) for name, phase_map in maps.items()},
+        decode={
+            name: decode_figures(phase_map)
+            | {"limits": limits_told(phase_map, settings or DecodeSettings(), result.max_sigma_mm.get(name))}
+            for name, phase_map in maps.items()
+        },
         pairs=tuple(asdict(pair) for pair in result.pairs),
         rejected=dict(result.rejected),
         readback=stack.readback,
-        findings=tuple(f"{finding.message} {finding.remedy}" for finding in findings),
+        findings=(*(f"{finding.message} {finding.remedy}" for finding in findings), *stack_findings(maps, result.cloud)),
         shift=camera_shift(maps, calibration.cameras),
     )
 
@@ -141,7 +146,18 @@ def decode_figures(phase_map: PhaseMap) -> dict[str, Any]:
         "decoded_ratio": float(valid.mean()),
         "modulation_median": float(np.median(phase_map.modulation[valid])) if valid.any() else 0.0,
         "phase_sigma_median": float(np.median(phase_map.sigma_rad[valid])) if valid.any() else 0.0,
+        "noise": None if phase_map.evidence is None else asdict(phase_map.evidence),
         "order_conflicts": int(np.count_nonzero(phase_map.state == PixelState.ORDER_CONFLICT)),
+    }
+
+
+def limits_told(phase_map: PhaseMap, settings: DecodeSettings, max_sigma_mm: float | None) -> dict[str, float | None]:
+    """Return the limits beyond which pixels of a camera became no points."""
+    return {
+        "modulation_grey": settings.faint_modulation_grey(phase_map.saturation),
+        "modulation_of_doubtful_orders_grey": settings.min_modulation_grey(phase_map.saturation),
+        "phase_sigma_rad": settings.max_sigma_rad,
+        "point_sigma_mm": max_sigma_mm,
     }
 
 

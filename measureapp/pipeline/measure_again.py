@@ -10,7 +10,7 @@ from measureapp.data.measurement import Measurement
 from measureapp.data.mesh import Mesh
 from measureapp.inspection.dimensions import inspect
 from measureapp.inspection.surface.units import check_size
-from measureapp.pipeline.assemble import inspection_settings
+from measureapp.pipeline.assemble import project_settings
 from measureapp.pipeline.chosen_views import select_views
 from measureapp.pipeline.run import Outcome, finish
 from measureapp.pipeline.watch import Stopwatch
@@ -59,7 +59,7 @@ def measure_again(
     watch, nominal = Stopwatch(), _nominal(project, nominal_file)
     text = project.program_text(has_nominal=nominal is not None) if program is None else program
     described = parse_program(text)
-    settings = inspection_settings(measurement.calibration, project.rig(), select_views(measurement.views, project.view_choices()))
+    settings = project_settings(project, measurement.calibration, select_views(measurement.views, project.view_choices()))
     if nominal_file is not None and nominal is not None:
         check_size(measurement.stitched.points_mm, nominal.vertices_mm)
     with project.lock():

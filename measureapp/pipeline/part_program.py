@@ -15,6 +15,7 @@ from measureapp.project.folder import ProjectFolder
 from measureapp.project.geometry.files import read_mesh
 from measureapp.project.identification_file import read_identification, save_identification
 from measureapp.project.program_file import parse_program
+from measureapp.project.program_record import save_record
 from measureapp.project.template_folder import save_folder, unzip_folder
 
 
@@ -54,5 +55,6 @@ def store_part_program(project: ProjectFolder, program: PartProgram) -> None:
     defaults = program.facts.identification.with_defaults(Identification(part_number=program.facts.part_number))
     if defaults != Identification():
         save_identification(project.path, read_identification(project.path).with_defaults(defaults))
+    save_record(project.path, program)
     if program.facts.raw is not None and program.facts.raw != project.storage_rules().raw:
         project.save_storage_rules(StorageRules(raw=program.facts.raw))

@@ -11,6 +11,7 @@ from typing import Any
 from measureapp.acquire.control import RunControl
 from measureapp.data.board import AnyBoard
 from measureapp.data.calibration import RigCalibration
+from measureapp.data.identification import Identification
 from measureapp.data.measurement import Measurement
 from measureapp.data.part_program import PartProgram
 from measureapp.data.plan import ScanPlan
@@ -38,6 +39,7 @@ from measureapp.planning.collision.build import PartSolid
 from measureapp.progress import PartOf, Progress
 from measureapp.project.folder import DEFAULT_BOARD, ProjectFolder, ProjectSettings
 from measureapp.project.geometry.files import read_mesh
+from measureapp.project.identification_file import read_identification, save_identification
 from measureapp.register.clouds.filter_chain import FilterChain
 from measureapp.register.joint.registration_cache import RegistrationCache
 
@@ -80,6 +82,7 @@ class ScanRequest:
     part_program: PartProgram | None = None  # whose inspection program, nominal and report template become the project's
     created: NewProject | None = None  # an existing project must have been created with the same; None: after the plan, or as it is
     raw: RawPolicy | None = None  # what becomes of raw images; None: as the part program, else the project states
+    stated: Identification | None = None  # what is stated about the part with this scan; its empty fields change nothing
     calibrate: bool = False  # calibrate first where there is no calibration; only a rig that places board and part itself can do both
 
     def options(self, control: RunControl | None) -> ScanOptions:
@@ -140,6 +143,8 @@ def _fill(project: ProjectFolder, request: ScanRequest, calibrated: ProjectFolde
         project.save_inspection(request.created.program, request.created.nominal)
     if request.part_program is not None:
         store_part_program(project, request.part_program)
+    if request.stated is not None:
+        save_identification(project.path, request.stated.with_defaults(read_identification(project.path)))
     if request.raw is not None and request.raw != project.storage_rules().raw:
         project.save_storage_rules(StorageRules(raw=request.raw))
 

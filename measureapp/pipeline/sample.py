@@ -8,8 +8,12 @@ from pathlib import Path
 import numpy as np
 from scipy.spatial.transform import Rotation
 
+from measureapp.data.board import AnyBoard
+from measureapp.data.certificate import BoardClass, lengths_of_class
+from measureapp.data.identification import Identification
 from measureapp.data.length_unit import LengthUnit
 from measureapp.data.pattern_sets import DEFAULT_NAME
+from measureapp.data.project_settings import DEFAULT_BOARD
 from measureapp.data.rig import Resolution, RigDescription
 from measureapp.pipeline.run import NewProject, ScanRequest
 from measureapp.planning.viewpoints import plan_around_part
@@ -24,6 +28,12 @@ OTHER_VIEWPOINTS = 8
 EXTENT_DIGITS = 3
 UPRIGHT_DEG = (0.0, 0.0, 0.0)
 IDEAL = "ideal"
+# what the owner of such a rig knows: class of the board, and by how much board and part may be off 20 °C (k = 2)
+KNOWN_OF_RIGS: dict[str, tuple[BoardClass, float, float]] = {
+    "good": ("ceramic", 0.4, 0.4),
+    "usual": ("glass", 1.0, 1.0),
+    "bad": ("printed", 6.0, 4.0),
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,9 +81,25 @@ def sample_request(chosen: SampleScan, folder: Path) -> ScanRequest:
         folder,
         resume=True,
         bracket_s=chosen.bracket_s,
-        created=NewProject(title, name, *_documents(chosen.part)),
+        created=NewProject(title, name, *_documents(chosen.part), board=board_of(chosen.conditions)),
+        stated=part_of(chosen.conditions),
         calibrate=True,
     )
+
+
+def board_of(conditions: str) -> AnyBoard:
+    """Return the board of the virtual rig with what is known of its lengths."""
+    if conditions == IDEAL:
+        return DEFAULT_BOARD
+    board_class, board_k, _ = KNOWN_OF_RIGS[conditions]
+    return DEFAULT_BOARD.model_copy(update={"lengths": lengths_of_class(board_class).at(20.0, board_k)})
+
+
+def part_of(conditions: str) -> Identification | None:
+    """Return what is known of the part on the virtual rig: it is of steel, and about as warm as the room."""
+    if conditions == IDEAL:
+        return None
+    return Identification(part_temperature=f"20±{KNOWN_OF_RIGS[conditions][2]:g}", material="steel")
 
 
 def virtual_rig(chosen: SampleScan) -> RigDescription:

@@ -13,13 +13,14 @@ from measureapp.data.part_program import PartProgram, PartProgramFacts
 from measureapp.data.rig import Resolution, RigDescription
 from measureapp.pipeline.sample import VIRTUAL_RIG, SampleScan, sample_request
 from measureapp.project.geometry.files import read_mesh
-from measureapp.project.part_program_file import write_part_program
+from measureapp.project.part_program_file import release_part_program, write_part_program
 from measureapp.report.part_pictures import OBLIQUE
 from measureapp.report.picture import surface_picture
 from measureapp.resources import resource
 
 VIRTUAL_DRIVER = "virtual_rig"
 PICTURE_PX = (640, 400)
+RELEASED = ("MeasureApp", "2026-11-25T00:00:00+00:00")  # of the sample programs: by whom and when
 WHITE = 250  # grey level of the picture's background, and above
 
 
@@ -61,8 +62,9 @@ SAMPLES = (
 
 
 def write_sample_programs(folder: Path) -> tuple[Path, ...]:
-    """Write the sample part programs into a folder and return their files. Raises StorageError."""
-    return tuple(write_part_program(sample_program(sample), folder / sample.part) for sample in SAMPLES)
+    """Write the sample part programs, released, into a folder and return their files. Raises StorageError."""
+    released = (release_part_program(sample_program(sample), *RELEASED) for sample in SAMPLES)
+    return tuple(write_part_program(program, folder / sample.part) for program, sample in zip(released, SAMPLES, strict=True))
 
 
 def sample_program(sample: SampleProgram) -> PartProgram:

@@ -29,10 +29,11 @@ from measureapp.geometry.transform import RigidTransform
 from measureapp.inspection.alignment.best_fit import best_fit
 from measureapp.inspection.measured_points import sample_mesh
 from measureapp.inspection.settings import AlignmentSettings
-from measureapp.pipeline.assemble import compute_surface, inspect_stitched, inspection_settings
+from measureapp.pipeline.assemble import inspect_stitched, project_settings
 from measureapp.pipeline.events import Event, InspectionReady, StitchReady
 from measureapp.pipeline.project_names import unique_names
 from measureapp.pipeline.run import Outcome, finish
+from measureapp.pipeline.surface import SurfaceBeside
 from measureapp.pipeline.watch import Stopwatch
 from measureapp.progress import PartOf, Progress
 from measureapp.project.atomic import write_text
@@ -284,13 +285,14 @@ def _complete(
         for member, setup in zip(members, joined.setups, strict=True)
         for view in member.measurement.views
     )
-    with watch.stage("surface"):
-        mesh = compute_surface(joined.stitched, on_event, PartOf(progress, 0.0, 0.4))
-    with watch.stage("inspection"):
-        settings = inspection_settings(calibration, project.rig(), views)
-        inspection = inspect_stitched(project, joined.stitched, settings, PartOf(progress, 0.4, 0.8))
-    if inspection is not None:
-        on_event(InspectionReady(inspection))
+    with SurfaceBeside(joined.stitched) as surface:
+        with watch.stage("inspection"):
+            settings = project_settings(project, calibration, views)
+            inspection = inspect_stitched(project, joined.stitched, settings, PartOf(progress, 0.0, 0.4))
+        if inspection is not None:
+            on_event(InspectionReady(inspection))
+        with watch.stage("surface"):
+            mesh = surface.wait(on_event, PartOf(progress, 0.4, 0.8))
     measurement = Measurement(
         project=project.name,
         part=project.settings.part,
@@ -304,6 +306,7 @@ def _complete(
         settings=dict(members[0].measurement.settings),
         timings_s=dict(watch.seconds),
         validity=_validity(members),
+        consistency=max((member.measurement.consistency for member in members), key=lambda one: one.unexplained_mm),
         setups=joined.setups,
     )
     with watch.stage("saving"):

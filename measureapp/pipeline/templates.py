@@ -34,7 +34,9 @@ def template_of_project(project: ProjectFolder, name: str = "", part_number: str
     if plan is None:
         raise PlanError(f"{project.path} has no scan plan.", "Plan the scan first: a template is a start for scans.")
     named = None if calibration is None else CalibrationReference(folder=str(project.path.resolve()), id=calibration_id(calibration))
-    same = {"serial_number": "", "order": "", "operator": "", "remarks": ""} | dict.fromkeys(("temperature_c", "humidity_percent"))
+    same = {"serial_number": "", "order": "", "operator": "", "remarks": "", "part_temperature": ""} | dict.fromkeys(
+        ("temperature_c", "humidity_percent")
+    )
     facts = PartProgramFacts(
         name=name or project.settings.part,
         part_number=part_number,

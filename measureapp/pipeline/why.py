@@ -136,7 +136,7 @@ class ExplainedView:
         if len(places) == 0:
             return ()
         sigma, seen = float(cloud.sigma_mm[places[0]]), int(cloud.cameras[places[0]]).bit_count()
-        return (Number("point σ", sigma, "mm", most=self.reconstruct_settings.max_sigma_mm), Number("cameras", float(seen), ""))
+        return (Number("point σ", sigma, "mm", most=self.made.max_sigma_mm.get(camera)), Number("cameras", float(seen), ""))
 
     def _numbers(self, phase_map: PhaseMap, row: int, column: int) -> tuple[Number, ...]:
         """Return the quantities of decoding, with their limits."""

@@ -11,9 +11,11 @@ from typing import Any
 import numpy as np
 
 from measureapp.calibrate.motions.axis_noise import AxisNoise
+from measureapp.data.axis_motions import AxisMotions
 from measureapp.data.calibration import CameraArrayCalibration, HandEye, LinearGuide, Provenance, RigCalibration, RobotStation, RotationAxis
 from measureapp.data.cloud import LoopClosure, ViewPlacement
 from measureapp.data.conditions import Conditions, LensSetting
+from measureapp.data.consistency import Consistency, ConsistencyCheck
 from measureapp.data.dimension import Dimension, Verdict
 from measureapp.data.feature import Feature
 from measureapp.data.fringe import AxisReadback
@@ -87,15 +89,16 @@ def digest(document: Mapping[str, Any]) -> str:
 
 
 def rig_calibration_document(calibration: RigCalibration) -> dict[str, Any]:
-    """Return a rig calibration without its cameras, which have their own file, as JSON."""
+    """Return a rig calibration without its cameras, which have their own file, as JSON; version 2 has the error motions of the axes."""
     return {
-        "schema_version": 1,
+        "schema_version": 1 if calibration.motions is None else 2,
         "hand_eye": link_document(calibration.hand_eye),
         "guide": link_document(calibration.guide),
         "axis": link_document(calibration.axis),
         "provenance": asdict(calibration.provenance),
         "stations": [_plain(station) for station in calibration.stations],
         **({} if calibration.view_gaps_mm is None else {"view_gaps_mm": calibration.view_gaps_mm}),
+        **({} if calibration.motions is None else {"motions": link_document(calibration.motions)}),
     }
 
 
@@ -109,7 +112,13 @@ def rig_calibration_from(document: Mapping[str, Any], cameras: CameraArrayCalibr
         provenance=Provenance(**document["provenance"] | {"arguments": tuple(document["provenance"].get("arguments", ()))}),
         stations=tuple(RobotStation(transform_from(station["read"]), transform_from(station["true"])) for station in document["stations"]),
         view_gaps_mm=document.get("view_gaps_mm"),
+        motions=motions_from(document.get("motions")),
     )
+
+
+def motions_from(document: Mapping[str, Any] | None) -> AxisMotions | None:
+    """Return the error motions of a document; None where it has none."""
+    return None if document is None else AxisMotions(**document)
 
 
 def link_document(link: Any) -> dict[str, Any]:
@@ -182,6 +191,7 @@ def inspection_document(inspection: Inspection) -> dict[str, Any]:
         "features": [_plain(feature) for feature in inspection.features],
         "dimensions": [_plain(dimension) for dimension in inspection.dimensions],
         "further": {name: _plain(alignment) for name, alignment in inspection.further.items()},
+        "lengths": list(inspection.lengths),
     }
 
 
@@ -193,6 +203,7 @@ def inspection_from(document: Mapping[str, Any]) -> Inspection:
         features=tuple(_feature_from(feature) for feature in document["features"]),
         dimensions=tuple(_dimension_from(dimension) for dimension in document["dimensions"]),
         further={name: _alignment_from(stored) for name, stored in document.get("further", {}).items()},
+        lengths=tuple(document.get("lengths", ())),
     )
 
 
@@ -214,7 +225,17 @@ def validity_from(document: Mapping[str, Any]) -> Validity:
     """Return the validity of a document; without warnings and drift check for an empty one."""
     stored = document.get("drift")
     drift = None if stored is None else Drift(**_attributes({**stored, "cameras": tuple(stored["cameras"])}))
-    return Validity(tuple(document.get("warnings", ())), drift, document.get("temperature_c"))
+    return Validity(tuple(document.get("warnings", ())), drift, document.get("temperature_c"), document.get("axes", ""))
+
+
+def consistency_document(consistency: Consistency) -> dict[str, Any]:
+    """Return the checks of the error model as JSON."""
+    return {"checks": [_plain(check) for check in consistency.checks], "unexplained_mm": consistency.unexplained_mm}
+
+
+def consistency_from(document: Mapping[str, Any]) -> Consistency:
+    """Return the checks of a document; none for an empty one."""
+    return Consistency(tuple(ConsistencyCheck(**_attributes(check)) for check in document.get("checks", ())))
 
 
 def check_document(check: CheckRecord) -> dict[str, Any]:

@@ -57,7 +57,7 @@ if TYPE_CHECKING:
     from measureapp.register.clouds.filter_chain import FilterChain
 
 __all__ = ["DEFAULT_BOARD", "ProjectFolder", "ProjectSettings"]
-PROGRAM, NOMINAL, FORMER, REPORT_TEMPLATE = "program.toml", "nominal", "former", "report.typ"
+PROGRAM, NOMINAL, FORMER = "program.toml", "nominal", "former"
 VIEW_CHOICES, STORAGE = "view_choices.json", "storage.json"
 
 
@@ -277,13 +277,13 @@ class ProjectFolder:
 
     def save_report_template(self, template: bytes) -> None:
         """Store a template (Typst) that the PDF report uses from then on. Raises StorageError."""
-        with replacing(self.path / "inspection" / REPORT_TEMPLATE) as temporary:
+        with replacing(self.path / "inspection" / template_folder.LAYOUT) as temporary:
             temporary.write_bytes(template)
 
     @property
     def report_template(self) -> Path | None:
         """Folder or file of the report's template, if the project has its own. Raises Damaged."""
-        path = self.path / "inspection" / REPORT_TEMPLATE
+        path = self.path / "inspection" / template_folder.LAYOUT
         folder = path.with_name(template_folder.FOLDER)
         for file in (path, *sorted(folder.glob("*"))):
             self.journal.check_once(file)

@@ -5,12 +5,14 @@ from __future__ import annotations
 import hashlib
 import io
 import zipfile
+from dataclasses import replace
 from pathlib import Path, PurePosixPath
 
 from pydantic import ValidationError
 
+from measureapp.data.identification import one_line
 from measureapp.data.model import first_problem
-from measureapp.data.part_program import PartProgram, PartProgramFacts
+from measureapp.data.part_program import PartProgram, PartProgramFacts, Release
 from measureapp.data.plan import ScanPlan
 from measureapp.data.rig import RigDescription
 from measureapp.errors import InputError
@@ -77,7 +79,7 @@ def write_part_program(program: PartProgram, path: Path) -> Path:
     path = path if is_part_program(path) else path.with_name(path.name + PART_PROGRAM)
     files = _files(program)
     facts = program.facts.model_copy(
-        update={"schema_version": 2, "sha256": {name: hashlib.sha256(data).hexdigest() for name, data in files.items()}}
+        update={"schema_version": 3, "sha256": {name: hashlib.sha256(data).hexdigest() for name, data in files.items()}}
     )
     with replacing(path) as temporary, zipfile.ZipFile(temporary, "w", zipfile.ZIP_DEFLATED) as archive:
         archive.writestr(FACTS, facts.model_dump_json(indent=2))
@@ -115,6 +117,67 @@ def read_part_program(path: Path) -> PartProgram:
         unzip_folder(files[TEMPLATE], f"{path}: {TEMPLATE}")
     nominal = next(((PurePosixPath(name).suffix, data) for name, data in files.items() if PurePosixPath(name).stem == NOMINAL), None)
     return PartProgram(facts, plan, files.get(INSPECTION), nominal, files.get(REPORT), files.get(PICTURE), files.get(TEMPLATE), rig)
+
+
+def is_released(program: PartProgram) -> bool:
+    """Return whether a part program is released as it is; whatever changed it afterwards made it another one."""
+    release = program.facts.release
+    return release is not None and release.digest == _digest(program)
+
+
+def release_part_program(program: PartProgram, by: str, at: str) -> PartProgram:
+    """Return the part program released for operators as its next revision; one that is released already is returned as it is.
+
+    Parameters
+    ----------
+    by : name of who answers for it
+    at : ISO 8601
+
+    Raises
+    ------
+    InputError
+        Nobody is named.
+    """
+    if not by.strip():
+        raise InputError("A release needs a name.", "State who releases the part program.")
+    if is_released(program):
+        return program
+    release = Release(by=one_line(by), at=at, digest=_digest(program))
+    return replace(program, facts=program.facts.model_copy(update={"revision": program.facts.revision + 1, "release": release}))
+
+
+def release_file(path: Path, by: str, at: str) -> PartProgram:
+    """Release the part program in a file, and return it. Raises InputError, StorageError."""
+    program = release_part_program(read_part_program(path), by, at)
+    write_part_program(program, path)
+    return program
+
+
+def with_former_revision(program: PartProgram, path: Path) -> PartProgram:
+    """Return a changed part program that counts on from the revision of the file it replaces; it is not released."""
+    path = path if is_part_program(path) else path.with_name(path.name + PART_PROGRAM)
+    try:
+        former = read_part_program(path).facts.revision if path.exists() else 0
+    except InputError:
+        former = 0  # a damaged file is replaced
+    return replace(program, facts=program.facts.model_copy(update={"revision": former, "release": None}))
+
+
+def _digest(program: PartProgram) -> str:
+    """Return the checksum of everything that decides how a part is measured and judged, and of what is printed for every part."""
+    facts, digest = program.facts, hashlib.sha256()
+    own = facts.model_dump_json(exclude={"schema_version", "sha256", "revision", "release", "identification"}, exclude_defaults=True)
+    same = "\0".join(getattr(facts.identification, name) for name in ("drawing", "revision", "customer"))
+    described = {  # without defaults: an entry that a later version adds changes nothing
+        "facts": own,
+        "same": same,
+        PLAN: program.plan.model_dump_json(exclude_defaults=True),
+        RIG: "" if program.rig is None else program.rig.model_dump_json(exclude_defaults=True),
+    }
+    contents = {**_files(program), **{name: text.encode() for name, text in described.items()}}
+    for name, content in sorted(contents.items()):
+        digest.update(name.encode() + b"\0" + hashlib.sha256(content).digest())
+    return digest.hexdigest()
 
 
 def unpack_part_program(program: PartProgram, folder: Path) -> dict[str, Path]:

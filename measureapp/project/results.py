@@ -15,6 +15,8 @@ from measureapp.data.measurement import Measurement, ViewResult
 from measureapp.errors import FrameMismatch, InputError, MeasureError, StorageError
 from measureapp.project.atomic import replacing_together, write_json
 from measureapp.project.documents import (
+    consistency_document,
+    consistency_from,
     inspection_document,
     inspection_from,
     loop_closure_document,
@@ -77,6 +79,7 @@ def _document(measurement: Measurement, inputs: Mapping[str, Any] | None) -> dic
         **({"setups": [setup_document(setup) for setup in measurement.setups]} if measurement.setups else {}),
         "ring": loop_closure_document(measurement.stitched.loop_closure),
         "validity": validity_document(measurement.validity),
+        "consistency": consistency_document(measurement.consistency),
         "inspection": None if measurement.inspection is None else inspection_document(measurement.inspection),
     }
 
@@ -103,6 +106,7 @@ def load(folder: Path, calibration: RigCalibration) -> Measurement | None:
             mesh=read_mesh(folder / MESH, "part") if (folder / MESH).exists() else None,
             inspection=None if document["inspection"] is None else inspection_from(document["inspection"]),
             validity=validity_from(document.get("validity", {})),
+            consistency=consistency_from(document.get("consistency", {})),
             setups=tuple(setup_from(setup) for setup in document.get("setups", ())),
         )
     except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError, InputError, FrameMismatch) as error:

@@ -10,7 +10,7 @@ from pathlib import Path
 from measureapp.errors import InputError
 from measureapp.project.atomic import remove, replacing
 
-FOLDER, FILE = "report_template", "template.toml"
+FOLDER, FILE, LAYOUT = "report_template", "template.toml", "report.typ"
 LARGEST_BYTES, MOST_FILES = 20_000_000, 50
 HINT = f"Give a folder with a {FILE}, a logo and texts."
 
@@ -31,6 +31,26 @@ def save_folder(project: Path, files: Mapping[str, bytes]) -> None:
         with replacing(folder / name) as temporary:
             temporary.write_bytes(content)
     remove(*(path for path in folder.glob("*") if path.name not in files))
+
+
+def choose_template(project: Path, source: Path | None) -> None:
+    """Copy a template folder or a Typst file into the project in the folder ``project``; None: it has none of its own any more.
+
+    Raises
+    ------
+    InputError
+        ``source`` is no template.
+    StorageError
+        The project cannot be written.
+    """
+    layout, folder = project / "inspection" / LAYOUT, project / "inspection" / FOLDER
+    if source is not None and source.is_dir():
+        save_folder(project, read_folder(source))
+    elif source is not None:
+        with replacing(layout) as temporary:
+            temporary.write_bytes(source.read_bytes())
+    unused = [] if source is not None and source.is_file() else [layout]
+    remove(*unused, *(() if source is not None and source.is_dir() else sorted(folder.glob("*"))))
 
 
 def zip_folder(files: Mapping[str, bytes]) -> bytes:

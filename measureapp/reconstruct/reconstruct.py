@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from itertools import combinations
 from math import degrees
 
@@ -22,6 +22,7 @@ from measureapp.reconstruct.blur import correct_blur
 from measureapp.reconstruct.cleaning.clean import clean_grid, count_rejections
 from measureapp.reconstruct.cleaning.depth_grid import DepthGrid, Lens
 from measureapp.reconstruct.cleaning.gather import Grey, gather, make_cloud_arrays
+from measureapp.reconstruct.cleaning.uncertainty_limit import uncertainty_limit_mm
 from measureapp.reconstruct.discontinuities import exclude_discontinuities
 from measureapp.reconstruct.kernels.structures import LANES
 from measureapp.reconstruct.kernels.table import MIN_SINE
@@ -43,6 +44,7 @@ class Reconstruction:
     pairs: tuple[PairFigures, ...]
     rejected: Mapping[str, int]  # reason -> count
     states: Mapping[str, IntArray]  # camera -> (H, W) uint8 of PointState, of every pixel of its image
+    max_sigma_mm: Mapping[str, float] = field(default_factory=dict)  # camera -> standard deviation above which its points were left out
 
 
 def reconstruct(
@@ -137,6 +139,7 @@ def _reconstruct(
         work.evaluate_pairs(),
         count_rejections(*(work.states[name] for name in names[:-1])),
         {name: read_only(work.states[name]) for name in names},
+        work.max_sigma_mm,
     )
 
 
@@ -155,6 +158,7 @@ class _Work:
             used.fill(0)
         self.states: dict[str, IntArray] = {}
         self.grids: dict[str, tuple[DepthGrid, tuple[str, ...]]] = {}
+        self.max_sigma_mm: dict[str, float] = {}
         self.matched: dict[tuple[str, str], int] = {}
         self.shifts: dict[tuple[str, str], list[FloatArray]] = {}
 
@@ -208,7 +212,10 @@ class _Work:
         centres = [camera_from_reference.apply(cameras[other].reference_from_camera.translation_mm) for other in others]
         lens = Lens(rectifier.rays(name), rectifier.ray_jacobian(name), 1.0 / float(cameras[name].pinhole.matrix[0, 0]))
         arrays = (depth_map.depth_mm, depth_map.sigma_mm, depth_map.others, depth_map.state)
-        return clean_grid(*arrays, lens, centres, self.camera_set.settings, self.camera_set.memory)
+        settings = self.camera_set.settings
+        limit = uncertainty_limit_mm(depth_map.sigma_mm, self.phase_maps[name].sigma_rad, settings)
+        self.max_sigma_mm[name] = limit
+        return clean_grid(*arrays, lens, centres, settings.model_copy(update={"max_sigma_mm": limit}), self.camera_set.memory)
 
     def _mark_used(self, name: str, sampled: int, otherwise: PointState) -> IntArray:
         """Return the state of pixels that have no phase or take part in points already, ``otherwise`` for all others."""

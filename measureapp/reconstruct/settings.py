@@ -22,7 +22,12 @@ class ReconstructSettings(Model):
     agreement_px: float = Field(
         default=0.5, ge=0, description="plus this distance along the epipolar line in px, for errors of the calibration"
     )
-    max_sigma_mm: float = Field(default=0.5, gt=0, description="largest standard deviation along the viewing ray")
+    max_sigma_mm: float | None = Field(
+        default=None,
+        gt=0,
+        description="largest standard deviation along the viewing ray; none: what the noisiest phase that can be decoded gives in the "
+        "geometry of the view, so that it grows with the standoff (`uncertainty_limit_mm`)",
+    )
     max_incidence_deg: float = Field(default=85.0, gt=0, lt=90, description="largest angle between normal and viewing ray")
     max_partner_incidence_deg: float = Field(default=85.0, gt=0, lt=90, description="the same for the other cameras that take part")
     normal_radius_px: int = Field(default=4, ge=1, le=15, description="radius of the window of normals and of the outlier filter")

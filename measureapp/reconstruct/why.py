@@ -34,7 +34,7 @@ OF_POINT = {
     "fringes along the line.",
     PointState.CONTRADICTED: "Another camera sees a projector line there that differs from {lit} by more than {sigmas:g} standard "
     "deviations plus {px:g} px: reflections, or a camera that moved. Check the epipolar residual of the viewpoint.",
-    PointState.UNCERTAIN: "The predicted standard deviation exceeds {max_sigma:g} mm: phase noise {sigma:.4f} rad. Add a longer exposure.",
+    PointState.UNCERTAIN: "The predicted standard deviation exceeds {max_sigma:.2g} mm: phase noise {sigma:.4f} rad. Add a longer exposure.",
     PointState.FLYING: "Fewer than {neighbours} of 24 places around it lie on the same surface: it is at a depth discontinuity or isolated.",
     PointState.OUTLIER: "Further from the plane through its neighbours than {outlier:g} standard deviations.",
     PointState.GRAZING: "Grazing incidence: the camera sees the surface more than {incidence:g}° off its normal. Turn the part towards the sensor.",
@@ -52,7 +52,7 @@ OF_POINT_WITH_PROJECTOR = OF_POINT | {
     "or the camera apart, or add fringes of the other direction.",
     PointState.CONTRADICTED: "The {lit} belong to no point of the viewing ray, by more than {sigmas:g} standard deviations plus {px:g} px: "
     "reflections, or a projector or camera that moved.",
-    PointState.UNCERTAIN: "The predicted standard deviation exceeds {max_sigma:g} mm and three times the median of the view: phase noise "
+    PointState.UNCERTAIN: "The predicted standard deviation exceeds {max_sigma:.2g} mm and three times the median of the view: phase noise "
     "{sigma:.4f} rad. Add a longer exposure.",
     PointState.PARTNER_GRAZING: "The projector illuminates the surface more than {partner:g}° off its normal.",
 }
@@ -95,7 +95,7 @@ def why(
         raise ReconstructError(
             f"Camera {camera!r} has no pixel in row {row}, column {column}.", f"Its images have {height} rows and {width} columns."
         )
-    values = _values(phase_map, settings or ReconstructSettings(), row, column)
+    values = _values(phase_map, settings or ReconstructSettings(), row, column) | {"max_sigma": made.max_sigma_mm.get(camera, np.inf)}
     point = PointState(int(states[row, column]))
     if point == PointState.NO_PHASE:
         state = PixelState(int(phase_map.state[row, column]))
@@ -187,7 +187,6 @@ def _values(phase_map: PhaseMap, settings: ReconstructSettings, row: int, column
         "sigma": float(phase_map.sigma_rad[row, column]),
         "sigmas": settings.agreement_sigmas,
         "px": settings.agreement_px,
-        "max_sigma": settings.max_sigma_mm,
         "neighbours": settings.min_neighbours,
         "outlier": settings.outlier_sigmas,
         "incidence": settings.max_incidence_deg,

@@ -72,7 +72,8 @@ def stitch(
     by_cloud = dict(zip(chosen, placed, strict=True))
     placements = tuple(by_cloud.get(i) or _exclude(clouds[i], kinematic[i]) for i in range(len(clouds)))
     merged = _merge_views(clouds, placements, settings, spacing, PartOf(progress, 0.7, 1.0))
-    return replace(merged, loop_closure=loop_closure, errors=_expand_errors(errors, chosen, placements))
+    expanded = _expand_errors(errors, chosen, placements)
+    return replace(merged, loop_closure=loop_closure, errors=expanded, axis_doubt=registration.axis_doubt)
 
 
 def _require_matching_sizes(clouds: int, poses: int, stations: int, prior_covariance: FloatArray | None) -> None:

@@ -11,6 +11,7 @@ from typing import Any
 
 from measureapp import __version__
 from measureapp.data.calibration import CameraCalibration, RigCalibration
+from measureapp.data.consistency import Consistency
 from measureapp.data.dimension import SEVERITY, Dimension, Verdict, worst_verdict
 from measureapp.data.measurement import Alignment, Measurement
 from measureapp.data.mesh import Mesh
@@ -90,12 +91,13 @@ def _sections(measurement: Measurement, deviation: Deviation | None, why_not: st
     calibration = (
         *_validity_facts(measurement.validity),
         Fact("Calibration age", calibration_age(measurement)),
-        *_length_facts(dimensions),
+        *_length_facts(dimensions, () if measurement.inspection is None else measurement.inspection.lengths),
         *_calibration_facts(measurement.calibration),
     )
     return (
         Section("Cloud and alignment", _cloud_facts(measurement, deviation, why_not)),
         Section("Set-ups", _setup_facts(measurement.setups)),
+        Section("Checks of the error model", _consistency_facts(measurement.consistency)),
         Section("Calibration", calibration),
         Section("Settings", _settings_facts(measurement.settings)),
     )
@@ -207,8 +209,16 @@ def _setup_facts(setups: Sequence[JoinedSetUp]) -> tuple[Fact, ...]:
     )
 
 
+def _consistency_facts(consistency: Consistency) -> tuple[Fact, ...]:
+    """Return the checks of the error model: the result in one sentence, then each check."""
+    if not consistency.checks:
+        return ()
+    facts = [Fact("Result", consistency.sentence)]
+    return (*facts, *(Fact(f"Deviations by {check.name}", check.sentence) for check in consistency.checks))
+
+
 def _validity_facts(validity: Validity) -> tuple[Fact, ...]:
-    facts = [Fact("Warning", warning) for warning in validity.warnings]
+    facts = [Fact("Warning", warning) for warning in (*validity.warnings, *([validity.axes] if validity.axes else []))]
     if validity.drift is not None:
         alarmed = validity.drift.status in ("watch", "drifted")
         facts.append(Fact("Warning" if alarmed else "Camera drift check", validity.drift.sentence))
@@ -236,6 +246,10 @@ def _calibration_facts(calibration: RigCalibration) -> tuple[Fact, ...]:
             f"straightness {number(guide.straightness_mm)} mm",
         ),
     ]
+    if calibration.motions is not None:
+        facts.append(
+            Fact("Error motions", "; ".join(sentence.removeprefix("error motions of the ") for sentence in calibration.motions.sentences))
+        )
     provenance = calibration.provenance
     if provenance.temperature_c is not None:
         facts.append(Fact("Head temperature during calibration", f"{number(provenance.temperature_c, 1)} °C"))
@@ -246,15 +260,21 @@ def _calibration_facts(calibration: RigCalibration) -> tuple[Fact, ...]:
     return tuple(facts)
 
 
-def _length_facts(dimensions: Sequence[Dimension]) -> tuple[Fact, ...]:
-    """Return what calibration and length reference add to the lengths of this report."""
+def _length_facts(dimensions: Sequence[Dimension], lengths: Sequence[str]) -> tuple[Fact, ...]:
+    """Return what calibration and length reference add to the lengths of this report, and the temperature at which they hold."""
     if not dimensions:
         return ()
-    stated = any(one.budget.get("scale") for one in dimensions)
-    uncertainty = 'in the contribution "scale"' if stated else "not included (taken as exact)"
-    reference = Fact("Length reference", f"calibration board; uncertainty of its lengths and of the part temperature {uncertainty}")
     added = added_to_lengths(dimensions)
-    return (*((Fact("Adds to a length (k = 2)", added),) if added else ()), reference)
+    titles = ("Length reference", "Temperature of the part")
+    stated = [Fact(title, sentence) for title, sentence in zip(titles, lengths or _lengths_before(dimensions), strict=False)]
+    return (*((Fact("Adds to a length (k = 2)", added),) if added else ()), *stated)
+
+
+def _lengths_before(dimensions: Sequence[Dimension]) -> tuple[str]:
+    """Return the length reference of an inspection from before inspections stated theirs."""
+    stated = any(one.budget.get("scale") for one in dimensions)
+    known = 'in the contribution "scale"' if stated else "not included (taken as exact)"
+    return (f"calibration board; uncertainty of its lengths and of the part temperature {known}",)
 
 
 def added_to_lengths(dimensions: Sequence[Dimension]) -> str:

@@ -8,7 +8,7 @@ from functools import partial
 import numpy as np
 from scipy.spatial import cKDTree
 
-from measureapp.arrays import BoolArray, FloatArray
+from measureapp.arrays import BoolArray, FloatArray, in_bands
 from measureapp.data.mesh import Mesh
 from measureapp.inspection.surface.deviation import Deviation
 from measureapp.inspection.surface.statistics import USUAL_TOLERANCE_MM, Extreme, compute_statistics
@@ -56,16 +56,18 @@ def _maps(nominal: Mesh, deviation: Deviation, limit_mm: float, extremes: Mappin
     scene = SurfaceScene(nominal)
     look_up = partial(_deviation_at, cKDTree(deviation.points_mm, balanced_tree=False, compact_nodes=False), deviation)
     shown = {name: _shown_in(extreme, scene) for name, extreme in extremes.items()}
-    made = []
-    for view, (where, direction) in enumerate(VIEWS):
+
+    def draw(view: int, _end: int) -> Picture:
+        where, direction = VIEWS[view]
         seen = scene.see(direction, *WIDE)
         values = _coarse(scene, seen, look_up)
         colours = diverging_colours(np.nan_to_num(values) / limit_mm)
         missing = np.isnan(values)
         colours[missing] = _hatching(seen)[missing]
         flags = tuple(_extreme_flag(name, extremes[name], seen, hidden=hidden) for name, (at, hidden) in shown.items() if at == view)
-        made.append(Picture(f"Deviation on the nominal, {where}", png(scene.picture(seen, colours, lit=False)), flags))
-    return tuple(made)
+        return Picture(f"Deviation on the nominal, {where}", png(scene.picture(seen, colours, lit=False)), flags)
+
+    return tuple(in_bands(draw, len(VIEWS), len(VIEWS)))
 
 
 def _shown_in(extreme: Extreme, scene: SurfaceScene) -> tuple[int, bool]:

@@ -21,6 +21,7 @@ def header(measurement: Measurement, details: Details) -> tuple[Fact, ...]:
     return (
         *(fact for fact in asked if fact.value),
         Fact("Measured", format_time(measurement.measured_at)),
+        *((Fact("Part program", details.part_program),) if details.part_program else ()),
         Fact("Inspection program", "none" if inspection is None else inspection.program),
         Fact("Project", measurement.project),
         Fact(

@@ -6,12 +6,13 @@ from collections.abc import Mapping
 from math import degrees, isfinite
 from typing import Any
 
+from measureapp.data.axis_motions import AxisMotions
 from measureapp.data.calibration import RigCalibration
 from measureapp.data.dimension import Dimension
 from measureapp.data.feature import Feature
 from measureapp.data.measurement import Alignment, Measurement
 from measureapp.inspection.surface.statistics import DeviationStatistics, Extreme
-from measureapp.project.documents import setup_document, validity_document
+from measureapp.project.documents import consistency_document, setup_document, validity_document
 from measureapp.report.model import ReportModel, ViewLine
 
 
@@ -123,6 +124,19 @@ def view_document(view: ViewLine) -> dict[str, Any]:
     }
 
 
+def motions_document(motions: AxisMotions) -> dict[str, float]:
+    """Return the error motions of table and guide as JSON: half ranges, and by how much they move the board of the calibration."""
+    found = motions.amplitudes
+    return {
+        "radial_mm": found["radial"],
+        "axial_mm": found["axial"],
+        "tilt_rad": found["tilt"],
+        "guide_straightness_mm": found["straightness"],
+        "guide_angles_rad": found["angles"],
+        "board_moved_mm": motions.explained_mm,
+    }
+
+
 def calibration_document(calibration: RigCalibration) -> dict[str, Any]:
     """Return the calibration of a measurement as JSON, with its standard deviations."""
     axis, hand_eye, guide = calibration.axis, calibration.hand_eye, calibration.guide
@@ -162,6 +176,7 @@ def calibration_document(calibration: RigCalibration) -> dict[str, Any]:
             "scale_sigma": guide.scale_sigma,
             "straightness_mm": guide.straightness_mm,
         },
+        "error_motions": None if calibration.motions is None else motions_document(calibration.motions),
     }
 
 
@@ -185,6 +200,7 @@ def measurement_document(measurement: Measurement) -> dict[str, Any]:
         **({"setups": [setup_document(setup) for setup in measurement.setups]} if measurement.setups else {}),
         "calibration": calibration_document(measurement.calibration),
         "validity": validity_document(measurement.validity),
+        "consistency": consistency_document(measurement.consistency),
         "settings": dict(measurement.settings),
         "timings_s": dict(measurement.timings_s),
     }

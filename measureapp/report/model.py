@@ -114,6 +114,7 @@ class Details:
     plan: ScanPlan | None = None
     exposures_us: Mapping[str, tuple[int, ...]] = field(default_factory=dict)  # by viewpoint, of its stored images
     created_at: str = ""  # ISO 8601; empty: now
+    part_program: str = ""  # name, revision and release; empty: none
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
-from measureapp.arrays import BoolArray, FloatArray, IntArray
+from measureapp.arrays import BoolArray, FloatArray, IntArray, in_bands
 from measureapp.data.dimension import SEVERITY, Dimension, Verdict
 from measureapp.data.feature import Feature
 from measureapp.data.measurement import Measurement
@@ -47,11 +47,14 @@ def render_part(measurement: Measurement, scene: SurfaceScene | None = None) -> 
         return _cloud_pictures(measurement)
     filled = scene.mesh.measured is not None and not scene.mesh.measured.all()
     what = "Measured surface (dark: filled, not measured)" if filled else "Measured surface"
-    made = []
-    for where, direction in (("oblique view", OBLIQUE), ("top view", TOP)):
-        seen = scene.see(direction, *SIZE)
-        made.append(Picture(f"{what}, {where}", png(scene.picture(seen, _surface_colours(scene, seen)))))
-    return tuple(made)
+    drawn, views = scene, (("oblique view", OBLIQUE), ("top view", TOP))
+
+    def draw(view: int, _end: int) -> Picture:
+        where, direction = views[view]
+        seen = drawn.see(direction, *SIZE)
+        return Picture(f"{what}, {where}", png(drawn.picture(seen, _surface_colours(drawn, seen))))
+
+    return tuple(in_bands(draw, len(views), len(views)))
 
 
 def render_failing(measurement: Measurement, scene: SurfaceScene | None) -> tuple[DimensionPicture, ...]:

@@ -1,8 +1,9 @@
-"""Software rendering of surfaces (ray casting) and clouds (splatting into a depth buffer), without a graphics system."""
+"""Software rendering of surfaces and clouds (splats) into a depth buffer, without a graphics system."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import cv2
@@ -81,32 +82,34 @@ class SurfaceScene:
     """A mesh that is drawn several times."""
 
     def __init__(self, mesh: Mesh) -> None:
-        import open3d as o3d
-
         self.mesh = mesh
         self._used_mm = mesh.vertices_mm[np.unique(mesh.triangles)]
         self._origin = self._used_mm.mean(axis=0)
-        self._scene: Any = o3d.t.geometry.RaycastingScene()
-        vertices = (mesh.vertices_mm - self._origin).astype(np.float32)
-        self._scene.add_triangles(o3d.core.Tensor.from_numpy(vertices), o3d.core.Tensor.from_numpy(mesh.triangles.astype(np.uint32)))
         self._normals: FloatArray | None = None
 
-    def see(self, direction: ViewDirection, width: int, height: int) -> Seen:
-        """Cast a ray through each pixel of a picture of ``width`` × ``height``."""
+    @cached_property
+    def _scene(self) -> Any:
+        """The search structure for rays."""
         import open3d as o3d
 
+        scene = o3d.t.geometry.RaycastingScene()
+        vertices = (self.mesh.vertices_mm - self._origin).astype(np.float32)
+        scene.add_triangles(o3d.core.Tensor.from_numpy(vertices), o3d.core.Tensor.from_numpy(self.mesh.triangles.astype(np.uint32)))
+        return scene
+
+    def see(self, direction: ViewDirection, width: int, height: int) -> Seen:
+        """Find what each pixel of a picture of ``width`` × ``height`` shows."""
+        from measureapp.report.kernels import draw_triangles
+
         frame = Frame.around(self._used_mm, direction, width * SUPERSAMPLING, height * SUPERSAMPLING)
+        places = self.mesh.vertices_mm @ frame.axes.T - frame.centre
         near = float((self._used_mm @ frame.axes[2]).max() - frame.centre[2]) + 1.0
-        right = (np.arange(frame.width) + 0.5 - frame.width / 2) * frame.mm_per_px
-        up = (frame.height / 2 - 0.5 - np.arange(frame.height)) * frame.mm_per_px
-        start = (frame.centre + np.array([0.0, 0.0, near])) @ frame.axes - self._origin
-        rays = np.empty((frame.height, frame.width, 6), np.float32)
-        rays[..., :3] = start + right[None, :, None] * frame.axes[0] + up[:, None, None] * frame.axes[1]
-        rays[..., 3:] = -frame.axes[2]
-        answer = self._scene.cast_rays(o3d.core.Tensor.from_numpy(rays))
-        uv = answer["primitive_uvs"].numpy()
-        weights = np.concatenate([1 - uv.sum(axis=-1, keepdims=True), uv], axis=-1)
-        return Seen(frame, answer["t_hit"].numpy(), answer["primitive_ids"].numpy(), weights)
+        column = places[:, 0] / frame.mm_per_px + frame.width / 2 - 0.5
+        row = frame.height / 2 - 0.5 - places[:, 1] / frame.mm_per_px
+        corners, size = np.column_stack([column, row, near - places[:, 2]]), (frame.height, frame.width)
+        depth, triangle, weights = np.full(size, np.inf), np.zeros(size, np.int64), np.zeros((*size, 3))
+        draw_triangles(corners, np.asarray(self.mesh.triangles, dtype=np.int64), depth, triangle, weights)
+        return Seen(frame, depth, triangle, weights)
 
     def occluded(self, points_mm: FloatArray, towards: FloatArray, lift_mm: float) -> BoolArray:
         """Return which points (N, 3) the mesh hides from a viewer in direction ``towards``."""

@@ -8,6 +8,7 @@ from measureapp.progress import NoProgress, Progress
 from measureapp.project.folder import ProjectFolder
 from measureapp.project.geometry.files import read_mesh
 from measureapp.project.identification_file import read_identification
+from measureapp.project.program_record import program_words
 from measureapp.report.compose import compose
 from measureapp.report.model import Details, ReportModel
 from measureapp.report.template import Template, default_template, read_template
@@ -52,4 +53,5 @@ def project_details(project: ProjectFolder, template: Template | None = None, cr
         project.plan(),
         {viewpoint: project.frames.exposures_us(viewpoint) for viewpoint in project.stored_viewpoints()},
         created_at,
+        program_words(project.path),
     )

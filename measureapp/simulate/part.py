@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -43,9 +43,14 @@ class Part:
     material: IntArray  # (T,) uint8, index into `materials` of every triangle
     dimensions: Mapping[str, float] = field(default_factory=dict)  # nominal, mm
     watertight: bool = True
+    expansion: float = 0.0  # relative, by its temperature above 20 °C
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "material", read_only(self.material, np.uint8, (len(self.mesh.triangles),)))
+
+    def at_reference(self) -> Mesh:
+        """Return its surface at 20 °C."""
+        return replace(self.mesh, vertices_mm=self.mesh.vertices_mm / (1.0 + self.expansion)) if self.expansion else self.mesh
 
     @property
     def radius_mm(self) -> float:

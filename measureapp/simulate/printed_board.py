@@ -21,6 +21,7 @@ class PrintedBoard:
     width_px = 0.0
 
     def __init__(self, board: BoardDescription, bow_mm: float, print_errors: PrintErrors | None = None) -> None:
+        board = board.model_copy(update={"lengths": None})  # what users state about a board changes nothing of it
         self._board = board
         self._layout, self._cells = _print_layout(board)
         self._errors = print_errors

@@ -23,7 +23,8 @@ from measureapp.geometry.transform import RigidTransform
 from measureapp.planning.calibration_views import calibration_viewpoints
 from measureapp.planning.viewpoints import plan_around_part
 from measureapp.project.rig_file import read_rig
-from measureapp.simulate.options import RigErrors
+from measureapp.simulate.effects.motions import GuideMotion, TableMotion, draw_guide_motion, draw_table_motion
+from measureapp.simulate.options import AxisEffects, RigErrors
 from measureapp.simulate.truth import Truth, draw_truth
 
 BOARD = CheckerboardDescription(columns=14, rows=11, square_mm=15.0)
@@ -32,6 +33,7 @@ IMAGE_SIGMA_PX = 0.03  # of the virtual rig's images of this board, see test_rig
 GUIDED = "guide06"  # the middle of the first pass along the guide
 RIG = read_rig("paper")
 NOISE = expected_noise(RIG)
+STRAIGHT = AxisEffects()  # no error motions of table and guide
 
 
 def planned(stations: bool = True) -> tuple[Viewpoint, ...]:
@@ -46,10 +48,18 @@ class Cell:
     truth: Truth
     moves: np.random.Generator
     turned_rad: dict[str, float] = field(default_factory=dict)  # viewpoint -> how far the table truly stood
+    table: TableMotion | None = None
+    guide: GuideMotion | None = None
 
     @classmethod
-    def of(cls, seed: int) -> Cell:
-        return cls(draw_truth(RIG, BOARD, RigErrors(), seed), np.random.default_rng([seed, 101]))
+    def of(cls, seed: int, effects: AxisEffects = STRAIGHT) -> Cell:
+        drawn = np.random.default_rng([seed, 103])
+        return cls(
+            draw_truth(RIG, BOARD, RigErrors(), seed),
+            np.random.default_rng([seed, 101]),
+            table=draw_table_motion(effects, drawn),
+            guide=draw_guide_motion(effects, RIG, drawn),
+        )
 
     def placed(self, viewpoints: tuple[Viewpoint, ...]) -> list[tuple[str, AxisReadback, RigidTransform]]:
         """Return name, read-back and true camera_from_board of every viewpoint; an axis that keeps its goal does not move."""
@@ -67,8 +77,11 @@ class Cell:
             last = goals
             self.turned_rad[viewpoint.id] = reached[2]
             rig = truth.calibration
-            camera = reached[1] @ reached[0] @ rig.hand_eye.flange_from_camera
+            slid = reached[1] if self.guide is None else reached[1] @ self.guide.at(read.guide_mm)
+            camera = slid @ reached[0] @ rig.hand_eye.flange_from_camera
             table = rig.table_from_guide.inverse()
+            if self.table is not None:
+                table = table @ self.table.at(read.table_rad)
             turned = RigidTransform.from_vector([0, 0, reached[2]], np.zeros(3), "table", "table")
             result.append((viewpoint.id, read, camera.inverse() @ table @ turned @ truth.table_from_board))
         return result
@@ -128,10 +141,11 @@ def calibrated(
     stations: bool = True,
     camera_prior_used: bool = True,
     noise: AxisNoise = NOISE,
+    effects: AxisEffects = STRAIGHT,
     **options: Any,
 ) -> Run:
     """Calibrate rig ``seed`` from corners with that noise and cameras drawn from their covariance; each may be without error all the same."""
-    cell = Cell.of(seed)
+    cell = Cell.of(seed, effects)
     true_cameras = cell.truth.calibration.cameras
     placed = cell.placed(planned(stations))
     prior = camera_prior_of(true_cameras, [pose for _, _, pose in placed], corner_sigma_px)

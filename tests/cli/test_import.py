@@ -17,7 +17,7 @@ from measureapp.errors import InputError
 from measureapp.pipeline.recording.store import import_recording
 from measureapp.progress import CallbackProgress, Cancelled
 from measureapp.project.calibration.camera_file import write_cameras
-from measureapp.project.calibration.recording_file import certify
+from measureapp.project.calibration.certificate_file import certify
 from measureapp.project.folder import DEFAULT_BOARD, ProjectFolder
 from measureapp.resources import resource
 from tests.cli.fringe_sets import write_paper_set

@@ -80,7 +80,7 @@ def test_highlights_and_dark_places_are_distinguished() -> None:
 
 @pytest.mark.parametrize("rule", ["combined", "paper"])
 def test_spots_that_saturate_are_decoded_as_if_all_were_so_bright_and_the_rest_as_if_there_were_none(rule: str) -> None:
-    settings = DecodeSettings(rule=rule, vote_radius=0, edge_step_rad=1e6)
+    settings = DecodeSettings(rule=rule, vote_radius=0, edge_step_rad=1e6, noise_from_images=False)
     column = ramp(40, 1300)
     dim = images_of(column, PAPER_PATTERNS, EXPOSURES_US)
     bright = images_of(column, PAPER_PATTERNS, EXPOSURES_US, mean=300.0, modulation=200.0)
@@ -95,7 +95,7 @@ def test_spots_that_saturate_are_decoded_as_if_all_were_so_bright_and_the_rest_a
 
 
 def test_many_exposures_make_up_for_faint_fringes_where_no_order_is_in_doubt() -> None:
-    column, settings = ramp(60, 400), DecodeSettings()
+    column, settings = ramp(60, 400), DecodeSettings(noise_from_images=False)
     mean, modulation = 11.0, 8.0  # below the least modulation of one image, and at its noise decodable all the same
     seven_us = (100_000, 85_000, 70_000, 55_000, 40_000, 25_000, 10_000)
     images = images_of(column, DEFAULT_PATTERNS, seven_us, mean, modulation)
@@ -166,7 +166,9 @@ def test_one_pitch_may_take_another_exposure_where_exposures_are_chosen_per_freq
     images = images_of(column, PAPER_PATTERNS, EXPOSURES_US, seed=None)
     images[0, 4] = 255  # spoils the second pitch at the longest exposure only
     joint, apart = (
-        decode_camera(stack_of(images.copy(), exposures_us=EXPOSURES_US), "left", DecodeSettings(rule="paper", joint=joint))
+        decode_camera(
+            stack_of(images.copy(), exposures_us=EXPOSURES_US), "left", DecodeSettings(rule="paper", joint=joint, noise_from_images=False)
+        )
         for joint in (True, False)
     )
     assert (joint.exposure_index == 1).all()
@@ -279,7 +281,7 @@ def test_images_that_do_not_fit_the_set_are_refused() -> None:
 @pytest.mark.parametrize("guard_px", [0, 2])
 def test_pixels_beyond_the_last_whole_chunk_are_decoded_like_all_others(rule: str, guard_px: int) -> None:
     images = images_of(ramp(48, 333), PAPER_PATTERNS, EXPOSURES_US, mean=150.0, modulation=110.0)
-    settings = DecodeSettings(rule=rule, vote_radius=0, edge_step_rad=1e6, blooming_radius_px=guard_px)
+    settings = DecodeSettings(rule=rule, vote_radius=0, edge_step_rad=1e6, blooming_radius_px=guard_px, noise_from_images=False)
     rows = 41
     assert rows * 333 % CHUNK != 0
     whole = decode(stack_of(images.copy(), exposures_us=EXPOSURES_US), settings)["left"]

@@ -7,8 +7,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 import pytest
 
-from measureapp.data.dimension import Dimension
+from measureapp.data.dimension import Dimension, Verdict
 from measureapp.data.inspection_program import InspectionProgram
+from measureapp.data.part_temperature import PartTemperature
 from measureapp.data.view_errors import POWERS, CloudDistortion, FormErrors, SystematicErrors, ViewErrors
 from measureapp.geometry.transform import RigidTransform
 from measureapp.inspection.dimensions import inspect
@@ -194,6 +195,19 @@ def test_form_and_systematic_errors_of_clouds_are_contributions_of_their_own(sha
     assert formed["width"].budget[share] > 0.2 * SHIFT_MM
 
 
+def test_what_checks_leave_unexplained_is_a_contribution_and_a_contradicted_model_proves_nothing() -> None:
+    made = with_common(drawn()).exact
+    assert made.errors is not None
+    plain = {one.name: one for one in inspected(made)}
+    for size_mm, contradicted in ((0.5 * SHIFT_MM, False), (8 * SHIFT_MM, True)):
+        found = {one.name: one for one in inspected(replace(made, errors=replace(made.errors, unexplained_mm=size_mm)))}
+        width = found["width"]
+        assert width.budget["unexplained"] == pytest.approx(size_mm / SHIFT_MM * plain["width"].budget["common"], rel=1e-3)
+        assert np.linalg.norm(list(width.budget.values())) == pytest.approx(width.uncertainty)
+        assert ("contradicted" in width.warning) == contradicted
+    assert width.verdict is Verdict.NOT_PROVEN
+
+
 @pytest.mark.parametrize("errors_known", [True, False])
 def test_a_stated_scale_is_a_share_of_lengths_and_named_in_their_origin(errors_known: bool) -> None:
     exact = drawn().exact
@@ -244,3 +258,18 @@ def test_a_best_fit_alignment_removes_motions_of_the_whole_part() -> None:
     motions = np.hstack([normals, np.cross(arms, normals)])
     np.testing.assert_allclose(motions.T @ after[:, own], 0, atol=1e-6 * float(np.abs(motions.T @ before[:, own]).max()))
     assert 0.2 < np.linalg.norm(after[:, own]) / np.linalg.norm(before[:, own]) < 1
+
+
+@pytest.mark.parametrize("errors_known", [True, False])
+def test_lengths_are_corrected_to_20_degrees_with_a_share_of_their_own(errors_known: bool) -> None:
+    exact = drawn().exact if errors_known else replace(drawn().exact, errors=None)
+    heat = PartTemperature(30.0, 1.0, 20e-6, 1e-6)
+    cold, warm = (inspect(exact, PROGRAM, settings=InspectionSettings(temperature=state)) for state in (None, heat))
+    before = {one.name: one for one in cold.dimensions}
+    for one in warm.dimensions:
+        if one.unit == "mm" and one.kind in ("distance", "diameter", "length"):
+            assert one.measured == pytest.approx((before[one.name].measured or 0) / (1 + 10 * 20e-6), abs=2e-6), one.name
+    width = next(one for one in warm.dimensions if one.name == "width")
+    assert width.budget["temperature"] == pytest.approx(2 * 80 * np.hypot(20e-6 * 0.5, 10 * 1e-6), rel=1e-3)
+    assert "corrected to 20 °C" in width.traceability and "corrected to 20 °C" in warm.lengths[1]
+    assert "not stated" in cold.lengths[1] and "temperature" not in before["width"].budget

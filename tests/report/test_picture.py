@@ -7,7 +7,7 @@ import numpy as np
 
 from measureapp.data.mesh import Mesh
 from measureapp.inspection.measured_points import sample_mesh
-from measureapp.report.picture import ViewDirection, cloud_picture, png, surface_picture
+from measureapp.report.picture import SurfaceScene, ViewDirection, cloud_picture, png, surface_picture
 
 TOP = ViewDirection(-90.0, 89.99)
 
@@ -51,3 +51,26 @@ def test_a_written_png_is_read_back_as_it_was() -> None:
     image = np.random.default_rng(1).integers(0, 256, (7, 11, 3)).astype(np.uint8)
     read = cv2.imdecode(np.frombuffer(io.BytesIO(png(image)).getvalue(), np.uint8), cv2.IMREAD_COLOR)
     assert np.array_equal(read[..., ::-1], image)
+
+
+def test_each_pixel_shows_the_triangle_that_a_ray_meets_first() -> None:
+    """A lying cylinder with needles on its caps, drawn into a depth buffer and compared with its closed form."""
+    import trimesh
+
+    made = trimesh.creation.cylinder(40.0, 30.0, sections=720)
+    mesh = Mesh(made.vertices, made.faces, "nominal")
+    scene = SurfaceScene(mesh)
+    seen = scene.see(ViewDirection(20, 35), 200, 150)
+    frame = seen.frame
+    at = np.einsum("nk,nkd->nd", seen.weights[seen.hit], mesh.vertices_mm[np.asarray(mesh.triangles)[seen.triangle[seen.hit]]])
+    rows, columns = np.nonzero(seen.hit)
+    across = (columns + 0.5 - frame.width / 2) * frame.mm_per_px
+    up = (frame.height / 2 - 0.5 - rows) * frame.mm_per_px
+    assert np.abs(at @ frame.axes[:2].T - frame.centre[:2] - np.column_stack([across, up])).max() < 1e-9  # on the pixel's own ray
+    on_cap = np.abs(np.abs(at[:, 2]) - 15) < 1e-6
+    radius = np.linalg.norm(at[:, :2], axis=1)
+    assert (on_cap | (np.abs(radius - 40) < 40 * (1 - np.cos(np.pi / 720)) + 1e-6)).all()
+    towards = frame.axes[2]
+    assert not scene.occluded(at, towards, 1e-2)[np.linalg.norm(at, axis=1) < 39].any()  # nothing lies before what is seen
+    filled = seen.hit.astype(np.uint8)
+    assert np.array_equal(cv2.morphologyEx(filled, cv2.MORPH_CLOSE, np.ones((3, 3), np.uint8)), filled)  # nothing shows between triangles

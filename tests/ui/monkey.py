@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from unittest.mock import patch
 
-from PySide6.QtCore import QEvent, QPoint, QPointF, Qt, QTimer
+from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, Qt, QTimer
 from PySide6.QtGui import QDesktopServices, QKeyEvent, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialog, QFileDialog, QMenu, QWidget
@@ -40,6 +40,8 @@ class Monkey:
         keeper.setInterval(STUCK_MS)
         keeper.timeout.connect(_dismiss)
         keeper.start()
+        stay_open = StayOpen()
+        self.window.installEventFilter(stay_open)
         try:
             for count in range(events):
                 if count % 20 == 0:
@@ -47,6 +49,7 @@ class Monkey:
                 self._send(self.random.choice(KINDS))
                 QApplication.processEvents()
         finally:
+            self.window.removeEventFilter(stay_open)
             keeper.stop()
             keeper.deleteLater()
             _dismiss()
@@ -100,6 +103,17 @@ class Monkey:
 
     def _size(self, widget: QWidget, place: QPoint) -> None:
         self.window.resize(*self.random.choice(SIZES))
+
+
+class StayOpen(QObject):
+    """Ignores that the window is closed: the menu and the palette offer Exit, after which there is nothing to click at."""
+
+    def eventFilter(self, _watched: QObject, event: QEvent) -> bool:  # noqa: N802 - of Qt
+        """Take the event that closes the window."""
+        if event.type() != QEvent.Type.Close:
+            return False
+        event.ignore()
+        return True
 
 
 @contextmanager

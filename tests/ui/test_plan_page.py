@@ -473,3 +473,24 @@ def test_names_with_markup_are_shown_as_they_are(page):
     page.planning.edit("Rename", lambda plan: edit.set_plan(plan, name=name, patterns=plan.patterns.model_copy(update={"name": name})))
     assert page.form.plan_name.text() == name
     assert all(words.textFormat() == Qt.TextFormat.PlainText for words in (page.state, page.problem))
+
+
+def test_rows_of_groups_and_single_viewpoints_are_selected_from_top_to_bottom(qtbot, plan):
+    from measureapp.data.plan import StationPose, ViewpointGroup
+    from ui.look.look import Look
+    from ui.widgets.plan_tree import PlanTree
+
+    pose = StationPose(flange=plan.viewpoints[0].flange, guide_mm=0.0)
+    ring = ViewpointGroup(id="ring", poses=(pose, pose), table_deg=(0.0, 90.0))
+    alone = ViewpointGroup(id="alone", poses=(pose,), table_deg=(0.0,))
+    tree = PlanTree(Look("light"))
+    qtbot.addWidget(tree)
+    tree.show_plan(plan.model_copy(update={"groups": (ring, alone)}), None)
+    tree.expandAll()
+    tree.selectAll()
+    singles = tuple(viewpoint.id for viewpoint in plan.viewpoints)
+    of_ring = tuple(viewpoint.id for viewpoint in ring.viewpoints())
+    assert tree.names() == (*singles, "ring", *of_ring, "alone", alone.viewpoints()[0].id)
+    assert len(tree.viewpoints()) == len(tree.names())
+    shown = [tree.rows.data(tree.rows.find(name)) for name in ("ring", "alone")]
+    assert shown == ["ring (4)", "alone"]

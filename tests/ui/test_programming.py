@@ -234,3 +234,17 @@ def test_operators_are_not_offered_to_change_the_program(application, opened, wi
     assert not any(one.isVisible() for one in (tools.text, tools.nominal, tools.bar.button, tools.bar, opened.grow.button))
     window.header.role.setValue("engineer")
     assert tools.text.isVisible() and tools.bar.button.isVisible()
+
+
+def test_a_default_best_fit_is_said_to_be_nobodys_choice_and_leads_to_the_choice(application, opened, qtbot):
+    programming, notice = application.controllers.programming, opened.side.unaligned
+    assert not notice.isVisibleTo(opened) or "alignment" not in programming.state.program.model_fields_set
+    lines = [line for line in programming.text().splitlines() if not line.startswith("alignment")]
+    programming.replace("\n".join(lines))
+    settled(application, qtbot)
+    assert notice.isVisibleTo(opened)
+    notice.choose.click()
+    assert opened.side.list.value() == "alignment"
+    programming.replace("\n".join([lines[0], 'alignment = "none"', *lines[1:]]))
+    settled(application, qtbot)
+    assert not notice.isVisibleTo(opened)

@@ -60,7 +60,7 @@ def test_projects_are_chosen_compared_and_reported(application, dialog, study, m
     qtbot.waitUntil(lambda: dialog.study is study and dialog.save.isEnabled(), timeout=PATIENCE_MS)
     assert asked == [((tmp_path / "one", tmp_path / "two"), {"one_part": False})]
     assert dialog.words.text().startswith("3 measurements by the program gypsum.")
-    monkeypatch.setattr("ui.pages.repeats.dialog.QFileDialog.getExistingDirectory", lambda *_: str(tmp_path))
+    monkeypatch.setattr("ui.settings.dialogs.QFileDialog.getExistingDirectory", lambda *_: str(tmp_path))
     dialog.save.click()
     qtbot.waitUntil(lambda: not application.session.busy_with and (tmp_path / "repeats.pdf").exists(), timeout=PATIENCE_MS)
     assert sorted(path.suffix for path in tmp_path.glob("repeats.*")) == [".csv", ".json", ".pdf"]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import cv2
 import numpy as np
 import openpyxl
@@ -11,7 +13,9 @@ from measureapp.data.identification import Identification
 from measureapp.project.folder import ProjectFolder, ProjectSettings
 from measureapp.project.identification_file import read_identification
 from measureapp.report.template import default_template
-from ui.pages.report_header import HeaderDialog
+from tests.ui.journey.user import answering
+from ui.controllers.report_header import ReportHeader, TemplateChoice
+from ui.pages.report_header import ANOTHER, HeaderDialog
 
 PATIENCE_MS = 30_000
 
@@ -22,6 +26,13 @@ def project(tmp_path, rig, calibration, measurement):
     made.save_calibration(calibration)
     made.save_measurement(measurement)
     return made
+
+
+OWN = TemplateChoice("Your own: built-in, version 1")
+
+
+def header_of(identification: Identification, company: str = "Works") -> ReportHeader:
+    return ReportHeader(identification, company, None, OWN, (OWN,))
 
 
 def settled(qtbot, application):
@@ -38,7 +49,7 @@ def opened(qtbot, application, project):
 
 def test_the_dialog_returns_what_was_entered_and_refuses_a_temperature_that_is_none(opened, qtbot):
     given = Identification(part_name="Größe 件", serial_number="7", temperature_c=20.5, remarks="clean")
-    dialog = HeaderDialog(opened.look, given, "Works", None)
+    dialog = HeaderDialog(opened.look, header_of(given))
     qtbot.addWidget(dialog)
     assert dialog.value() == given
     dialog.fields["temperature_c"].setText("21,5")
@@ -51,7 +62,7 @@ def test_the_dialog_returns_what_was_entered_and_refuses_a_temperature_that_is_n
 def test_a_header_is_stored_with_company_and_logo_and_is_in_the_workbook(opened, qtbot, tmp_path, project):
     logo = tmp_path / "mark.png"
     logo.write_bytes(cv2.imencode(".png", np.zeros((8, 8, 3), np.uint8))[1].tobytes())
-    opened.controllers.documents.set_header(Identification(serial_number="SN 件"), "Müller & Söhne", logo)
+    opened.controllers.documents.set_header(replace(header_of(Identification(serial_number="SN 件"), "Müller & Söhne"), logo=logo))
     settled(qtbot, opened)
     assert read_identification(project.path).serial_number == "SN 件"
     assert default_template().description.company == "Müller & Söhne" and default_template().logo is not None
@@ -70,4 +81,52 @@ def test_the_button_opens_the_dialog(opened, qtbot):
     settled(qtbot, opened)
     (dialog,) = page.findChildren(HeaderDialog)
     assert dialog.isVisible()
+    dialog.reject()
+
+
+def write_template(folder, name="aerospace"):
+    folder.mkdir()
+    (folder / "template.toml").write_text(
+        f'schema_version = 1\nname = "{name}"\nversion = "3"\ntitle = "Inspection of castings"\n', encoding="utf-8"
+    )
+    return folder
+
+
+def choose_another(dialog, folder):
+    place = dialog.template.findText(ANOTHER)
+    dialog.template.setCurrentIndex(place)
+    with answering(folder):
+        dialog.template.activated.emit(place)
+
+
+def ask(opened, qtbot):
+    page = opened.window.pages["report"]
+    page.header_button.click()
+    settled(qtbot, opened)
+    return page.findChildren(HeaderDialog)[-1]
+
+
+def test_another_template_is_chosen_kept_in_the_project_and_given_up_again(opened, qtbot, tmp_path, project):
+    dialog = ask(opened, qtbot)
+    assert dialog.template.count() == 2 and dialog.company.isEnabled()
+    choose_another(dialog, write_template(tmp_path / "castings"))
+    assert dialog.template.currentText() == "Another: aerospace, version 3" and not dialog.company.isEnabled()
+    dialog.accept_button.click()
+    settled(qtbot, opened)
+    assert (project.path / "inspection" / "report_template" / "template.toml").exists()
+    again = ask(opened, qtbot)
+    assert again.template.currentText() == "This project's: aerospace, version 3"
+    again.template.setCurrentIndex(0)
+    again.template.activated.emit(0)
+    assert again.company.isEnabled()
+    again.accept_button.click()
+    settled(qtbot, opened)
+    assert ProjectFolder.open(project.path).report_template is None
+
+
+def test_a_folder_that_is_no_template_is_refused_in_the_dialog(opened, qtbot, tmp_path):
+    dialog = ask(opened, qtbot)
+    choose_another(dialog, tmp_path)
+    assert "template.toml" in dialog.problem.text() and dialog.problem.isVisible()
+    assert dialog.template.currentIndex() == 0
     dialog.reject()

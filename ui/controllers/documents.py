@@ -11,11 +11,11 @@ from PySide6.QtGui import QDesktopServices
 
 from measureapp.errors import InputError, StorageError
 from ui.controllers.jobs import JobRunner
+from ui.controllers.report_header import ReportHeader, read_header, save_header
 from ui.session import Session
 
 if TYPE_CHECKING:
     from measureapp.data.cloud import StitchedCloud
-    from measureapp.data.identification import Identification
     from measureapp.data.measurement import Measurement
     from ui.workers.job import Job
 
@@ -37,12 +37,22 @@ class DocumentsController(QObject):
 
     pagesReady = Signal(object)  # tuple of PNG files as bytes
     pagesFailed = Signal()
-    headerReady = Signal(object)  # identification, company, logo
+    headerReady = Signal(object)  # ReportHeader
 
     def __init__(self, session: Session, runner: JobRunner, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._session = session
         self._runner = runner
+
+    @property
+    def _is_stored(self) -> bool:
+        """Whether the open project is one on disk."""
+        folder = self._session.folder
+        return folder is not None and (folder / "project.json").exists()
+
+    def can_write(self, kind: str) -> bool:
+        """Return whether a document of the report is there, or can be written from the project."""
+        return FORMATS[kind][1] in self._session.files or (kind in DOCUMENTS and self._is_stored)
 
     @Slot()
     def preview(self) -> None:
@@ -73,15 +83,14 @@ class DocumentsController(QObject):
             self._runner.run("Reading the report header", lambda job: read_header(folder, job), self._show_header, quiet=True)
 
     @Slot(object)
-    def _show_header(self, header: tuple[Identification, str, Path | None]) -> None:
+    def _show_header(self, header: ReportHeader) -> None:
         self.headerReady.emit(header)
 
-    @Slot(object, str, object)
-    def set_header(self, identification: Identification, company: str, logo: Path | None) -> None:
-        """Store the header, and draw the pages again."""
-        folder = self._session.folder
+    @Slot(object)
+    def set_header(self, header: ReportHeader) -> None:
+        """Store header and template, and draw the pages again."""
+        folder, measurement = self._session.folder, self._session.measurement
         if folder is not None:
-            header, measurement = (identification, company, logo), self._session.measurement
             self._runner.run("Saving the report header", lambda job: save_header(folder, header, measurement, job), self._header_saved)
 
     @Slot(object)
@@ -91,10 +100,21 @@ class DocumentsController(QObject):
     @Slot()
     def open_pdf(self) -> None:
         """Open the PDF in the default viewer."""
-        path = self._session.files.get("report_pdf")
-        if path is None or not path.exists():
+        path, folder, measurement = self._session.files.get("report_pdf"), self._session.folder, self._session.measurement
+        if measurement is not None and folder is not None and self._is_stored and (path is None or not path.exists()):
+            self._runner.run("Writing the report", lambda job: save_documents(folder, measurement, job), self._open_written)
+        elif path is None or not path.exists():
             self._session.tell("There is no PDF report yet.", "Run the demo, or recompute the project.", "warning")
-        elif not QDesktopServices.openUrl(QUrl.fromLocalFile(str(path))):
+        else:
+            self._open(path)
+
+    @Slot(object)
+    def _open_written(self, files: dict[str, Path]) -> None:
+        self._session.set_files({**self._session.files, **files})
+        self._open(files["report_pdf"])
+
+    def _open(self, path: Path) -> None:
+        if not QDesktopServices.openUrl(QUrl.fromLocalFile(str(path))):
             self._session.tell("No PDF viewer is installed.", f"The report is saved to {path}.", "warning")
 
     @Slot()
@@ -117,7 +137,7 @@ class DocumentsController(QObject):
             (lambda job: export_open(cloud, target, job))
             if kind == "open"
             else (lambda job: export_document(kind, folder, measurement, target, job))
-            if kind in DOCUMENTS and source is not None and folder is not None and (folder / "project.json").exists()
+            if kind in DOCUMENTS and folder is not None and self._is_stored
             else (lambda job: export(kind, source, measurement, target, job))
         )
         self._runner.run(f"Exporting {target.name}", work, self._report_export)
@@ -151,30 +171,13 @@ def export_document(kind: str, folder: Path, measurement: Measurement, target: P
     return write_document(compose_project(ProjectFolder.open(folder), measurement, progress=job), kind, target)  # type: ignore[arg-type]
 
 
-def read_header(folder: Path, job: Job) -> tuple[Identification, str, Path | None]:
-    """Return identification, company and logo; runs on a job's thread."""
-    job.report(0, 1, "Report header")
-    from measureapp.project.identification_file import read_identification
-    from measureapp.report.template import default_template, own_logo
-
-    return read_identification(folder), default_template().description.company, own_logo()
-
-
-def save_header(folder: Path, header: tuple[Identification, str, Path | None], measurement: Measurement | None, job: Job) -> None:
-    """Store identification, company and logo, and write the project's documents anew; runs on a job's thread."""
-    job.report(0, 2, "Report header")
+def save_documents(folder: Path, measurement: Measurement, job: Job) -> dict[str, Path]:
+    """Write the project's documents, and return the files of the measurement; runs on a job's thread."""
+    job.report(0, 1, "Documents")
     from measureapp.pipeline.documents import write_reports
     from measureapp.project.folder import ProjectFolder
-    from measureapp.project.identification_file import save_identification
-    from measureapp.report.template import default_template, own_logo, save_own_template
 
-    identification, company, logo = header
-    if (company, logo) != (default_template().description.company, own_logo()):
-        save_own_template(company, logo)
-    save_identification(folder, identification)
-    job.report(1, 2, "Documents")
-    if measurement is not None:
-        write_reports(ProjectFolder.open(folder), measurement)
+    return write_reports(ProjectFolder.open(folder), measurement)
 
 
 def export(kind: str, source: Path | None, measurement: Measurement, target: Path, job: Job) -> Path:

@@ -27,6 +27,8 @@ class ProgramCard:
     last: SeriesRun | None = None
     seconds: float | None = None  # usual duration
 
+    is_released: bool = False
+
     @property
     def name(self) -> str:
         """Name of the program, or of its file."""

@@ -68,6 +68,23 @@ class ShelfController(QObject):
             return ShiftCount()
         return count_shift(self.shelf.runs, self.shelf.settings.shift_start(datetime.now().astimezone()))
 
+    @Slot(object, str)
+    def release(self, cards: tuple[ProgramCard, ...], by: str) -> None:
+        """Release part programs for operators, then read them again."""
+        paths = [card.path for card in cards]
+        self._reading.run(
+            "Releasing the part programs", lambda job: work.release_programs(job, paths, by), self._released, on_failed=self._refuse
+        )
+
+    @Slot(object)
+    def _released(self, _names: tuple[str, ...]) -> None:
+        self.reload()
+
+    @Slot(object)
+    def _refuse(self, error: MeasureError) -> None:
+        self._fail(error)
+        self.reload()
+
     @Slot()
     def take_calibration(self) -> None:
         """Let the calibration of the project that is open now be the one in use from here on, if it has one."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shutil
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from pathlib import Path
@@ -33,6 +34,7 @@ class Shelf:
     cards: tuple[ProgramCard, ...]
     runs: tuple[SeriesRun, ...]  # of all programs, in order of measurement
     problems: tuple[str, ...] = ()  # series that cannot be read
+    unreleased: tuple[ProgramCard, ...] = ()  # programs that the engineer has not released as they are
 
 
 def read_shelf(job: Job, file: Path, rig: RigDescription | None) -> Shelf:
@@ -51,12 +53,14 @@ def read_shelf(job: Job, file: Path, rig: RigDescription | None) -> Shelf:
     except OSError as error:
         raise InputError(f"The part programs in {folder} cannot be read: {error.strerror or error}.", CALL) from error
     cards = [_card(path, settings, runs, rig) for path in paths]
-    return Shelf(settings, tuple(sorted(cards, key=lambda card: (bool(card.problem), card.name.casefold()))), runs, problems)
+    ordered = sorted(cards, key=lambda card: (bool(card.problem), card.name.casefold()))
+    offered, held = (tuple(card for card in ordered if (card.program is None or card.is_released) == may) for may in (True, False))
+    return Shelf(settings, offered, runs, problems, held)
 
 
 def _card(path: Path, settings: OperatorSettings, runs: tuple[SeriesRun, ...], rig: RigDescription | None) -> ProgramCard:
     from measureapp.acquire.time_left import planned_seconds
-    from measureapp.project.part_program_file import read_part_program
+    from measureapp.project.part_program_file import is_released, read_part_program
 
     try:
         program = read_part_program(path)
@@ -67,7 +71,18 @@ def _card(path: Path, settings: OperatorSettings, runs: tuple[SeriesRun, ...], r
     seconds = settings.usual_seconds(name)
     if seconds is None and rig is not None:
         seconds = sum(planned_seconds(program.plan, tuple(program.plan), rig).values())
-    return ProgramCard(path, program, "", last, seconds)
+    return ProgramCard(path, program, "", last, seconds, is_released(program))
+
+
+def release_programs(job: Job, paths: Sequence[Path], by: str) -> tuple[str, ...]:
+    """Release part programs as their next revisions, and return their names. Raises InputError, StorageError."""
+    from measureapp.project.part_program_file import release_file
+
+    now, names = datetime.now(UTC).isoformat(timespec="seconds"), []
+    for done, path in enumerate(paths):
+        job.report(done, len(paths), path.name)
+        names.append(release_file(path, by, now).facts.name)
+    return tuple(names)
 
 
 def _read_runs() -> tuple[tuple[SeriesRun, ...], tuple[str, ...]]:

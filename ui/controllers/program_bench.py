@@ -30,13 +30,13 @@ class Bench:
     def of(cls, folder: Path, measurement: Measurement) -> Bench:
         """Prepare a session with the nominal and settings of a project."""
         from measureapp.inspection.session.session import InspectionSession
-        from measureapp.pipeline.assemble import inspection_settings
+        from measureapp.pipeline.assemble import project_settings
         from measureapp.pipeline.chosen_views import select_views
         from measureapp.project.folder import ProjectFolder
         from measureapp.project.geometry.files import read_mesh
 
         project = ProjectFolder.open(folder)
-        settings = inspection_settings(measurement.calibration, project.rig(), select_views(measurement.views, project.view_choices()))
+        settings = project_settings(project, measurement.calibration, select_views(measurement.views, project.view_choices()))
         nominal = None if project.nominal is None else read_mesh(project.nominal, "nominal")
         return cls(InspectionSession(measurement.stitched, nominal, settings))
 

@@ -11,6 +11,7 @@ from PySide6.QtCore import QObject, Slot
 from measureapp.errors import StorageError
 from ui.controllers.jobs import JobRunner
 from ui.controllers.run_events import RunEvents
+from ui.look.paths import sample_folder
 from ui.messages import OPEN_PROJECT, RECOMPUTE
 from ui.session import Session
 
@@ -96,6 +97,20 @@ class ProjectController(QObject):
 
         self._runner.run("New project", work, self._show)
 
+    @Slot(str)
+    def open_sample(self, name: str) -> None:
+        """Open a sample project, which is unpacked the first time."""
+        if self._session.refuse_during_job() or self._session.ask_about_unsaved(lambda: self.open_sample(name)):
+            return
+
+        def work(job: Job) -> ReadProject:
+            from measureapp.pipeline.samples import unpack_sample
+
+            job.report(0, 1, "Unpacking the sample project")
+            return read_project(unpack_sample(name, sample_folder(name)).path, job)
+
+        self._runner.run("Opening the sample project", work, self._show)
+
     @Slot(object)
     def save_template(self, path: Path) -> None:
         """Save the open project as a template of new ones: everything but its data."""
@@ -106,10 +121,10 @@ class ProjectController(QObject):
         def work(job: Job) -> Path:
             from measureapp.pipeline.templates import template_of_project
             from measureapp.project.folder import ProjectFolder
-            from measureapp.project.part_program_file import write_part_program
+            from measureapp.project.part_program_file import with_former_revision, write_part_program
 
             job.report(0, 1, path.name)
-            return write_part_program(template_of_project(ProjectFolder.open(source)), path)
+            return write_part_program(with_former_revision(template_of_project(ProjectFolder.open(source)), path), path)
 
         self._runner.run("Saving the template", work, self._say_saved)
 

@@ -125,6 +125,8 @@ class RunEvents(QObject):
                 session.tell(event.sentence, "", "warning")
             case e.StitchReady():
                 session.set_stitched(event.stitched)
+                if event.stitched.axis_doubt:
+                    session.tell(event.stitched.axis_doubt, "", "warning", cause=CALIBRATION, remedy=SHOW_CALIBRATION)
             case e.SurfaceFailed():
                 session.tell(f"No surface: {event.reason}", event.remedy, "warning")
             case e.InspectionReady():

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import importlib
 import importlib.util
+import time
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Slot
 
 from measureapp.errors import MeasureError
-from measureapp.progress import PartOf
+from measureapp.progress import PartOf, Progress
 from ui.controllers.jobs import JobRunner
 from ui.session import DriverRow, Session
 
@@ -25,6 +27,7 @@ WARM_UP = (
 )
 IMPORTED_SHARE = 0.3
 IMPORT_TRIALS = 5
+LONGEST_YIELD_S, YIELD_S = 20.0, 0.05
 DEFAULT_RIG = "paper"
 
 
@@ -41,7 +44,9 @@ class StartupController(QObject):
         """Load the rig and the 3-D view, then prepare for the first measurement."""
         self._runner.run("Loading the rig", load_rig, self._show_rig, quiet=True)
         self._runner.run("Preparing the 3-D view", load_graphics, self._graphics_ready, on_stopped=self._graphics_failed, quiet=True)
-        self._runner.run("Preparing the measurement", warm_up, self._warm, quiet=True)
+        self._runner.run(
+            "Preparing the measurement", lambda job: warm_up(Yielding(job, lambda: bool(self._session.busy_with))), self._warm, quiet=True
+        )
 
     @Slot(object)
     def _show_rig(self, found: tuple[RigDescription | None, tuple[DriverRow, ...]]) -> None:
@@ -103,7 +108,26 @@ def import_with_retry(name: str) -> None:
                 raise
 
 
-def warm_up(job: Job) -> None:
+class Yielding:
+    """Progress of work in the background that waits, between its steps, for a job that somebody is waiting for."""
+
+    def __init__(self, progress: Progress, is_waited_for: Callable[[], bool]) -> None:
+        self._progress, self._is_waited_for = progress, is_waited_for
+
+    def report(self, done: float, total: float, note: str = "") -> None:
+        """Report, then wait, for `LONGEST_YIELD_S` at most, because a long job needs the kernels itself."""
+        self._progress.report(done, total, note)
+        end = time.monotonic() + LONGEST_YIELD_S
+        while self._is_waited_for() and time.monotonic() < end:
+            time.sleep(YIELD_S)
+            self._progress.check()
+
+    def check(self) -> None:
+        """Raise Cancelled if the work is cancelled."""
+        self._progress.check()
+
+
+def warm_up(job: Progress) -> None:
     """Import the packages of the first measurement and compile its kernels; runs on a job's thread."""
     for done, name in enumerate(WARM_UP):
         job.report(IMPORTED_SHARE * done, len(WARM_UP), "Preparing the measurement")

@@ -40,6 +40,7 @@ NAMES = {
     "grow": "arrows-out",
     "eye": "eye",
     "hidden": "eye-slash",
+    "keyboard": "keyboard",
     "light": "sun",
     "dark": "moon",
     "help": "question",

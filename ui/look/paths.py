@@ -19,6 +19,11 @@ def demo_folder(settings: DemoSettings) -> Path:
     return Path.home() / "MeasureApp" / name
 
 
+def sample_folder(name: str) -> Path:
+    """Return the folder into which a sample project is unpacked."""
+    return Path.home() / "MeasureApp" / f"sample-{name}"
+
+
 def next_demo_folder(wanted: Path) -> Path:
     """Return ``wanted`` if it is new or contains an unfinished demo, which is continued; else the next numbered folder."""
     number, folder = 1, wanted

@@ -7,9 +7,10 @@ from dataclasses import dataclass
 from math import acos, degrees
 from typing import TYPE_CHECKING
 
-from ui.look.wording import millimetres, quantity
+from ui.look.wording import millimetres, quantity, sentence_case
 
 if TYPE_CHECKING:
+    from measureapp.data.axis_motions import AxisMotions
     from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration, ProjectorCalibration, RigCalibration, RotationAxis
     from measureapp.data.rig import RigDescription
 
@@ -19,6 +20,7 @@ AXIS_LIMIT_MM = 0.1
 ROBOT_LIMIT_MM = 0.5
 ADDED_LIMIT_MM = 0.5  # views that are off by more do not register safely
 COVERAGE_FACTOR = 2.0
+MOTION_WORDS = "Positions of views are corrected for it; what the poses of the calibration did not show of it is in U"
 STANDOFF_MM, STROKE_MM, HEIGHT_MM = 550.0, 650.0, 300.0  # where the rig does not say otherwise
 
 
@@ -35,7 +37,7 @@ class SolutionRow:
 
 
 def solution_rows(calibration: RigCalibration, rig: RigDescription | None) -> list[SolutionRow]:
-    """Return one row per camera, hand–eye, guide and axis."""
+    """Return one row per camera, hand–eye, guide and axis, and those of the error motions of table and guide."""
     robot_mm = rig.robot.absolute_accuracy_mm * 2 if rig is not None else ROBOT_LIMIT_MM
     rows = camera_rows(calibration.cameras)
     hand_eye, guide, axis = calibration.hand_eye, calibration.guide, calibration.axis
@@ -71,7 +73,16 @@ def solution_rows(calibration: RigCalibration, rig: RigDescription | None) -> li
             f"Residual up to {millimetres(AXIS_LIMIT_MM, 2)}",
         )
     )
+    if calibration.motions is not None:
+        rows += motion_rows(calibration.motions)
     return rows
+
+
+def motion_rows(motions: AxisMotions) -> list[SolutionRow]:
+    """Return a row of the table's error motions, and one of the guide's where it was moved; with what they move the board by."""
+    share = f"Board moved by {millimetres(motions.explained_mm)} rms"
+    named = [("Error motions, table", motions.table_words), ("Error motions, guide", motions.guide_words)]
+    return [SolutionRow(name, sentence_case(words), share, "–", True, MOTION_WORDS) for name, words in named if words]
 
 
 def camera_rows(cameras: CameraArrayCalibration) -> list[SolutionRow]:

@@ -10,10 +10,11 @@ from PySide6.QtWidgets import QStackedWidget, QWidget
 from ui.controllers.controllers import Controllers
 from ui.look.look import Look
 from ui.session import Session
-from ui.widgets.basic import column, label, row
+from ui.widgets.basic import Button, column, label, row
 from ui.widgets.empty_state import EmptyState
 from ui.widgets.properties_panel import Properties
 
+SAMPLE = "gypsum"  # project offered where there is nothing to show
 NOTHING_SELECTED = Properties("Properties", note="Select something to see its properties.")
 
 
@@ -23,6 +24,7 @@ class Page(QWidget):
     name: ClassVar[str] = ""
     word: ClassVar[str] = ""
     wants_room: ClassVar[bool] = False  # in a small window the properties are folded
+    shows_results: ClassVar[bool] = False  # of a measurement: without one the sample project is offered
     propertiesChanged = Signal(object)
     propertiesAsked = Signal()  # requests that a folded panel is opened
 
@@ -46,6 +48,10 @@ class Page(QWidget):
         layout.setStretch(1, 1)
         self.setLayout(layout)
         empty.triggered.connect(controllers.demo.run)
+        if self.shows_results:
+            self.sample = Button("Open a sample", look, "open", "normal", "A part that was measured on the virtual rig")
+            self.sample.clicked.connect(lambda: controllers.project.open_sample(SAMPLE))
+            empty.add_quiet(self.sample)
 
     @property
     def is_empty(self) -> bool:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt, QTimer
@@ -22,7 +21,7 @@ from ui.widgets.empty_state import EmptyState
 from ui.widgets.properties_panel import Group, Properties
 
 if TYPE_CHECKING:
-    from measureapp.data.identification import Identification
+    from ui.controllers.report_header import ReportHeader
     from ui.pages.repeats.dialog import RepeatsDialog
     from ui.pages.series.dialog import SeriesDialog
 
@@ -37,6 +36,7 @@ class ReportPage(Page):
     """Preview of the PDF pages, and export by format."""
 
     name, word, wants_room = "report", "Report", True
+    shows_results = True
 
     def __init__(self, look: Look, session: Session, controllers: Controllers) -> None:
         super().__init__(look, session, controllers, EmptyState(look, "report", *EMPTY, "Run the demo"))
@@ -51,7 +51,7 @@ class ReportPage(Page):
         self._scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self._scroll.setWidget(self._sheet)
         self.exports = {kind: self._export_button(kind) for kind in FORMATS}
-        self.header_button = Button("Header and logo…", look, "labels")
+        self.header_button = Button("Header, template…", look, "labels")
         self.header_button.clicked.connect(controllers.documents.ask_header)
         controllers.documents.headerReady.connect(self._edit_header)
         folder = Button("Show in folder", look, "open", "quiet")
@@ -121,10 +121,10 @@ class ReportPage(Page):
         if measurement is None:
             self.state.setText("Nothing to report.")
             return
-        files = self.session.files
+        documents = self.controllers.documents
         for kind, made in self.exports.items():
-            made.setVisible(kind in ("ply", "open") or (kind == "stl" and measurement.mesh is not None) or FORMATS[kind][1] in files)
-        self.open_pdf.setVisible("report_pdf" in files)
+            made.setVisible(kind in ("ply", "open") or (kind == "stl" and measurement.mesh is not None) or documents.can_write(kind))
+        self.open_pdf.setVisible(documents.can_write("pdf"))
         self.state.setText(f"{part_words(measurement.part)}, measured {when(measurement.measured_at) or measurement.measured_at}.")
         rows = (("Project", measurement.project), ("Part", part_words(measurement.part)), ("Rig", measurement.rig))
         times = tuple((sentence_case(name), f"{seconds:.1f} s") for name, seconds in measurement.timings_s.items())
@@ -175,10 +175,10 @@ class ReportPage(Page):
             scaled.setDevicePixelRatio(ratio)
             shown.setPixmap(QPixmap.fromImage(scaled))
 
-    def _edit_header(self, header: tuple[Identification, str, Path | None]) -> None:
+    def _edit_header(self, header: ReportHeader) -> None:
         from ui.pages.report_header import HeaderDialog
 
-        dialog = HeaderDialog(self.look, *header, parent=self)
+        dialog = HeaderDialog(self.look, header, self)
         dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         dialog.chosen.connect(self.controllers.documents.set_header)
         dialog.open()
@@ -186,6 +186,6 @@ class ReportPage(Page):
     def _export(self, kind: str) -> None:
         words, _, ending = FORMATS[kind]
         name = safe_file_name(self.session.project_name or "measurement", f".{ending}")
-        chosen = choose_new(self, words, name, "exports", self.session.settings, f"*.{ending}")
+        chosen = choose_new(self, words, name, "exports", f"*.{ending}")
         if chosen is not None:
             self.controllers.documents.export(kind, chosen.with_suffix(f".{ending}"))

@@ -1,7 +1,9 @@
-"""Dialog for the header of a report: part, order, operator, climate; and this user's company and logo."""
+"""Dialog for the header of a report: part, order, operator, climate; this user's company and logo; and the template."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from pydantic import ValidationError
@@ -10,37 +12,49 @@ from PySide6.QtWidgets import QDialog, QFrame, QLineEdit, QScrollArea, QWidget
 
 from measureapp.data.identification import FIELDS, LABELS, LONGEST_LINE, LONGEST_TEXT, Identification
 from measureapp.data.model import first_problem
+from measureapp.errors import MeasureError
+from ui.controllers.report_header import ReportHeader, TemplateChoice, read_choice
 from ui.look.look import Look
-from ui.widgets.basic import Button, Form, column, label, row
+from ui.settings.dialogs import choose_folder
+from ui.widgets.basic import Button, CalmComboBox, Form, column, label, row
 from ui.widgets.path_field import PathField
 
 WIDTH, HEIGHT = 600, 640
 NUMBERS = ("temperature_c", "humidity_percent")
+ANOTHER = "Another template…"
+OWN_NOTE = "With the company and the logo below, for all your projects."
+PROJECT_NOTE = "Kept in this project, with a company and a logo of its own."
 ABOUT = "Printed in the header of every document, and kept with the results of a series. Empty fields are not printed."
 
 
 class HeaderDialog(QDialog):
-    """Edits the identification of the part, the company and its logo; `chosen` is emitted with them, unless it is cancelled."""
+    """Edits a `ReportHeader`; `chosen` is emitted with it, unless it is cancelled."""
 
-    chosen = Signal(object, str, object)  # Identification, company, Path of the logo or None
+    chosen = Signal(object)  # ReportHeader
 
-    def __init__(self, look: Look, identification: Identification, company: str, logo: Path | None, parent: QWidget | None = None) -> None:
+    def __init__(self, look: Look, header: ReportHeader, parent: QWidget | None = None) -> None:
         super().__init__(parent)
+        self._header, identification = header, header.identification
         self.setWindowTitle("Report header")
         form = Form()
+        self.company = QLineEdit(header.company)
+        self.company.setMaxLength(LONGEST_LINE)
+        self.company.setAccessibleName("Company")
+        self.logo = PathField(look, "Logo", "PNG, JPEG or SVG", "logos", files="Pictures (*.png *.jpg *.jpeg *.svg)")
+        self.logo.setValue(header.logo)
+        self.template, self.note = CalmComboBox(), label("", "small", wrap=True)
+        self.template.setAccessibleName("Template")
+        self._offer(header.templates, header.template)
+        self.template.activated.connect(self._choose_template)
+        form.add("Template", column(self.template, self.note, spacing=4))
+        form.add("Company", self.company)
+        form.add("Logo", self.logo)
         self.fields = {name: QLineEdit(_text(getattr(identification, name))) for name in FIELDS}
         for name, field in self.fields.items():
             field.setMaxLength(LONGEST_TEXT if name == "remarks" else LONGEST_LINE)
             field.setAccessibleName(LABELS[name])
             form.add(LABELS[name], field)
-        self.company = QLineEdit(company)
-        self.company.setMaxLength(LONGEST_LINE)
-        self.company.setAccessibleName("Company")
-        self.logo = PathField(look, "Logo", "PNG, JPEG or SVG", files="Pictures (*.png *.jpg *.jpeg *.svg)")
-        self.logo.setValue(logo)
-        form.add("Company", self.company)
-        form.add("Logo", self.logo)
-        self.problem = label("", "error", wrap=True)
+        self.problem = label("", "problem", wrap=True)
         self.problem.hide()
         self.accept_button = Button("Save", look, "", "primary")
         self.accept_button.setDefault(True)
@@ -66,15 +80,52 @@ class HeaderDialog(QDialog):
             entered[name] = words or None
         return Identification.model_validate(entered)
 
+    def _offer(self, templates: Sequence[TemplateChoice], chosen: TemplateChoice) -> None:
+        self.template.clear()
+        for one in templates:
+            self.template.addItem(one.words, one)
+        self.template.addItem(ANOTHER)
+        self.template.setCurrentIndex(templates.index(chosen))
+        self._chosen = chosen
+        own = chosen.source is None and not chosen.of_project
+        self.company.setEnabled(own)
+        self.logo.setEnabled(own)
+        self.note.setText(OWN_NOTE if own else PROJECT_NOTE)
+
+    def _choose_template(self, place: int) -> None:
+        choice = self.template.itemData(place)
+        known = [self.template.itemData(number) for number in range(self.template.count() - 1)]
+        if choice is None:
+            folder = choose_folder(self, "Choose the folder of a report template", "report templates")
+            choice = self._read(folder)
+            if choice is not None:
+                known = [one for one in known if one.source is None] + [choice]
+        self._offer(known, choice or self._chosen)
+
+    def _read(self, folder: Path | None) -> TemplateChoice | None:
+        if folder is None:
+            return None
+        try:
+            found = read_choice(folder)
+        except MeasureError as error:
+            self._refuse(f"{error.message} {error.hint}")
+            return None
+        self.problem.hide()
+        return found
+
+    def _refuse(self, words: str) -> None:
+        self.problem.setText(words)
+        self.problem.show()
+
     def _accept(self) -> None:
         try:
             identification = self.value()
         except ValidationError as error:
-            self.problem.setText(first_problem(error, "the header"))
-            self.problem.show()
+            self._refuse(first_problem(error, "the header"))
             return
         self.accept()
-        self.chosen.emit(identification, self.company.text().strip(), self.logo.value())
+        entered = {"identification": identification, "company": self.company.text().strip(), "logo": self.logo.value()}
+        self.chosen.emit(replace(self._header, template=self._chosen, **entered))
 
 
 def _text(value: object) -> str:

@@ -27,6 +27,7 @@ KNOWN: Final[dict[str, Known]] = {
     "theme": Known("system", THEMES),
     "page": Known("rig"),
     "role": Known("engineer", ROLES),
+    "tour": Known("new", ("new", "taken")),
 }
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from typing import Protocol
 
 from ui.actions.actions import Action, Actions
@@ -11,7 +12,8 @@ from ui.messages import CANCEL
 from ui.pages.page import Page
 from ui.pages.plan.page import PlanPage
 from ui.session import Session
-from ui.shell.project_menu import ProjectMenu
+from ui.shell.project_menu import SAMPLES, ProjectMenu
+from ui.shell.tour import Tour
 from ui.widgets.properties_panel import PropertiesPanel
 
 
@@ -33,6 +35,7 @@ class CommandedWindow(Protocol):
     messages: Begins
     settings_dialog: Begins
     shortcuts: Begins
+    tour: Tour
     palette_: Begins
 
     @property
@@ -82,6 +85,7 @@ def register_commands(actions: Actions, window: CommandedWindow) -> None:
         Action("theme", "Change between light and dark", window.change_theme, "theme night colours"),
         Action("properties", "Show or hide the properties", window.properties.toggle, "panel side", shortcut="Ctrl+P"),
         Action("help", "Help for this page", window.show_help, "manual documentation", shortcut="F1"),
+        Action("tour", "Take the tour", window.tour.begin, "first start introduction guide learn", why_not=_no_job(session)),
         Action("keys", "Shortcuts", window.shortcuts.begin, "keyboard keys list", shortcut="?"),
         Action("palette", "Commands…", window.palette_.begin, "search find palette", shortcut="Ctrl+K"),
         Action("exit", "Exit", window.close, "quit end", shortcut="Ctrl+Q", for_operator=True),
@@ -92,6 +96,16 @@ def register_commands(actions: Actions, window: CommandedWindow) -> None:
         Action("demo", "Run the demo", window.controllers.demo.run, "virtual rig sample example", "rig", why_not=_no_job(session))
     )
     actions.register(*_plan_keys(window))
+    for name, words in SAMPLES.items():
+        actions.register(
+            Action(
+                f"sample.{name}",
+                f"Open a sample: {words}",
+                partial(window.controllers.project.open_sample, name),
+                "example project learn",
+                why_not=_no_job(session),
+            )
+        )
 
 
 NO_JOB = "No job is running."

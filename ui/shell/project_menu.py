@@ -15,6 +15,7 @@ from ui.actions.actions import Actions
 from ui.controllers.controllers import Controllers
 from ui.controllers.files import FileQuestion, FilesToMeasure
 from ui.look.look import Look
+from ui.look.wording import sentence_case
 from ui.session import Session
 from ui.settings.dialogs import choose_file, choose_folder, choose_new
 from ui.settings.settings import Settings
@@ -42,6 +43,8 @@ ENTRIES = (
     "",
     "exit",
 )
+SAMPLES = {"gypsum": "gypsum cross, all dimensions pass", "gear": "gear, one dimension is not proven"}
+"""Sample projects of `resources/samples`, in words."""
 BELOW = "project.open"  # the entry after which recent projects are listed
 
 
@@ -70,6 +73,7 @@ class ProjectMenu(QObject):
             entry.triggered.connect(lambda _=False, chosen=id_: actions.perform(chosen))
             if id_ == BELOW:
                 self._offer_recent(menu.addMenu("Open recent"))
+                self._offer_samples(menu.addMenu("Open a sample"), actions)
         menu.setToolTipsVisible(True)
 
     def _offer_recent(self, menu: QMenu) -> None:
@@ -80,6 +84,12 @@ class ProjectMenu(QObject):
             entry = menu.addAction(name.replace("&", "&&"))
             entry.setToolTip(str(folder))
             entry.triggered.connect(lambda _=False, chosen=folder: self._controllers.project.open(chosen))
+
+    def _offer_samples(self, menu: QMenu, actions: Actions) -> None:
+        for name, words in SAMPLES.items():
+            entry = menu.addAction(sentence_case(words))
+            entry.setEnabled(not self._session.busy_with)
+            entry.triggered.connect(lambda _=False, chosen=f"sample.{name}": actions.perform(chosen))
 
     def new(self) -> None:
         """Ask for name and place of a new project."""
@@ -97,9 +107,9 @@ class ProjectMenu(QObject):
         """Ask for a template, and for the folder of the project that starts from it."""
         if self._session.refuse_during_job():
             return
-        template = choose_file(self._window, "Choose a template", TEMPLATES, "templates", self._settings)
+        template = choose_file(self._window, "Choose a template", TEMPLATES, "templates")
         if template is not None:
-            folder = choose_new(self._window, "Create the project in a new folder", template.stem, PROJECTS, self._settings)
+            folder = choose_new(self._window, "Create the project in a new folder", template.stem, PROJECTS)
             if folder is not None:
                 self._controllers.project.start(template, folder)
 
@@ -108,7 +118,7 @@ class ProjectMenu(QObject):
         if self._session.refuse_during_job():
             return
         name = f"{self._session.part or self._session.project_name}.mpart"
-        chosen = choose_new(self._window, "Save the project as a template", name, "templates", self._settings, TEMPLATES)
+        chosen = choose_new(self._window, "Save the project as a template", name, "templates", TEMPLATES)
         if chosen is not None:
             self._controllers.project.save_template(chosen)
 
@@ -116,7 +126,7 @@ class ProjectMenu(QObject):
         """Ask for the folder of a project."""
         if self._session.refuse_during_job():
             return
-        chosen = choose_folder(self._window, "Open a project folder", PROJECTS, self._settings)
+        chosen = choose_folder(self._window, "Open a project folder", PROJECTS)
         if chosen is not None:
             self._controllers.project.open(chosen)
 
@@ -124,7 +134,7 @@ class ProjectMenu(QObject):
         """Ask for the folder of a copy."""
         if self._session.refuse_during_job():
             return
-        chosen = choose_new(self._window, "Save a copy of the project as", f"{self._session.project_name} copy", PROJECTS, self._settings)
+        chosen = choose_new(self._window, "Save a copy of the project as", f"{self._session.project_name} copy", PROJECTS)
         if chosen is not None:
             self._controllers.project.copy_to(chosen)
 
@@ -135,13 +145,13 @@ class ProjectMenu(QObject):
 
     def inspect_files(self) -> None:
         """Ask for a cloud or mesh, and for what it is compared with."""
-        cloud = choose_file(self._window, "Choose the cloud or mesh to inspect", CLOUDS, "clouds", self._settings)
+        cloud = choose_file(self._window, "Choose the cloud or mesh to inspect", CLOUDS, "clouds")
         if cloud is not None:
             self.inspect(cloud)
 
     def inspect(self, cloud: Path) -> None:
         """Ask with what a cloud or mesh is compared."""
-        reference = choose_file(self._window, "Choose its nominal or inspection program", REFERENCES, "nominals", self._settings)
+        reference = choose_file(self._window, "Choose its nominal or inspection program", REFERENCES, "nominals")
         if reference is not None:
             self._controllers.files.measure(FilesToMeasure(cloud, reference))
 

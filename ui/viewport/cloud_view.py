@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 from PySide6.QtCore import QPoint, QPointF, Qt, QTimer, Signal
 from PySide6.QtGui import QColor, QGuiApplication, QImage, QShowEvent
-from PySide6.QtWidgets import QFileDialog, QLabel, QMenu, QStackedLayout, QWidget
+from PySide6.QtWidgets import QLabel, QMenu, QStackedLayout, QWidget
 
 from ui.look.look import Look
 from ui.look.theme import Theme
+from ui.settings.dialogs import choose_new
 from ui.viewport.backend import NO_GRAPHICS, choose_backend, off_screen_window
 from ui.viewport.keys import KEYS, add_keys
 from ui.viewport.layers import CloudLayer, Label, LineLayer, SurfaceLayer
@@ -210,9 +210,8 @@ class CloudView(SteeredView):
         """Ask for a file, and save the picture at print resolution."""
         from ui.viewport.print_picture import PrintSize
 
-        chosen, _ = QFileDialog.getSaveFileName(self, "Save picture", str(Path.home() / "picture.png"), "*.png")
-        if chosen:
-            file = Path(chosen)
+        file = choose_new(self, "Save picture", "picture.png", "pictures", "*.png")
+        if file is not None:
             file = file if file.suffix.lower() == ".png" else file.with_name(f"{file.name}.png")
             if not self.print_picture(PrintSize(background=background)).save(str(file)):
                 self.pictureFailed.emit(str(file))

@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QLabel, QSpinBox, QWidg
 
 from measureapp.data.board import DICTIONARIES, BoardDescription, CharucoDescription, CheckerboardDescription, CirclesDescription
 from ui.widgets.basic import Form, label
+from ui.widgets.board_lengths import BoardLengthsField
 from ui.widgets.segments import Segments
 
 KINDS = {"checkerboard": "Checkerboard", "charuco": "ChArUco", "circles": "Circles"}
@@ -45,6 +46,7 @@ class BoardForm(QWidget):
         self.dictionary = QComboBox()
         self.dictionary.addItems(list(DICTIONARIES))
         self.dictionary.setCurrentText("5X5_250")
+        self.known = BoardLengthsField(self)
         self.note = label("", "small", wrap=True)
         self._columns_word, self._rows_word = QLabel(), QLabel()
         self._form = Form(self)
@@ -54,12 +56,15 @@ class BoardForm(QWidget):
         for name, words in WORDS.items():
             self._form.add(words, self.lengths[name])
         self._form.add("Dictionary", self.dictionary)
+        self._form.add("Lengths", self.known.source)
+        self._form.add("Board temperature", self.known.temperature)
         self._form.addRow("", self.note)
         self._bow = (0.0, 0.0, 0.0)
         self._legacy = False
         self.setValue(CheckerboardDescription(columns=14, rows=11, square_mm=15.0))
         self.kind.valueChanged.connect(self._show_kind)
         self.dictionary.currentIndexChanged.connect(self._show_kind)
+        self.known.edited.connect(self._show_kind)
         for editor in (self.columns, self.rows, *self.lengths.values()):
             editor.valueChanged.connect(self._show_kind)
 
@@ -70,11 +75,12 @@ class BoardForm(QWidget):
         fields |= {name: self.lengths[name].value() for name in LENGTHS[kind]}
         if kind == "charuco":
             fields |= {"dictionary": self.dictionary.currentText(), "legacy_pattern": self._legacy}
-        return MODELS[kind].model_validate(fields)
+        return self.known.apply(MODELS[kind].model_validate(fields))  # type: ignore[arg-type]
 
     def setValue(self, board: BoardDescription) -> None:
         """Set the board."""
         values = board.model_dump()
+        self.known.show_board(board)  # type: ignore[arg-type]
         kind = next(name for name, model in MODELS.items() if isinstance(board, model))
         self._bow = board.bow_mm
         for editor in (self.columns, self.rows, self.dictionary, *self.lengths.values()):

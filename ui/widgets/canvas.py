@@ -8,6 +8,8 @@ from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
 from ui.look.painting import set_letters
 from ui.look.theme import Theme
 
+GAP_PX = 4.0  # between texts
+
 
 class Canvas:
     """One projection of a drawing; world x to the right, world y up."""
@@ -16,6 +18,7 @@ class Canvas:
         self._painter, self.theme, self.area = painter, theme, area
         self.scale = min(area.width() / max(1.0, world.width()), area.height() / max(1.0, world.height()))
         self._centre, self._middle = world.center(), area.center()
+        self._texts: list[QRectF] = []  # where texts were drawn
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
 
     def at(self, x: float, y: float) -> QPointF:
@@ -73,16 +76,28 @@ class Canvas:
         centre: bool = True,
         clear: bool = False,
     ) -> None:
-        """Draw text at a world point with an offset in pixels; ``clear`` fills its background."""
+        """Draw text at a world point with an offset in pixels, beside the texts drawn before; ``clear`` fills its background."""
         set_letters(self._painter, self.theme.sizes["small"], bold=bold)
         self._painter.setPen(self.theme.colour(colour))
         place = self.at(x, y) + QPointF(*offset)
         box = QRectF(place.x() - (120 if centre else 0), place.y() - 10, 240, 20)
         side = Qt.AlignmentFlag.AlignHCenter if centre else Qt.AlignmentFlag.AlignLeft
         side |= Qt.AlignmentFlag.AlignVCenter
+        tight = self._painter.boundingRect(box, side, words)
+        shift = self._free_shift(tight)
+        tight.translate(shift)
+        self._texts.append(tight)
         if clear:
-            self._painter.fillRect(self._painter.boundingRect(box, side, words), self.theme.colour("surface"))
-        self._painter.drawText(box, side, words)
+            self._painter.fillRect(tight, self.theme.colour("surface"))
+        self._painter.drawText(box.translated(shift), side, words)
+
+    def _free_shift(self, box: QRectF) -> QPointF:
+        """Return the smallest shift by lines, else by half a width, that keeps a text clear of those before it; none if all are taken."""
+        step, aside = box.height() + GAP_PX, box.width() / 2 + GAP_PX
+        shifts = [QPointF(x, y) for x in (0, aside, -aside) for y in (0, step, -step, 2 * step, -2 * step)]
+        around = box.adjusted(-GAP_PX, 0, GAP_PX, 0)
+        free = (shift for shift in shifts if not any(around.translated(shift).intersects(other) for other in self._texts))
+        return next(free, QPointF())
 
     def heading(self, words: str) -> None:
         """Draw the name of the projection in its corner."""

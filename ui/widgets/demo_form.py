@@ -6,11 +6,12 @@ from pathlib import Path
 from typing import cast
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QComboBox, QFileDialog, QSpinBox, QWidget
+from PySide6.QtWidgets import QComboBox, QSpinBox, QWidget
 
 from measureapp.data.length_unit import LengthUnit
 from ui.look.demo_settings import DemoSettings, Resolution
 from ui.look.pattern_words import PATTERN_WORDS
+from ui.settings.dialogs import choose_file
 from ui.widgets.basic import Form, label
 from ui.widgets.segments import Segments
 
@@ -105,9 +106,9 @@ class DemoForm(QWidget):
             self._suggest_viewpoints()
             return
         self._part.setCurrentIndex(self._chosen)
-        path, _ = QFileDialog.getOpenFileName(self, "Choose a mesh of the part", str(Path.home()), MESH_FILES)
-        if path:
-            self.meshChosen.emit(Path(path))
+        path = choose_file(self, "Choose a mesh of the part", MESH_FILES, "nominals")
+        if path is not None:
+            self.meshChosen.emit(path)
 
     def _suggest_viewpoints(self) -> None:
         self._viewpoints.setValue(VIEWPOINTS.get(self._part.currentData(), OTHER_VIEWPOINTS))

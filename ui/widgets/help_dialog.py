@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
+from PySide6.QtCore import Signal
 from PySide6.QtGui import QTextCursor, QTextDocument
 from PySide6.QtWidgets import QDialog, QTextBrowser, QWidget
 
 from measureapp.errors import InputError
 from measureapp.resources import resource
 from ui.look.look import Look
-from ui.widgets.basic import column
+from ui.widgets.basic import Button, column, row
 
 ABOVE_HEADING, BELOW, BELOW_ITEM = 16, 8, 4  # px
 
 
 class HelpDialog(QDialog):
     """Shows one help page, with links to the others."""
+
+    tourClicked = Signal()
 
     def __init__(self, look: Look, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -23,8 +26,14 @@ class HelpDialog(QDialog):
         self.browser = QTextBrowser()
         self.browser.setOpenLinks(False)
         self.browser.anchorClicked.connect(lambda link: self.show_page(link.path().removesuffix(".md")))
-        self.setLayout(column(self.browser, margin=16))
+        self.tour = Button("Take the tour", look, "run", "normal", "A tour of the window on a sample project, in seven steps")
+        self.tour.clicked.connect(self._begin_tour)
+        self.setLayout(column(self.browser, row(0, self.tour), margin=16))
         self._look = look
+
+    def _begin_tour(self) -> None:
+        self.close()
+        self.tourClicked.emit()
 
     def show_page(self, name: str) -> None:
         """Show the help of one page."""

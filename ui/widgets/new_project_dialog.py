@@ -28,7 +28,7 @@ class NewProjectDialog(QDialog):
         self.name, self.part = QLineEdit(), QLineEdit()
         self.name.setPlaceholderText("Such as “Housing 4711”")
         self.part.setPlaceholderText("Name of the part")
-        self.place = PathField(look, "Choose where the project is made", "Folder of your projects")
+        self.place = PathField(look, "Choose where the project is made", "Folder of your projects", "projects")
         self.place.setValue(place)
         self.problem = label("", "problem", wrap=True)
         self.create = Button("Create", look, "", "primary", "Make the folder of the project")

@@ -5,9 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QFileDialog, QLineEdit, QWidget
+from PySide6.QtWidgets import QLineEdit, QWidget
 
 from ui.look.look import Look
+from ui.settings.dialogs import choose_file, choose_folder
 from ui.widgets.basic import Button, row
 
 
@@ -16,10 +17,10 @@ class PathField(QWidget):
 
     valueChanged = Signal(object)
 
-    def __init__(self, look: Look, title: str, placeholder: str, *, files: str = "") -> None:
-        """``title``: of the dialog; ``files``: its filter, such as "Tables (*.csv)"; empty: choose folders."""
+    def __init__(self, look: Look, title: str, placeholder: str, purpose: str, *, files: str = "") -> None:
+        """``title``: of the dialog; ``purpose``: by which its folder is remembered; ``files``: its filter; empty: choose folders."""
         super().__init__()
-        self._title, self._files = title, files
+        self._title, self._purpose, self._files = title, purpose, files
         self.text = QLineEdit()
         self.text.setPlaceholderText(placeholder)
         self.text.setToolTip(placeholder)
@@ -41,10 +42,9 @@ class PathField(QWidget):
         self.text.setCursorPosition(0)
 
     def _choose(self) -> None:
-        start = self.text.text() or str(Path.home())
         if self._files:
-            chosen, _ = QFileDialog.getOpenFileName(self, self._title, start, self._files)
+            chosen = choose_file(self, self._title, self._files, self._purpose, self.value())
         else:
-            chosen = QFileDialog.getExistingDirectory(self, self._title, start)
-        if chosen:
-            self.text.setText(chosen)
+            chosen = choose_folder(self, self._title, self._purpose, self.value())
+        if chosen is not None:
+            self.text.setText(str(chosen))

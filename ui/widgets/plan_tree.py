@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QItemSelection, QItemSelectionModel, QItemSelectionRange, QModelIndex, QSignalBlocker, Signal
@@ -76,19 +76,25 @@ class PlanTree(QTreeView):
 
     def names(self) -> tuple[str, ...]:
         """Return the names of the selected rows, from top to bottom."""
-        return tuple(self.rows.name_at(index) for index in sorted(self.selectionModel().selectedRows(), key=_order))
+        return tuple(self.rows.name_of(*place) for place in sorted(self._selected(), key=_order))
 
     def viewpoints(self) -> tuple[Viewpoint, ...]:
         """Return the selected viewpoints; of a group its first."""
-        return tuple(self.rows.viewpoint_at(index) for index in self.selectionModel().selectedRows())
+        return tuple(self.rows.viewpoint_of(*place) for place in self._selected())
 
     def current_viewpoint(self) -> Viewpoint | None:
         """Return the viewpoint in the row with the focus, or the first selected one."""
         index = self.currentIndex()
         if index.isValid() and self.selectionModel().isRowSelected(index.row(), index.parent()):
             return self.rows.viewpoint_at(index)
-        chosen = self.selectionModel().selectedRows()
-        return self.rows.viewpoint_at(chosen[0]) if chosen else None
+        chosen = next(self._selected(), None)
+        return None if chosen is None else self.rows.viewpoint_of(*chosen)
+
+    def _selected(self) -> Iterator[tuple[int, int]]:
+        """Yield row and group's row of the selected rows; by ranges, for Qt asks the model about every cell for `selectedRows`."""
+        for part in self.selectionModel().selection():
+            above = part.parent().row() if part.parent().isValid() else TOP
+            yield from ((row, above) for row in range(part.top(), part.bottom() + 1))
 
     def select(self, names: Sequence[str]) -> None:
         """Select the rows with these names; others are deselected."""
@@ -110,10 +116,10 @@ class PlanTree(QTreeView):
         return {self.rows.name_at(index) for index in top if self.rows.group_at(index) is not None and self.isExpanded(index)}
 
 
-def _order(index: QModelIndex) -> tuple[int, int]:
+def _order(place: tuple[int, int]) -> tuple[int, int]:
     """Return the place of a row from top to bottom."""
-    above = index.internalId()
-    return (index.row(), -1) if above == TOP else (int(above), index.row())
+    row, above = place
+    return (row, -1) if above == TOP else (above, row)
 
 
 def _ranges(rows: Sequence[QModelIndex], last_column: int) -> QItemSelection:

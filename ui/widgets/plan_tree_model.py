@@ -77,17 +77,24 @@ class PlanTreeModel(QAbstractItemModel):
 
     def viewpoint_at(self, index: Index) -> Viewpoint:
         """Return the viewpoint of a row; of a group its first."""
+        return self.viewpoint_of(index.row(), int(index.internalId()))
+
+    def viewpoint_of(self, row: int, above: int) -> Viewpoint:
+        """Return the viewpoint of a row below the row of a group, or at the `TOP`; of a group its first."""
         assert self._plan is not None
-        if index.internalId() != TOP:
-            return self._of_group(int(index.internalId()))[index.row()]
-        if index.row() < self._singles:
-            return self._plan.viewpoints[index.row()]
-        return self._of_group(index.row())[0]
+        if above != TOP:
+            return self._of_group(above)[row]
+        return self._plan.viewpoints[row] if row < self._singles else self._of_group(row)[0]
 
     def name_at(self, index: Index) -> str:
         """Return the name of a row."""
-        group = self.group_at(index)
-        return group.id if group is not None else self.viewpoint_at(index).id
+        return self.name_of(index.row(), int(index.internalId()))
+
+    def name_of(self, row: int, above: int) -> str:
+        """Return the name of a row below the row of a group, or at the `TOP`."""
+        assert self._plan is not None
+        is_group = above == TOP and row >= self._singles
+        return self._plan.groups[row - self._singles].id if is_group else self.viewpoint_of(row, above).id
 
     def find(self, name: str) -> QModelIndex:
         """Return the row with this name; an invalid index if there is none."""
@@ -209,7 +216,8 @@ class PlanTreeModel(QAbstractItemModel):
 
     def _group_text(self, group: ViewpointGroup, column: int) -> str:
         if column == NAME:
-            return f"{group.id} ({len(group.poses) * len(group.table_deg)})"
+            count = len(group.poses) * len(group.table_deg)
+            return f"{group.id} ({count})" if count > 1 else group.id
         if column == GUIDE:
             return several(len(group.poses), "pose")
         if column == TABLE:

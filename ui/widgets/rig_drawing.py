@@ -97,7 +97,7 @@ def _table_side(canvas: Canvas, x: float, z: float, radius: float, floor: float)
     canvas.box(x - radius, z, x + radius, z - 60)
     canvas.pen("faint", 1.2, Qt.PenStyle.DashDotLine)
     canvas.line((x, floor), (x, z + 250))
-    canvas.text(x, z + 250, "Table axis", offset=(44, 0))
+    canvas.text(x, z + 250, "Table axis", offset=(8, -4), centre=False)
 
 
 def _robot_side(canvas: Canvas, shoulder: tuple[float, float, float], head: tuple[float, float], floor: float) -> None:
@@ -117,7 +117,7 @@ def _robot_side(canvas: Canvas, shoulder: tuple[float, float, float], head: tupl
         canvas.dot(*joint, 8)
     canvas.pen("accent", 14)
     canvas.line((head[0] - 60, head[1] - 90), (head[0] + 40, head[1] + 90))
-    canvas.text(head[0] + 70, head[1] + 110, "Measuring head", offset=(0, -6), colour="accent_text", bold=True, centre=False)
+    canvas.text(head[0] + 70, head[1] + 110, "Measuring head", offset=(8, -6), colour="accent_text", bold=True, centre=False)
 
 
 def _sight(canvas: Canvas, head: tuple[float, float], goal: tuple[float, float], spread: float, standoff_mm: float) -> None:
@@ -125,7 +125,7 @@ def _sight(canvas: Canvas, head: tuple[float, float], goal: tuple[float, float],
     canvas.fill("accent", 0.08)
     canvas.polygon(head, (goal[0] - spread, goal[1] - 40), (goal[0] + spread, goal[1] + 30))
     inside = ((head[0] + 2 * goal[0]) / 3, (head[1] + 2 * goal[1]) / 3)
-    canvas.text(*inside, f"{standoff_mm:.0f} mm", colour="accent_text")
+    canvas.text(*inside, f"{standoff_mm:.0f} mm", colour="accent_text", clear=True)
 
 
 def _robot_top(canvas: Canvas, stand: float, head_x: float, y: float) -> None:
@@ -136,4 +136,4 @@ def _robot_top(canvas: Canvas, stand: float, head_x: float, y: float) -> None:
     canvas.dot(0, stand, 14)
     canvas.pen("accent", 14)
     canvas.line((head_x, y - 120), (head_x, y + 120))
-    canvas.text(0, stand, "Robot", offset=(0, 26))
+    canvas.text(-140, stand, "Robot", offset=(-30, 0))

@@ -49,7 +49,7 @@ class AutomaticCalibration(QDialog):
         self.setMinimumSize(*SMALLEST)
         self._session, self._calibrating = session, calibrating
         self._has_outcome = False  # of the last run: calibrated, or failed with a reason
-        self.folder = PathField(look, "Folder of the project", "New folder, or an existing project of this rig")
+        self.folder = PathField(look, "Folder of the project", "New folder, or an existing project of this rig", "projects")
         self.board, self.board_note = BoardForm(), label("", "small", wrap=True)
         self.found, self.pictures = Checklist(look), Pictures(look)
         self.state, self.bar = label("", "soft", wrap=True), QProgressBar()

@@ -48,9 +48,9 @@ class SetupPage(QWidget):
         self.source.valueChanged.connect(self._show_source)
         self.board = BoardForm()
         self.board.edited.connect(self.changed)
-        self.folder = PathField(look, "Folder with images of the board", "Folder with the images")
+        self.folder = PathField(look, "Folder with images of the board", "Folder with the images", "board images")
         self.folder.valueChanged.connect(self.changed)
-        self.tables = {axis: PathField(look, *TABLES[axis], files=TABLE_FILES) for axis in kind.readback_in_rig}
+        self.tables = {axis: PathField(look, *TABLES[axis], "tables", files=TABLE_FILES) for axis in kind.readback_in_rig}
         self.resolution = Segments({"quarter": "Quarter", "half": "Half", "full": "Full"})
         self.seed = QSpinBox()
         self.seed.setRange(1, 9999)

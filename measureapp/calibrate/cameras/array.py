@@ -229,8 +229,8 @@ def _solution(
     own_rows = [index for index, label in enumerate(labels) if label not in BOW_NAMES]
     left_uncertain = LabelledCovariance(tuple(labels[index] for index in own_rows), covariance[np.ix_(own_rows, own_rows)])
     if known is None:
-        method = Provenance(method="Zhang, then bundle adjustment of all cameras")
-        array = CameraArrayCalibration(cameras[0], calibrations, _pair_rms(bundle, residuals, cameras), method, covariance=left_uncertain)
+        pairs, method = _pair_rms(bundle, residuals, cameras), Provenance(method="Zhang, then bundle adjustment of all cameras")
+        array = CameraArrayCalibration(cameras[0], calibrations, pairs, method, None, left_uncertain, bundle.board.lengths)
     else:
         array = replace(known, cameras=calibrations, covariance=None if known.covariance is None else left_uncertain)
     return CameraArraySolution(

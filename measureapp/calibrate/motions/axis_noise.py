@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from measureapp.arrays import FloatArray, IntArray
+from measureapp.data.axis_motions import ARCSEC
 from measureapp.data.rig import RigDescription
 
 SAME_POSE = 1e-4  # robot poses closer than this (mm, rotation matrix) are one pose with one error
@@ -14,6 +15,9 @@ LEAST_SHARE = 1e-6  # of the variance, uncorrelated, so that the covariance of e
 STRAIGHTNESS_MM = 0.003  # typical of a ground rail over the travel of a calibration
 SPAN_OVER_RMS = np.sqrt(8.0)  # of a sine
 LEAST_MM, LEAST_RAD = 1e-3, 1e-6  # below what images can show: also an axis described as free of errors keeps its equations regular
+USUAL_RADIAL_MM, USUAL_AXIAL_MM, USUAL_TILT_ARCSEC = 0.005, 0.003, 5.0  # of a table with ball bearings, where not stated
+USUAL_STRAIGHTNESS_MM, USUAL_ANGLES_ARCSEC = 0.01, 15.0  # of a guide with rails
+MOTION_SPREAD = float(np.log(3.0))  # what is stated, or usual, holds within this factor
 CORRELATION_MM, CORRELATION_TURN = 300.0, 0.6  # of an articulated robot with a reach of about 0.7 m
 
 
@@ -35,6 +39,15 @@ class AxisNoise:
     robot_correlation_turn: float = 0.0
     guide_mm: float = 0.0  # departure of the slide from its straight line, at every approach, per coordinate
     guide_along_mm: float = 0.0  # the same along it: how far the slide misses its displayed position
+    table_radial_mm: float = 0.0  # half the range of the table's error motions, as data sheets state them; 0: none is estimated
+    table_axial_mm: float = 0.0
+    table_tilt_rad: float = 0.0
+    slide_mm: float = 0.0  # the same of the slide: straightness
+    slide_rad: float = 0.0  # pitch, yaw and roll
+    slide_from_mm: float = 0.0  # limits of the slide
+    slide_to_mm: float = 0.0
+    motion_spread: float = MOTION_SPREAD  # of the logarithm of these half ranges, by which the sightings may change them; 0: not at all
+    drift_mm: float = 0.0  # largest displacement of the flange between calibration and scan by warming up
 
     def correlation(self, first: FloatArray, second: FloatArray) -> FloatArray:
         """Return the correlation (A, B) of the repeatable errors at poses base_from_flange (A, 4, 4) and (B, 4, 4)."""
@@ -76,6 +89,7 @@ def expected_noise(rig: RigDescription) -> AxisNoise:
     A table's accuracy is the span of its error over a turn; a guide's repeatability (±) is two standard deviations.
     """
     along_mm = rig.guide.repeatability_mm / 2
+    table, guide = rig.table, rig.guide
     robot = articulated_robot(
         max(rig.robot.absolute_accuracy_mm, LEAST_MM),
         max(float(np.deg2rad(rig.robot.absolute_accuracy_deg)), LEAST_RAD),
@@ -83,10 +97,22 @@ def expected_noise(rig: RigDescription) -> AxisNoise:
     )
     return replace(
         robot,
-        table_rad=max(float(np.deg2rad(rig.table.accuracy_arcsec / 3600.0)) / SPAN_OVER_RMS, LEAST_RAD),
+        table_rad=max(float(np.deg2rad(table.accuracy_arcsec / 3600.0)) / SPAN_OVER_RMS, LEAST_RAD),
         guide_mm=float(np.hypot(STRAIGHTNESS_MM, along_mm)),
         guide_along_mm=along_mm,
+        table_radial_mm=_stated(table.radial_error_mm, USUAL_RADIAL_MM),
+        table_axial_mm=_stated(table.axial_error_mm, USUAL_AXIAL_MM),
+        table_tilt_rad=_stated(table.tilt_error_arcsec, USUAL_TILT_ARCSEC) * ARCSEC,
+        slide_mm=_stated(guide.straightness_mm, USUAL_STRAIGHTNESS_MM),
+        slide_rad=_stated(guide.angular_error_arcsec, USUAL_ANGLES_ARCSEC) * ARCSEC,
+        slide_from_mm=guide.limits_mm[0],
+        slide_to_mm=guide.limits_mm[1],
+        drift_mm=rig.robot.thermal_drift_mm or 0.0,
     )
+
+
+def _stated(value: float | None, usual: float) -> float:
+    return usual if value is None else value
 
 
 def number_runs(groups: IntArray) -> IntArray:

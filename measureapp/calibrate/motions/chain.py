@@ -15,6 +15,7 @@ from measureapp.calibrate.motions.axis_motion import perpendicular_basis
 from measureapp.calibrate.motions.axis_noise import AxisNoise
 from measureapp.calibrate.motions.chain_derivatives import derivatives
 from measureapp.calibrate.motions.chain_state import POSE, ChainState
+from measureapp.calibrate.motions.error_motions import MotionModel, MovedAxes
 from measureapp.calibrate.poses import apply_changes, change_between, invert_poses, stack_matrices
 from measureapp.progress import Progress
 
@@ -46,10 +47,11 @@ class Chain:
     camera_jacobian: FloatArray | None = None  # (N, 6, C), change of the observed poses with the parameters of the cameras
     camera_covariance: FloatArray | None = None  # (C, C), where the cameras are estimated: their covariance before
     slide: FloatArray | None = None  # (N, 3, 3), the slide's part of the covariance of the poses' places
+    motions: MotionModel | None = None  # error motions to estimate; None: none
 
     @property
     def labels(self) -> tuple[str, ...]:
-        """Names of the parameters that matter to the user; those of robot and table errors follow without names."""
+        """Names of the parameters that matter to the user; those of robot, table and error motions follow without names."""
         names: tuple[str, ...] = ()
         if self.free.hand_eye:
             names += tuple(f"hand_eye.{label}" for label in POSE_LABELS)
@@ -74,8 +76,14 @@ class Chain:
         shift = np.tile(np.eye(4), (len(self.guide_mm), 1, 1))
         shift[:, :3, 3] = self.guide_mm[:, None] * (state.guide_direction * state.guide_scale)
         errors = apply_changes(np.tile(np.eye(4), (len(state.robot_changes), 1, 1)), state.robot_changes)[self.robot_group]
-        guide_from_camera = shift @ self.base_from_flange @ errors @ state.flange_from_camera
-        return np.asarray(invert_poses(guide_from_camera) @ self._table_rotations(state) @ state.guide_from_board)
+        flange, turned, moved = self.base_from_flange, self._table_rotations(state), self._moved(state)
+        if moved is not None:
+            flange, turned = moved.base_poses @ flange, moved.table_poses @ turned
+        guide_from_camera = shift @ flange @ errors @ state.flange_from_camera
+        return np.asarray(invert_poses(guide_from_camera) @ turned @ state.guide_from_board)
+
+    def _moved(self, state: ChainState) -> MovedAxes | None:
+        return None if self.motions is None else MovedAxes.at(self.motions, state.motions, self.table_rad, self.guide_mm)
 
     def _table_rotations(self, state: ChainState) -> FloatArray:
         angles = self._angles(state)
@@ -93,6 +101,17 @@ class Chain:
         return self.base_from_flange[np.unique(self.robot_group, return_index=True)[1]]
 
     @property
+    def motion_rows(self) -> IntArray:
+        """The coefficients of the error motions among the parameters, (M,)."""
+        first = len(self.labels) + POSE * self.robot_poses + self.table_angles
+        return np.arange(first, first + (0 if self.motions is None else self.motions.size))
+
+    @property
+    def own_residuals(self) -> int:
+        """How many residuals follow those of the poses: of table errors and error motions."""
+        return self.table_angles + len(self.motion_rows)
+
+    @property
     def cameras_freed(self) -> int:
         """How many parameters of the cameras are estimated."""
         return 0 if self.camera_covariance is None else len(self.camera_covariance)
@@ -103,14 +122,15 @@ class Chain:
         return sum(self._lengths())
 
     def residuals(self, state: ChainState) -> FloatArray:
-        """Return the whitened residuals of the poses (6 N) and the table errors (K)."""
+        """Return the whitened residuals of the poses (6 N), the table errors (K) and the error motions (M)."""
         away = change_between(self.camera_from_board, self.predict(state))
         if self.cameras_freed and self.camera_jacobian is not None:
             away = away - self.camera_jacobian @ state.camera_changes
-        return np.concatenate([(self.roots @ away[..., None]).ravel(), state.table_changes / self.noise.table_rad])
+        motions = np.zeros(0) if self.motions is None else state.motions / self.motions.prior_sigma
+        return np.concatenate([(self.roots @ away[..., None]).ravel(), state.table_changes / self.noise.table_rad, motions])
 
     def apply_step(self, state: ChainState, step: FloatArray) -> ChainState:
-        """Return the state after a step in the order of `labels`, then robot, table and camera errors."""
+        """Return the state after a step in the order of `labels`, then robot and table errors, error motions and camera errors."""
         taken = iter(np.split(step, np.cumsum(self._lengths())[:-1]))
         changed = state
         if self.free.hand_eye:
@@ -128,12 +148,18 @@ class Chain:
             guide_from_board=apply_changes(state.guide_from_board, next(taken)),
             robot_changes=state.robot_changes + next(taken).reshape(-1, POSE),
             table_changes=state.table_changes + next(taken),
+            motions=state.motions + next(taken),
             camera_changes=state.camera_changes + next(taken) if self.cameras_freed else state.camera_changes,
         )
 
     def _lengths(self) -> list[int]:
         parts = [(self.free.hand_eye, POSE), (self.free.guide, 3), (self.free.axis, 4), (True, POSE)]
-        return [length for used, length in parts if used] + [POSE * self.robot_poses, self.table_angles, self.cameras_freed]
+        return [length for used, length in parts if used] + [
+            POSE * self.robot_poses,
+            self.table_angles,
+            len(self.motion_rows),
+            self.cameras_freed,
+        ]
 
     def adjust(self, start: ChainState, progress: Progress | None = None) -> Minimum[ChainState]:
         """Minimise the sum of squares of residuals and of axis errors weighted by their priors, from ``start``."""
@@ -176,11 +202,10 @@ class Chain:
         return NormalEquations(hessian, gradient, self._cost(state, priors))
 
     def jacobian(self, state: ChainState) -> FloatArray:
-        """Return the derivatives (6 N + K, P) of `residuals`."""
-        count, result = len(self.guide_mm), np.zeros((POSE * len(self.guide_mm) + self.table_angles, self.size))
-        by = derivatives(
-            state, self.base_from_flange, self.guide_mm, self._angles(state), state.robot_changes[self.robot_group], self.camera_from_board
-        )
+        """Return the derivatives (6 N + K + M, P) of `residuals`."""
+        count, result = len(self.guide_mm), np.zeros((POSE * len(self.guide_mm) + self.own_residuals, self.size))
+        errors, moved = state.robot_changes[self.robot_group], self._moved(state)
+        by = derivatives(state, self.base_from_flange, self.guide_mm, self._angles(state), errors, self.camera_from_board, moved)
         chosen = [(self.free.hand_eye, by.hand_eye), (self.free.guide, by.guide), (self.free.axis, by.axis), (True, by.board)]
         named = np.concatenate([part for used, part in chosen if used], axis=2)
         poses = result[: POSE * count].reshape(count, POSE, self.size)  # a view: filled in place
@@ -192,6 +217,9 @@ class Chain:
         if self.table_angles:
             poses[place, :, first + self.table_group] = (self.roots @ by.table)[:, :, 0]
             result[POSE * count + np.arange(self.table_angles), first + np.arange(self.table_angles)] = 1 / self.noise.table_rad
+        if self.motions is not None:
+            poses[:, :, self.motion_rows] = self.roots @ by.motions
+            result[POSE * count + self.table_angles + np.arange(self.motions.size), self.motion_rows] = 1 / self.motions.prior_sigma
         if self.cameras_freed and self.camera_jacobian is not None:
             poses[:, :, -self.cameras_freed :] = -(self.roots @ self.camera_jacobian)
         return result

@@ -10,6 +10,7 @@ from scipy.spatial.transform import Rotation
 from measureapp.arrays import FloatArray
 from measureapp.calibrate.motions.axis_motion import perpendicular_basis
 from measureapp.calibrate.motions.chain_state import POSE, ChainState
+from measureapp.calibrate.motions.error_motions import MovedAxes
 from measureapp.calibrate.poses import change_between, invert_poses, left_jacobians
 from measureapp.calibrate.projection import cross_matrices
 
@@ -24,6 +25,7 @@ class ChainDerivatives:
     board: FloatArray  # (N, 6, 6)
     robot: FloatArray  # (N, 6, 6), by the error of the sighting's own robot pose
     table: FloatArray  # (N, 6, 1), by the error of its own table angle
+    motions: FloatArray  # (N, 6, M), by the coefficients of the error motions
 
 
 def derivatives(
@@ -33,8 +35,9 @@ def derivatives(
     table_rad: FloatArray,
     errors: FloatArray,
     observed: FloatArray | None = None,
+    moved: MovedAxes | None = None,
 ) -> ChainDerivatives:
-    """Differentiate camera_from_board = C⁻¹ G, with C = shift · flange · error · X and G = turn · board.
+    """Differentiate camera_from_board = C⁻¹ G, with C = shift · slip · flange · error · X and G = lift · turn · board.
 
     A pose changes as in `poses.apply_changes`: rotated by exp(ω) on the left and shifted by τ. For C and G that gives ω = Rcᵀ (ω_G - ω_C) and
     τ = Rcᵀ (τ_G - τ_C + [t_G - t_C]× ω_C); each quantity of the chain moves C or G in turn.
@@ -44,7 +47,9 @@ def derivatives(
     flange : base_from_flange (N, 4, 4) as read back
     errors : (N, 6), those of the robot poses
     observed : camera_from_board (N, 4, 4) against which the change is taken; default: the predicted ones
+    moved : error motions, slip of the slide and lift of the table; default: none
     """
+    flange = flange if moved is None else moved.base_poses @ flange
     error_turn, error_left = Rotation.from_rotvec(errors[:, :3]).as_matrix(), left_jacobians(errors[:, :3])
     x, board = state.flange_from_camera, state.guide_from_board
     to_error, to_x = flange[:, :3, :3], flange[:, :3, :3] @ error_turn
@@ -52,13 +57,15 @@ def derivatives(
     sensor[:, :3, :3] = to_x @ x[:3, :3]
     lever = error_turn @ x[:3, 3]
     sensor[:, :3, 3] = (to_error @ (lever + errors[:, 3:])[..., None])[..., 0] + flange[:, :3, 3]
-    sensor[:, :3, 3] += guide_mm[:, None] * (state.guide_direction * state.guide_scale)
+    slid = guide_mm[:, None] * (state.guide_direction * state.guide_scale)
+    sensor[:, :3, 3] += slid
     spin = table_rad[:, None] * state.axis_direction
     turn = Rotation.from_rotvec(spin).as_matrix()
     arm = (turn @ (board[:3, 3] - state.axis_point_mm)[:, None])[..., 0]
     seen = np.tile(np.eye(4), (len(flange), 1, 1))
     seen[:, :3, :3], seen[:, :3, 3] = turn @ board[:3, :3], arm + state.axis_point_mm
-    place = _Place(sensor, seen, observed)
+    lift = np.tile(np.eye(4), (len(flange), 1, 1)) if moved is None else moved.table_poses
+    place = _Place(sensor, lift @ seen, observed, lift[:, :3, :3])
     tilts, zero = perpendicular_basis(state.axis_direction).T, np.zeros((len(flange), 3, 3))
     axis_turn = left_jacobians(spin) @ (table_rad[:, None, None] * tilts)
     shift = guide_mm[:, None, None] * np.column_stack(
@@ -76,13 +83,15 @@ def derivatives(
             np.concatenate([-to_error @ cross_matrices(lever) @ error_left, to_error], 2),
         ),
         table=place.by_board(np.tile(state.axis_direction[:, None], (len(flange), 1, 1)), np.cross(state.axis_direction, arm)[..., None]),
+        motions=np.zeros((len(flange), POSE, 0)) if moved is None else place.by_motions(moved, sensor[:, :3, 3] - slid),
     )
 
 
 class _Place:
     """Transforms changes of the poses of sensor and board (both in guide) into changes of camera_from_board against the observed one."""
 
-    def __init__(self, sensor: FloatArray, board: FloatArray, observed: FloatArray | None) -> None:
+    def __init__(self, sensor: FloatArray, board: FloatArray, observed: FloatArray | None, lifted: FloatArray) -> None:
+        self._lifted, self._board = lifted, board[:, :3, 3]
         self._to_camera = np.swapaxes(sensor[:, :3, :3], 1, 2)
         self._away = cross_matrices(board[:, :3, 3] - sensor[:, :3, 3])
         seen = invert_poses(sensor) @ board
@@ -90,9 +99,16 @@ class _Place:
         self._of_change = np.linalg.inv(left_jacobians(off[:, :3]))  # log(exp(ω) exp(φ)) = φ + J(φ)⁻¹ ω
 
     def by_board(self, turn: FloatArray, shift: FloatArray) -> FloatArray:
-        """Return the change (N, 6, P) for turns and shifts (N, 3, P) of the board."""
+        """Return the change (N, 6, P) for turns and shifts (N, 3, P) of the board on the table without its error motion."""
+        return self._change(self._lifted @ turn, self._lifted @ shift)
+
+    def by_motions(self, moved: MovedAxes, levers_mm: FloatArray) -> FloatArray:
+        """Return the change (N, 6, M) for the coefficients of the error motions; ``levers_mm`` (N, 3): cameras from the robot's base."""
+        return self._change(*moved.board_changes(self._board)) + self.by_sensor(*moved.sensor_changes(levers_mm))
+
+    def _change(self, turn: FloatArray, shift: FloatArray) -> FloatArray:
         return np.concatenate([self._of_change @ self._to_camera @ turn, self._to_camera @ shift], axis=1)
 
     def by_sensor(self, turn: FloatArray, shift: FloatArray) -> FloatArray:
         """Return the change (N, 6, P) for turns and shifts (N, 3, P) of the reference camera."""
-        return -self.by_board(turn, shift - self._away @ turn)
+        return -self._change(turn, shift - self._away @ turn)

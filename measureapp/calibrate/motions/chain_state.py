@@ -25,6 +25,7 @@ class ChainState:
     robot_changes: FloatArray  # (G, 6), error of each robot pose in its flange frame
     table_changes: FloatArray  # (K,), error of each table angle
     camera_changes: FloatArray = field(default_factory=lambda: np.zeros(0))  # (C,), where the cameras are freed
+    motions: FloatArray = field(default_factory=lambda: np.zeros(0))  # (M,), coefficients of the error motions
 
     @classmethod
     def unchanged(

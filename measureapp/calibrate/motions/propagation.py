@@ -47,17 +47,17 @@ def turn_sigma_rad(hand_eye: HandEye, noise: AxisNoise) -> float:
     return hypot(hand_eye.rotation_sigma_rad, noise.robot_rad)
 
 
-def _whiten_camera_jacobian(chain: Chain) -> FloatArray:
-    """Return the derivatives of the whitened board poses with respect to the camera parameters, (6 N + K, C)."""
+def whiten_camera_jacobian(chain: Chain) -> FloatArray:
+    """Return the derivatives of the whitened board poses with respect to the camera parameters, (6 N + K + M, C)."""
     seen = (chain.roots @ np.asarray(chain.camera_jacobian)).reshape(POSE * len(chain.guide_mm), -1)
-    return np.vstack([seen, np.zeros((chain.table_angles, seen.shape[1]))])
+    return np.vstack([seen, np.zeros((chain.own_residuals, seen.shape[1]))])
 
 
 def marginal_cost(chain: Chain, minimum: Minimum[ChainState], covariance: FloatArray, camera_prior: LabelledCovariance | None) -> float:
     """Return the sum of squares with the camera parameters marginalised: as if they had been estimated within their covariance."""
     if camera_prior is None or chain.cameras_freed or chain.camera_jacobian is None:
         return minimum.cost
-    jacobian, seen = chain.jacobian(minimum.state), _whiten_camera_jacobian(chain)
+    jacobian, seen = chain.jacobian(minimum.state), whiten_camera_jacobian(chain)
     mixed = jacobian.T @ seen
     normal = np.linalg.inv(camera_prior.covariance) + seen.T @ seen - mixed.T @ covariance @ mixed
     pull = seen.T @ chain.residuals(minimum.state)
@@ -73,7 +73,7 @@ def camera_sensitivity(chain: Chain, minimum: Minimum[ChainState], covariance: F
     """
     if chain.cameras_freed or chain.camera_jacobian is None:
         return None
-    return np.asarray(covariance / variance @ (chain.jacobian(minimum.state).T @ _whiten_camera_jacobian(chain)))
+    return np.asarray(covariance / variance @ (chain.jacobian(minimum.state).T @ whiten_camera_jacobian(chain)))
 
 
 def add_camera_covariance(covariance: FloatArray, gain: FloatArray | None, camera_prior: LabelledCovariance | None) -> FloatArray:

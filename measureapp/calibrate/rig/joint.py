@@ -12,8 +12,10 @@ from measureapp.calibrate.boards.observation import Observation, camera_jacobian
 from measureapp.calibrate.motions.axis_noise import SAME_POSE, AxisNoise, number_runs
 from measureapp.calibrate.motions.chain import Chain, Free, groups_of, poses_of, roots_of
 from measureapp.calibrate.motions.chain_state import ChainState
+from measureapp.calibrate.motions.error_motions import motion_model
 from measureapp.calibrate.motions.slide_noise import add_slide_covariance, slide_covariance, travel_in_camera
 from measureapp.calibrate.rig.joint_solution import RigSolution, solution_of
+from measureapp.calibrate.rig.motion_scales import refine_motions
 from measureapp.calibrate.rig.stages import RigStages, solve_stages
 from measureapp.data.calibration import CameraArrayCalibration, LabelledCovariance
 from measureapp.data.fringe import AxisReadback
@@ -66,7 +68,8 @@ def solve_rig(
     """Estimate hand-eye transform, guide, axis and the board's place together from all sightings.
 
     Minimised are the errors of the board poses, weighted by the information of the corners in all cameras, and the
-    errors of robot poses and table angles, weighted by ``noise``. Neighbouring sightings with equal robot poses share one
+    errors of robot poses and table angles, weighted by ``noise``, and the error motions of table and guide, whose scales
+    the sightings refine (decision 37). Neighbouring sightings with equal robot poses share one
     robot error, so that turning the table or moving the guide with a stationary robot determines their axes without it.
     The start is found stage by stage: Tsai-Lenz, guide line, weighted axis.
 
@@ -88,9 +91,10 @@ def solve_rig(
     stages = solve_stages(observations, free_guide)
     kept = _number_observations(observations)
     rejected: dict[str, str] = {}
+    motions = motion_model(noise, stages.axis, stages.guide_from_board.translation_mm, guide=free_guide)
     while True:
         progress.report(len(rejected), len(observations), "joint solution of the rig")
-        chain = _chain(kept, noise, stages, Free(guide=free_guide), camera_prior if free_cameras else None)
+        chain = replace(_chain(kept, noise, stages, Free(guide=free_guide), camera_prior if free_cameras else None), motions=motions)
         minimum = chain.adjust(_start(stages, chain))
         outlier = _worst_outlier(chain, minimum.state, None if free_cameras else camera_prior)
         if outlier is None:
@@ -105,6 +109,7 @@ def solve_rig(
                 "Too many observations of the board contradict each other: " + ", ".join(rejected) + ".",
                 "Check that the board is fixed on the table, and that tables and images are in the same order.",
             )
+    chain, minimum = refine_motions(chain, minimum, None if free_cameras else camera_prior)
     progress.report(1, 1)
     names = [observation.id for observation in kept]
     unseen = () if free_guide else (_UNSEEN_GUIDE,)
@@ -176,7 +181,8 @@ def _approaches(observations: Sequence[Observation], robot: FloatArray, noise: A
 
 def _start(stages: RigStages, chain: Chain) -> ChainState:
     state = ChainState.unchanged(stages.hand_eye, stages.guide, stages.axis, stages.guide_from_board.matrix, chain.robot_poses)
-    return replace(state, table_changes=np.zeros(chain.table_angles), camera_changes=np.zeros(chain.cameras_freed))
+    table, cameras, motions = (np.zeros(count) for count in (chain.table_angles, chain.cameras_freed, len(chain.motion_rows)))
+    return replace(state, table_changes=table, camera_changes=cameras, motions=motions)
 
 
 def _worst_outlier(chain: Chain, state: ChainState, camera_prior: LabelledCovariance | None) -> int | None:

@@ -16,6 +16,7 @@ from measureapp.calibrate.motions.chain_state import ChainState
 from measureapp.calibrate.motions.linear_guide import paper_error_mm
 from measureapp.calibrate.motions.propagation import add_camera_covariance, camera_sensitivity, marginal_cost
 from measureapp.calibrate.poses import apply_changes, change_between
+from measureapp.calibrate.rig.motion_scales import explained_mm, variance_of
 from measureapp.calibrate.rig.observability import WeakDirection, unobservable, weakest
 from measureapp.calibrate.rig.stages import RigStages
 from measureapp.data.calibration import (
@@ -57,7 +58,9 @@ class RigSolution:
     standard_deviations: dict[str, float]
     parameters: tuple[str, ...]  # rows of `covariance`
     covariance: FloatArray
-    joint_parameters: tuple[str, ...]  # rows of `joint_covariance`: `parameters`, then the errors of every approach, angle and camera
+    joint_parameters: tuple[
+        str, ...
+    ]  # rows of `joint_covariance`: `parameters`, then errors of every approach and angle, error motions, cameras
     joint_covariance: FloatArray
     joint_given_cameras: FloatArray  # the same for cameras without error: for differences in which their common error cancels
     chain: Chain
@@ -93,7 +96,7 @@ def solution_of(
     state = minimum.state
     plain = _given_cameras(chain, minimum, 1.0)
     ratio = float(np.sqrt(marginal_cost(chain, minimum, plain, camera_prior) / max(chain.freedom(), 1)))
-    variance = _variance(ratio, chain.freedom())
+    variance = variance_of(ratio, chain.freedom())
     given_cameras = plain * variance
     camera_jacobian = None if camera_prior is None else camera_sensitivity(chain, minimum, given_cameras, variance)
     joint = add_camera_covariance(given_cameras, camera_jacobian, camera_prior)
@@ -111,6 +114,7 @@ def solution_of(
             _axis(state, deviations, covariance, chain.labels, distances),
             Provenance(method="joint calibration of the rig"),
             _stations(chain, state),
+            motions=None if chain.motions is None else chain.motions.motions(state.motions, explained_mm(chain, state)),
         ),
         stages=stages,
         residuals=_residuals(names, distances, angles, state.robot_changes[chain.robot_group]),
@@ -145,11 +149,6 @@ def _hand_eye(state: ChainState, deviations: dict[str, float], distances: FloatA
     )
 
 
-def _variance(ratio: float, freedom: int) -> float:
-    """Return the factor of the covariance: 1, or that of the residuals where they are significantly larger than expected."""
-    return ratio**2 if ratio > 1 + 2 / np.sqrt(2 * max(freedom, 1)) else 1.0
-
-
 def _warnings(ratio: float) -> tuple[str, ...]:
     if ratio <= LARGEST_RATIO:
         return ()
@@ -170,8 +169,9 @@ def _given_cameras(chain: Chain, minimum: Minimum[ChainState], variance: float) 
 def _joint_labels(chain: Chain, camera_prior: LabelledCovariance | None) -> tuple[str, ...]:
     robot = tuple(f"robot {number + 1}.{label}" for number in range(chain.robot_poses) for label in POSE_LABELS)
     table = tuple(f"table {number + 1}.angle_rad" for number in range(chain.table_angles))
+    motions = tuple(f"error motion {number + 1}" for number in range(len(chain.motion_rows)))
     cameras = camera_prior.parameters if camera_prior is not None and chain.cameras_freed else ()
-    return (*chain.labels, *robot, *table, *cameras)
+    return (*chain.labels, *robot, *table, *motions, *cameras)
 
 
 def _residuals(names: Sequence[str], distances: FloatArray, angles: FloatArray, robot: FloatArray) -> tuple[RigResidual, ...]:

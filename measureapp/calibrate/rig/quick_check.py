@@ -152,8 +152,14 @@ def _misfit(observations: Sequence[Observation], calibration: RigCalibration, fr
 
 
 def _flange(one: Observation, calibration: RigCalibration) -> RigidTransform:
+    """Return where the flange truly stands before the table, the error motions of both axes included."""
     station = calibration.station(one.axes)
-    return one.axes.base_from_flange if station is None else station.true
+    flange = one.axes.base_from_flange if station is None else station.true
+    if calibration.motions is None:
+        return flange
+    guide_from_base = calibration.guide.guide_from_base(one.axes.guide_mm)
+    lift = guide_from_base.inverse() @ calibration.motions.table_motion(one.axes.table_rad).inverse() @ guide_from_base
+    return lift @ calibration.motions.guide_motion(one.axes.guide_mm) @ flange
 
 
 def _state(calibration: RigCalibration, part_from_board: FloatArray, count: int) -> ChainState:

@@ -13,6 +13,7 @@ from measureapp.arrays import BoolArray, FloatArray
 from measureapp.calibrate.motions.axis_noise import SAME_POSE, number_runs
 from measureapp.calibrate.motions.chain import Chain, groups_of
 from measureapp.calibrate.motions.chain_state import POSE, ChainState
+from measureapp.calibrate.motions.error_motions import MovedAxes
 from measureapp.calibrate.poses import apply_changes, change_between, invert_poses
 from measureapp.calibrate.projection import cross_matrices
 from measureapp.calibrate.rig.joint import SAME_ANGLE_RAD
@@ -24,6 +25,7 @@ from measureapp.geometry.transform import RigidTransform
 TURN_STEP, LENGTH_STEP, SCALE_STEP = 1e-6, 1e-4, 1e-6  # of the differences
 POSE_STEPS = (TURN_STEP,) * 3 + (LENGTH_STEP,) * 3
 OWN = 7  # independent errors of each view: the robot's (6) and the table's (1)
+MOVED = 2 * POSE  # motions of table top and base at one view
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -118,11 +120,30 @@ def pose_camera_jacobians(rig: RigUncertainty, readbacks: Sequence[AxisReadback]
     """
     if rig.camera_jacobian is None:
         return None
-    by_named, by_own = zip(*(_derivatives(rig, readback) for readback in readbacks), strict=True)
     followed = _joint_sources(rig, readbacks) @ rig.camera_jacobian
-    apply_changes = (np.hstack([np.vstack(by_named), block_diag(*by_own)]) @ followed).reshape(len(readbacks), POSE, -1)
+    changes = (_gain(rig, readbacks) @ followed).reshape(len(readbacks), POSE, -1)
     turned = _in_cameras([rig.calibration.part_from_camera(readback) for readback in readbacks])
-    return np.asarray((turned @ apply_changes).reshape(POSE * len(readbacks), -1))
+    return np.asarray((turned @ changes).reshape(POSE * len(readbacks), -1))
+
+
+def motions_in_cameras(rig: RigUncertainty, readbacks: Sequence[AxisReadback]) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Return how the cameras of V views move, (V, 6, 6) each, by turn and shift of the table top about the axis' point, of the base, of the camera.
+
+    The motions of the cameras are shifts (mm), then turns (rad) in their own frames, as in `ViewUncertainty.pose_covariance`; their own are
+    the identity.
+    """
+    by_table: list[FloatArray] = []
+    by_guide: list[FloatArray] = []
+    for readback in readbacks:
+        guide_from_camera = rig.calibration.guide_from_camera(readback).matrix
+        to_camera = guide_from_camera[:3, :3].T
+        for found, point, sign in (
+            (by_table, rig.calibration.axis.point_mm, -1.0),
+            (by_guide, rig.calibration.guide.guide_from_base(readback.guide_mm).translation_mm, 1.0),
+        ):
+            lever = cross_matrices((guide_from_camera[:3, 3] - point)[None])[0]
+            found.append(sign * np.block([[-to_camera @ lever, to_camera], [to_camera, np.zeros((3, 3))]]))
+    return np.array(by_table), np.array(by_guide), np.tile(np.eye(POSE), (len(by_table), 1, 1))
 
 
 def point_sigma_mm(rig: RigUncertainty, readback: AxisReadback, points_in_part_mm: FloatArray) -> FloatArray:
@@ -149,14 +170,22 @@ def view_uncertainty(
         None: neighbouring views with equal robot poses are one approach.
     """
     placed = tuple(rig.calibration.part_from_camera(readback) for readback in readbacks)
-    by_named, by_own = zip(*(_derivatives(rig, readback) for readback in readbacks), strict=True)
-    gain = np.hstack([np.vstack(by_named), block_diag(*by_own)])
+    gain = _gain(rig, readbacks)
     total = gain @ _sources(rig, readbacks, approaches) @ gain.T
     return ViewUncertainty(placed, total.reshape(len(placed), POSE, len(placed), POSE))
 
 
+def _gain(rig: RigUncertainty, readbacks: Sequence[AxisReadback]) -> FloatArray:
+    """Return how the poses (6 V) follow the rows of `_sources`."""
+    by_named, by_own, by_motions = zip(*(_derivatives(rig, readback) for readback in readbacks), strict=True)
+    return np.hstack([np.vstack(by_named), block_diag(*by_own), np.vstack(by_motions)])
+
+
 def _sources(rig: RigUncertainty, readbacks: Sequence[AxisReadback], approaches: Sequence[Hashable] | None) -> FloatArray:
-    """Covariance of the named parameters (without the board), then of robot and table errors of every view; estimated minus true."""
+    """Covariance of the named parameters (without the board), of robot and table errors of every view, and of error motions.
+
+    Errors are estimated minus true.
+    """
     chain = rig.chain
     named = len(chain.labels) - POSE
     poses = np.array([readback.base_from_flange.matrix for readback in readbacks])
@@ -172,6 +201,8 @@ def _sources(rig: RigUncertainty, readbacks: Sequence[AxisReadback], approaches:
         follows = turn if part < 3 else shift
         rest[np.ix_(rows, rows)] = _conditional_covariance(chain, poses, follows, together, rotation=part < 3)
         mean[rows] = -np.where(at_station, 0.0, follows @ rig.state.robot_changes[:, part])  # known, but not undone
+        if part >= 3:
+            rest[np.ix_(rows, rows)] += chain.noise.drift_mm**2 / 3 * chain.noise.correlation(poses, poses)
     _table_sources(rig, readbacks, rest, mean)
     return np.asarray(gain @ rig.covariance @ gain.T + rest + np.outer(mean, mean))
 
@@ -182,7 +213,9 @@ def _joint_sources(rig: RigUncertainty, readbacks: Sequence[AxisReadback]) -> Fl
     named = len(chain.labels) - POSE
     robot = np.arange(POSE * chain.robot_poses) + named + POSE
     poses = np.array([readback.base_from_flange.matrix for readback in readbacks])
-    gain = np.zeros((named + OWN * len(poses), len(rig.covariance)))
+    motions = named + OWN * len(poses)
+    gain = np.zeros((motions + len(chain.motion_rows), len(rig.covariance)))
+    gain[motions + np.arange(len(chain.motion_rows)), chain.motion_rows] = 1.0
     gain[:named, :named] = np.eye(named)
     turn, shift = repeatable_errors(chain, poses)
     for part in range(POSE):
@@ -224,35 +257,58 @@ def _table_sources(rig: RigUncertainty, readbacks: Sequence[AxisReadback], rest:
             rest[np.ix_([row], rows[np.abs(angles - angle) <= SAME_ANGLE_RAD])] = chain.noise.table_rad**2
 
 
-def _derivatives(rig: RigUncertainty, readback: AxisReadback) -> tuple[FloatArray, FloatArray]:
-    """Return how ``part_from_camera`` changes with the named parameters (6, P) and with the errors of robot and table (6, 7)."""
+def _derivatives(rig: RigUncertainty, readback: AxisReadback) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Return how ``part_from_camera`` changes with the named parameters (6, P), the errors of robot and table (6, 7) and the error motions (6, M)."""
     chain, state = rig.chain, rig.state
     station = rig.calibration.station(readback)
     flange = (readback.base_from_flange if station is None else station.true).matrix
     named = len(chain.labels) - POSE
-    at = _view_pose(state, flange, readback, np.zeros(OWN))
+    moved = _moved(chain, state, readback)
+    still = np.zeros(MOVED) if moved is None else np.concatenate([moved.table[0], moved.guide[0]])
+    pivot = np.zeros(3) if moved is None else moved.model.point_mm
 
-    def change(step: float, shifted: FloatArray, own: FloatArray) -> FloatArray:
-        there, back = (_view_pose(chain.apply_step(state, sign * shifted), flange, readback, sign * own) for sign in (1.0, -1.0))
+    def pose(shifted: FloatArray, own: FloatArray, motion: FloatArray) -> FloatArray:
+        return _view_pose(chain.apply_step(state, shifted), flange, readback, own, still + motion, pivot)
+
+    nothing = (np.zeros(chain.size), np.zeros(OWN), np.zeros(MOVED))
+    at = pose(*nothing)
+
+    def change(step: float, part: int, index: int) -> FloatArray:
+        moves = [step * np.eye(len(zero))[index] if number == part else zero for number, zero in enumerate(nothing)]
+        there, back = (pose(*(sign * move for move in moves)) for sign in (1.0, -1.0))
         return (change_between(at[None], there[None]) - change_between(at[None], back[None]))[0] / (2 * step)
 
     steps = [*POSE_STEPS] if chain.free.hand_eye else []
     steps += [TURN_STEP, TURN_STEP, SCALE_STEP] if chain.free.guide else []
     steps += [TURN_STEP, TURN_STEP, LENGTH_STEP, LENGTH_STEP] if chain.free.axis else []
-    by_named = [change(step, step * np.eye(chain.size)[index], np.zeros(OWN)) for index, step in enumerate(steps)]
-    by_own = [change(step, np.zeros(chain.size), step * np.eye(OWN)[index]) for index, step in enumerate((*POSE_STEPS, TURN_STEP))]
-    return np.array(by_named).reshape(named, POSE).T, np.array(by_own).T
+    by_named, by_own, by_moved = (
+        np.array([change(step, part, index) for index, step in enumerate(chosen)]).reshape(-1, POSE).T
+        for part, chosen in enumerate((steps, (*POSE_STEPS, TURN_STEP), POSE_STEPS * 2 if moved is not None else ()))
+    )
+    by_motions = np.zeros((POSE, 0)) if moved is None else by_moved @ np.vstack([moved.by_table[0], moved.by_guide[0]])
+    return by_named.reshape(POSE, named), by_own, by_motions
 
 
-def _view_pose(state: ChainState, flange: FloatArray, readback: AxisReadback, own: FloatArray) -> FloatArray:
-    """Return part_from_camera (4, 4) of a state, with an error of the robot (6) and of the table's angle."""
+def _moved(chain: Chain, state: ChainState, readback: AxisReadback) -> MovedAxes | None:
+    """Return the error motions at a read-back."""
+    if chain.motions is None:
+        return None
+    return MovedAxes.at(chain.motions, state.motions, np.array([readback.table_rad]), np.array([readback.guide_mm]))
+
+
+def _view_pose(
+    state: ChainState, flange: FloatArray, readback: AxisReadback, own: FloatArray, motion: FloatArray, pivot_mm: FloatArray
+) -> FloatArray:
+    """Return part_from_camera (4, 4) of a state, with an error of the robot (6) and of the table's angle, and motions (12) of table top and base."""
     axis = RotationAxis(state.axis_point_mm, state.axis_direction, "guide")
-    shift = np.eye(4)
-    shift[:3, 3] = state.guide_direction * state.guide_scale * readback.guide_mm
+    shift = apply_changes(np.eye(4), motion[POSE:])
+    shift[:3, 3] += state.guide_direction * state.guide_scale * readback.guide_mm
     robot = flange @ apply_changes(np.eye(4), own[:POSE])
     back = np.eye(4)
     back[:3, :3] = Rotation.from_rotvec([0, 0, -(readback.table_rad + own[POSE])]).as_matrix()
-    return np.asarray(back @ invert_poses(_guide_from_table(axis)) @ shift @ robot @ state.flange_from_camera)
+    lift = apply_changes(np.eye(4), motion[:POSE])
+    lift[:3, 3] += pivot_mm - lift[:3, :3] @ pivot_mm
+    return np.asarray(back @ invert_poses(lift @ _guide_from_table(axis)) @ shift @ robot @ state.flange_from_camera)
 
 
 def _guide_from_table(axis: RotationAxis) -> FloatArray:

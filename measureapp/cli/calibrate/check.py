@@ -104,6 +104,7 @@ def read_rig_answer(path: Path, cameras: CameraArrayCalibration) -> RigCalibrati
     """Read the rig from the answer of `calibrate rig`. Raises InputError where the file holds none."""
     from measureapp.data.calibration import HandEye, LinearGuide, RigCalibration, RobotStation, RotationAxis
     from measureapp.geometry.transform import RigidTransform
+    from measureapp.project.documents import motions_from
 
     def pose(matrix: Any) -> RigidTransform:
         return RigidTransform(matrix, "base", "flange")
@@ -117,6 +118,7 @@ def read_rig_answer(path: Path, cameras: CameraArrayCalibration) -> RigCalibrati
             LinearGuide(document["guide"]["direction"], float(document["guide"]["scale"])),
             RotationAxis(axis["point_mm"], axis["direction"], axis["frame"]),
             stations=tuple(RobotStation(pose(one["read"]), pose(one["true"])) for one in document.get("stations", ())),
+            motions=motions_from(document.get("error_motions")),
         )
     except (OSError, ValueError, KeyError, TypeError, MeasureError) as error:
         raise InputError(f"{path} holds no calibrated rig: {error}.", "Give the file that `calibrate rig --out` wrote.") from error

@@ -6,16 +6,16 @@ import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
 
 from measureapp.cli.reply import JsonOption, reply
+from measureapp.data.json_values import jsonable
 from measureapp.errors import InputError
 
 if TYPE_CHECKING:
-    from measureapp.data.json_values import jsonable
-from measureapp.data.board import BoardDescription
+    from measureapp.data.board import AnyBoard, BoardDescription
 
 ImagesOption = Annotated[list[str] | None, typer.Option("--images", help="Images of one camera: name='pattern'; once per camera.")]
 BoardOption = Annotated[
@@ -31,6 +31,16 @@ SquareOption = Annotated[
 MarkerOption = Annotated[float | None, typer.Option("--marker-mm", help="Side of a ChArUco board's markers, mm.")]
 DictionaryOption = Annotated[str, typer.Option("--dictionary", help="Dictionary of a ChArUco board's markers, such as 5X5_250.")]
 DiameterOption = Annotated[float | None, typer.Option("--diameter-mm", help="Diameter of a circle board's circles, mm.")]
+CertificateOption = Annotated[
+    Path | None, typer.Option("--certificate", help="Certificate of the board (TOML), or table of its certified marks (CSV).")
+]
+ClassOption = Annotated[
+    Literal["printed", "glass", "ceramic"] | None,
+    typer.Option("--board-class", help="How well the board's lengths are known without a certificate; not stated: as a printed one."),
+]
+BoardTemperatureOption = Annotated[
+    str | None, typer.Option("--board-temperature", help="Of the board in these images in °C with its uncertainty (k = 2): 21.5±0.5.")
+]
 CamerasOption = Annotated[Path | None, typer.Option("--cameras", help="Calibrated cameras (cameras.json).")]
 OutOption = Annotated[Path | None, typer.Option("--out", help="File to write.")]
 RobotPosesOption = Annotated[Path, typer.Option("--robot-poses", help="base_from_flange: name,x_mm,y_mm,z_mm,qw,qx,qy,qz.")]
@@ -47,12 +57,20 @@ class BoardChoice:
     marker_mm: MarkerOption = None
     dictionary: DictionaryOption = "5X5_250"
     diameter_mm: DiameterOption = None
+    certificate: CertificateOption = None
+    board_class: ClassOption = None
+    board_temperature: BoardTemperatureOption = None
 
     def description(self) -> BoardDescription:
-        """Return the board. Raises InputError naming the option that is wrong or missing."""
+        """Return the board with its lengths. Raises InputError naming the option that is wrong or missing."""
+        from measureapp.project.calibration.certificate_file import with_lengths
+
+        return with_lengths(self._grid(), self.certificate, self.board_class, self.board_temperature)
+
+    def _grid(self) -> AnyBoard:
         from pydantic import TypeAdapter, ValidationError
 
-        from measureapp.data.board import AnyBoard
+        from measureapp.data.board import AnyBoard as AnyKind
         from measureapp.data.model import first_problem
 
         match = re.fullmatch(r"\s*(?:([A-Za-z]+):)?\s*(\d+)\s*[xX×]\s*(\d+)\s*", self.board or "")
@@ -75,7 +93,7 @@ class BoardChoice:
             name = self.dictionary.upper().removeprefix("DICT_")
             document |= {"marker_mm": self._length("--marker-mm", self.marker_mm, "the side of a marker", "9"), "dictionary": name}
         try:
-            made: BoardDescription = TypeAdapter(AnyBoard).validate_python(document)
+            made: AnyBoard = TypeAdapter(AnyKind).validate_python(document)
         except ValidationError as error:
             raise InputError(f"--board {self.board}: {first_problem(error, 'the board')}.", "Correct the options of the board.") from error
         return made

@@ -50,8 +50,10 @@ class RobotNoise:
     robot_alike_mm: RobotAlikeMm = 300.0
 
     def axis_noise(self, table_arcsec: float = 10.0) -> AxisNoise:
-        """Return the noise of all axes."""
+        """Return the noise of all axes; the error motions of the table are those of a usual one, which the sightings refine."""
+        from measureapp.calibrate.motions import axis_noise as usual
         from measureapp.calibrate.motions.axis_noise import CORRELATION_MM, CORRELATION_TURN, AxisNoise
+        from measureapp.data.axis_motions import ARCSEC
 
         return AxisNoise(
             robot_mm=self.robot_sigma_mm,
@@ -61,6 +63,9 @@ class RobotNoise:
             robot_repeat_rad=math.radians(self.robot_sigma_deg) * self.robot_repeat_mm / self.robot_sigma_mm,
             robot_correlation_mm=self.robot_alike_mm,
             robot_correlation_turn=CORRELATION_TURN * self.robot_alike_mm / CORRELATION_MM,
+            table_radial_mm=usual.USUAL_RADIAL_MM,
+            table_axial_mm=usual.USUAL_AXIAL_MM,
+            table_tilt_rad=usual.USUAL_TILT_ARCSEC * ARCSEC,
         )
 
 

@@ -52,6 +52,9 @@ def register(group: typer.Typer) -> None:
 
 def rig_answer(solution: RigSolution) -> dict[str, Any]:
     """Return the JSON answer of a solution."""
+    from measureapp.project.documents import link_document
+
+    motions = solution.calibration.motions
     return _parts(solution.calibration) | {
         "stages": _parts(solution.stages),
         "guide_from_board": solution.guide_from_board.matrix,
@@ -66,6 +69,8 @@ def rig_answer(solution: RigSolution) -> dict[str, Any]:
             {"sentence": one.sentence, "sigma_mm": one.sigma_mm, "parameters": dict(zip(one.parameters, one.components, strict=True))}
             for one in solution.weak_directions
         ],
+        "error_motions": None if motions is None else link_document(motions),
+        "error_motions_words": [] if motions is None else motions.sentences,
         "stations": [{"read": one.read.matrix, "true": one.true.matrix} for one in solution.calibration.stations],
         "sightings": [
             {
@@ -93,6 +98,7 @@ def _lines(document: dict[str, Any], limits: list[str]) -> list[str]:
     lines = [f"Rig from {len(document['sightings'])} sightings; residuals {document['sigma_ratio']:.2f} times what was expected."]
     lines += [f"  {name:<28} ± {value:.3g}" for name, value in document["standard_deviations"].items()]
     lines += limits
+    lines += [f"  {words}" for words in document["error_motions_words"]]
     lines.append(
         f"  a guide taken to run along +Y with scale 1 would have cost {document['paper_cost_mm']:.3f} mm over the travel of these views"
     )

@@ -26,9 +26,9 @@ def register(group: typer.Typer) -> None:
         """Make a template of a project: its rig, plan, part, inspection program and report template, without any data."""
         from measureapp.pipeline.templates import template_of_project
         from measureapp.project.folder import ProjectFolder
-        from measureapp.project.part_program_file import write_part_program
+        from measureapp.project.part_program_file import with_former_revision, write_part_program
 
         template = template_of_project(ProjectFolder.open(project), name, part_number, remarks)
-        path = write_part_program(template, out)
+        path = write_part_program(with_former_revision(template, out), out)
         lines = [*facts_lines(template), f"Saved to {path}."]
         reply({**facts_document(template), "files": {"part_program": path}}, "\n".join(lines), as_json)

@@ -48,7 +48,7 @@ def register(group: typer.Typer) -> None:
         as_json: JsonOption = False,
     ) -> None:
         """Pack scan plan, inspection program, nominal and report template of a part into one file."""
-        from measureapp.project.part_program_file import pack_part_program, write_part_program
+        from measureapp.project.part_program_file import pack_part_program, with_former_revision, write_part_program
         from measureapp.project.plan_file import read_plan
 
         facts = checked_facts(
@@ -61,7 +61,7 @@ def register(group: typer.Typer) -> None:
             required=tuple(required) if required else ("serial",),
         )
         program = pack_part_program(facts, plan, inspection, report_template, picture)
-        path = write_part_program(program, out)
+        path = write_part_program(with_former_revision(program, out), out)
         reply(
             {**facts_document(program), "files": {"part_program": path}}, "\n".join([*facts_lines(program), f"Saved to {path}."]), as_json
         )

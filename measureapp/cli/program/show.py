@@ -25,8 +25,20 @@ def register(group: typer.Typer) -> None:
         reply(facts_document(found), "\n".join(facts_lines(found)), as_json)
 
 
+def release_words(program: PartProgram) -> str:
+    """Return whether and by whom a part program is released, in a sentence."""
+    from measureapp.project.part_program_file import is_released
+
+    facts = program.facts
+    if facts.release is not None and is_released(program):
+        return f"Revision {facts.revision}, released by {facts.release.by} on {facts.release.at[:10]}."
+    return f"Not released{f'; the last release was revision {facts.revision}' if facts.revision else ''}: not offered to operators."
+
+
 def facts_document(program: PartProgram) -> dict[str, Any]:
     """Return what a part program contains, as JSON."""
+    from measureapp.project.part_program_file import is_released
+
     return {
         "name": program.facts.name,
         "part_number": program.facts.part_number,
@@ -40,6 +52,9 @@ def facts_document(program: PartProgram) -> dict[str, Any]:
         "nominal": None if program.nominal is None else f"nominal{program.nominal[0]}",
         "report_template": (program.report_template or program.template_folder) is not None,
         "picture": program.picture is not None,
+        "revision_of_program": program.facts.revision,
+        "released": is_released(program),
+        "released_by": "" if program.facts.release is None else program.facts.release.by,
         "raw": program.facts.raw,
         "rig": None if program.rig is None else program.rig.name,
         "calibration": None if program.facts.calibration is None else program.facts.calibration.model_dump(),
@@ -58,6 +73,7 @@ def facts_lines(program: PartProgram) -> list[str]:
     there = ", ".join(name for name, part in parts.items() if part is not None)
     absent = ", ".join(name for name, part in parts.items() if part is None)
     lines = [f"{program.facts.name}{number}: {len(program.plan)} viewpoints{f', {there}' if there else ''}."]
+    lines.append(release_words(program))
     if program.rig is not None:
         named = program.facts.calibration
         lines.append(f"Rig: {program.rig.name}{'' if named is None else f', calibrated in {named.folder}'}.")

@@ -128,7 +128,7 @@ def solve(sums: ExposureSums, layout: ImageLayout, model: DecodeModel, maps: Pix
     modulation = np.sqrt(square) * scale
     limits = model.limits
     image_noise = light * scale * limits.image_gain + limits.image_floor
-    poor = (square * image_noise < limits.least_modulation**2 * noise) | (variance > limits.sure_variance)
+    poor = (square * image_noise < limits.faint_modulation**2 * noise) | (variance > limits.sure_variance)
     state = classify(sums, value, residual, variance, (modulation < limits.least_modulation) & poor, limits)
     kept = np.isin(state, WITH_PHASE if limits.keep_conflicts else (PixelState.VALID,))
     maps.phase[:] = np.where(kept, (value + model.origin) * 2 * np.pi, 0)

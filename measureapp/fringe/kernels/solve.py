@@ -121,9 +121,9 @@ def evaluate(sums: Any, place: int, first: int, layout: Any, model: Any, work: A
     grey = grey * to_longest
     if any_lane(outside | faint | (unusable != VALID)):
         image_variance = light * to_brightest * limits.image_gain + limits.image_floor  # of one image at the longest exposure used
-        least = limits.least_modulation
+        least = limits.faint_modulation
         poor = (square * image_variance < least * least * variance_of_sum) | (variance > limits.sure_variance)
-        weak = ((modulation < least) & poor) | (variance > limits.weak_variance) | (unusable == WEAK)
+        weak = ((modulation < limits.least_modulation) & poor) | (variance > limits.weak_variance) | (unusable == WEAK)
         state = select(outside, OUTSIDE, state)
         state = select(weak, WEAK, state)
         state = select(variance > limits.shadow_variance, SHADOW, state)

@@ -110,7 +110,8 @@ class Limits(NamedTuple):
     """When a pixel is valid."""
 
     saturated_grey: Any  # float32, grey of a pixel saturated in all exposures, scaled to the longest
-    least_modulation: Any  # float32, grey levels
+    least_modulation: Any  # float32, grey levels, where fringe orders may be in doubt
+    faint_modulation: Any  # float32, grey levels, where they are not
     image_gain: Any  # float32, shot noise of a single image: variance per grey level
     image_floor: Any  # float32, variance of a single image in the dark, grey levels squared
     sure_variance: Any  # float32, rad²: below it no fringe order is in doubt; negative: the modulation alone counts

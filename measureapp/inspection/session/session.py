@@ -22,6 +22,7 @@ from measureapp.inspection.session.graph import ALIGNMENT, Node
 from measureapp.inspection.session.keys import ProgramKeys
 from measureapp.inspection.session.rows import Row, copies_of, list_rows
 from measureapp.inspection.session.store import Store
+from measureapp.inspection.session.temperature import at_reference, length_statements
 from measureapp.inspection.session.values import Evaluated, decide, evaluate
 from measureapp.inspection.settings import InspectionSettings
 from measureapp.inspection.surface.nominal import NominalSurface
@@ -134,12 +135,12 @@ class InspectionSession:
             if (placed := self._placements.peek(keys.alignments[one.name])) is not None and placed.alignment is not None
         }
         progress.report(3, 3, "inspection complete")
-        inspection = Inspection(program.name, main.alignment, features, tuple(dimensions), further)
+        inspection = Inspection(program.name, main.alignment, features, tuple(dimensions), further, length_statements(self.settings))
         return SessionResult(inspection, self.rows(program), frozenset(measured))
 
     def _prepare(self) -> MeasuredPoints:
         if self._points is None:
-            self._points = MeasuredPoints.of(self._measured)
+            self._points = at_reference(MeasuredPoints.of(self._measured), self.settings.temperature)
             if self._nominal is not None:
                 self._surface = self._nominal if isinstance(self._nominal, NominalSurface) else NominalSurface(self._nominal)
         return self._points
@@ -162,7 +163,8 @@ class InspectionSession:
             made = given or align(points, described, self._surface, self.settings, frame, progress, self._first_fit)
         except InspectionError as failure:
             return Placement(None, None, failure)
-        placed = points.seen_from(made.nominal_from_part).with_scale_uncertainty(self.settings.uncertainty.scale_ppm)
+        heat = 0.0 if self.settings.temperature is None else self.settings.temperature.sigma
+        placed = points.seen_from(made.nominal_from_part).with_scale_uncertainty(self.settings.uncertainty.scale_ppm, heat)
         if given is None and chosen.method != "none":
             placed = placed.remove_alignment_motion()
         if self._surface is not None and name is None:

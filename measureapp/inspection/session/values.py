@@ -7,11 +7,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from measureapp.data.dimension import Dimension, Verdict
+from measureapp.data.dimension import CONTRADICTED, Dimension, Verdict
 from measureapp.data.inspection_program import ZONES, DimensionProgram
 from measureapp.errors import InspectionError
 from measureapp.inspection.evaluate import evaluate_dimension, evaluate_pattern_mean
-from measureapp.inspection.features.feature_errors import CALIBRATION, NOISE, SCALE
+from measureapp.inspection.features.feature_errors import CALIBRATION, NOISE, SCALE, TEMPERATURE
 from measureapp.inspection.features.found_feature import FoundFeature
 from measureapp.inspection.settings import InspectionSettings
 from measureapp.inspection.uncertainty import COVERAGE_FACTOR, assumed_calibration
@@ -19,6 +19,8 @@ from measureapp.inspection.value import Budget, Value
 from measureapp.inspection.verdict import decide_verdict
 
 NARROW = 5  # tolerance over U below which a verdict is hardly ever possible
+UNEXPLAINED = "unexplained"  # of the `CONTRIBUTIONS`
+CONTRADICTION = "Most of U is what the error model does not explain: a contradicted model proves nothing; see the checks of the error model"
 MOST_LISTED = 4  # features listed individually in the traceability of a value
 
 
@@ -51,8 +53,10 @@ def decide(described: DimensionProgram, evaluated: Evaluated, found: Mapping[str
         return _make_dimension(described, found, None, None, Verdict.NOT_MEASURED, "the points do not determine this value")
     how = "; ".join(filter(None, (value.how, *assumptions)))
     verdict = _verdict(described, value, uncertainty, settings)
+    contradicted = verdict in (Verdict.PASS, Verdict.FAIL) and COVERAGE_FACTOR * budget.get(UNEXPLAINED, 0.0) > CONTRADICTED * uncertainty
+    verdict = Verdict.NOT_PROVEN if contradicted else verdict
     made = _make_dimension(described, found, value.value, uncertainty, verdict, "", how, value.bonus)
-    warning = _warn_of_narrow_tolerance(described, uncertainty) or value.warning
+    warning = CONTRADICTION if contradicted else _warn_of_narrow_tolerance(described, uncertainty) or value.warning
     return replace(made, warning=warning, budget={contribution: COVERAGE_FACTOR * sigma for contribution, sigma in budget.items()})
 
 
@@ -108,7 +112,11 @@ def _complete_budget(
         )
     if chosen.scale_ppm > 0 and unit == "mm":
         budget.setdefault(SCALE, chosen.scale_ppm * 1e-6 * abs(value.value))  # without views a value scales like a length
-        assumptions.append(f"length scale ± {chosen.scale_ppm:g} ppm (k = 1), from calibration board and part temperature")
+        assumptions.append(f"length scale ± {chosen.scale_ppm:g} ppm (k = 1), from {chosen.scale_source}")
+    if settings.temperature is not None and unit == "mm":
+        if settings.temperature.sigma > 0:
+            budget.setdefault(TEMPERATURE, settings.temperature.sigma * abs(value.value))
+        assumptions.append(settings.temperature.words)
     return budget, tuple(assumptions)
 
 

@@ -57,6 +57,7 @@ def typical_rig(
     views = calibration_viewpoints(description, plan, arm=arm)
     names = (description.reference, *(camera.name for camera in description.cameras if camera.name != description.reference))
     setup = Setup.on_rig(KINDS["rig"], board, names, Known(), description)
+    setup = replace(setup, noise=replace(setup.noise, motion_spread=0.0))  # these views cannot show the axes to be better than stated
     observations = _observe(description, views, board)
     sizes_px = {camera.name: (camera.width_px, camera.height_px) for camera in description.cameras}
     solved = solve(Draft(setup, observations, {name: sizes_px[name] for name in names}), progress)

@@ -17,7 +17,8 @@ from measureapp.pipeline.recording.images import is_deep
 from measureapp.pipeline.recording.problems import Problems, list_places
 from measureapp.pipeline.recording.stack_layout import StackLayout, check_layout, read_stack_layout
 from measureapp.project.calibration.camera_file import read_cameras
-from measureapp.project.calibration.recording_file import certify, read_recording
+from measureapp.project.calibration.certificate_file import with_lengths
+from measureapp.project.calibration.recording_file import read_recording
 from measureapp.project.geometry.files import read_mesh
 from measureapp.project.images import read_image
 from measureapp.project.program_file import read_program
@@ -99,7 +100,8 @@ def _read_parts(path: Path, recording: Recording, problems: Problems, missing: s
     if recording.board is not None:
         parts.board = recording.board.description()
         with problems.gathered():
-            parts.board = parts.board if (file := there(recording.board.certificate)) is None else certify(parts.board, file)
+            stated = recording.board
+            parts.board = with_lengths(parts.board, there(stated.certificate), stated.board_class, stated.temperature)
     with problems.gathered():
         parts.part = "" if (file := there(recording.part.program)) is None else read_program(file).name
     with problems.gathered():

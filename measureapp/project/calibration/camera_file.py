@@ -8,10 +8,13 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from pydantic import ValidationError
 
 from measureapp.arrays import FloatArray
 from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration, LabelledCovariance, ProjectorCalibration, Provenance
+from measureapp.data.certificate import BoardLengths
 from measureapp.data.conditions import LensSetting
+from measureapp.data.model import first_problem
 from measureapp.errors import FrameMismatch, InputError
 from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.geometry.transform import RigidTransform
@@ -22,7 +25,7 @@ READABLE_VERSIONS = (1, 2)
 WIDEST_BLUR_PX = 20.0  # more than any blur at which a board is still detected
 DISTORTION_LENGTHS = (4, 5, 8, 12, 14)
 FILE_FIELDS = {"schema_version", "reference", "cameras", "pair_rms_px", "provenance", "projector"}
-FILE_FIELDS_SINCE_2 = {"covariance"}
+FILE_FIELDS_SINCE_2 = {"covariance", "board_lengths"}
 COVARIANCE_FIELDS = {"parameters", "matrix"}
 LENS_FIELDS = ("width", "height", "matrix", "distortion")
 CAMERA_FIELDS = {*LENS_FIELDS, "reference_from_camera", "standard_deviations", "rms_px", "serial", "focus_mm", "f_number", "blur_px"}
@@ -70,6 +73,8 @@ def cameras_document(calibration: CameraArrayCalibration) -> dict[str, Any]:
             "parameters": list(calibration.covariance.parameters),
             "matrix": calibration.covariance.covariance.tolist(),
         }
+    if calibration.lengths is not None:
+        document["board_lengths"] = calibration.lengths.model_dump(exclude_defaults=True)
     return document
 
 
@@ -135,7 +140,19 @@ def cameras_from(document: Any, source: str = "cameras.json") -> CameraArrayCali
     if projector is not None and projector.name in made:
         raise InputError(f"{source}: projector.name is {projector.name!r}, the name of a camera.", "Give the projector another name.")
     covariance = _covariance(document["covariance"], made, projector, source) if "covariance" in document else None
-    return CameraArrayCalibration(str(reference), made, pairs, _provenance(provenance, source, "provenance"), projector, covariance)
+    lengths = _lengths(document["board_lengths"], source) if "board_lengths" in document else None
+    return CameraArrayCalibration(
+        str(reference), made, pairs, _provenance(provenance, source, "provenance"), projector, covariance, lengths
+    )
+
+
+def _lengths(entry: Any, source: str) -> BoardLengths:
+    try:
+        return BoardLengths.model_validate(entry)
+    except ValidationError as error:
+        raise InputError(
+            f"{source}: board_lengths.{first_problem(error, 'board_lengths')}.", "Remove the field, or calibrate again."
+        ) from error
 
 
 def _covariance(

@@ -1,4 +1,4 @@
-"""Reading of `RECORDING.toml`, of the certificate of its board, and the note that an imported project keeps about it."""
+"""Reading of `RECORDING.toml`, and the note that an imported project keeps about it."""
 
 from __future__ import annotations
 
@@ -6,23 +6,18 @@ import json
 from pathlib import Path
 from typing import Any, Literal
 
-import numpy as np
 from pydantic import ValidationError
 
-from measureapp.calibrate.motions.axis_motion import rigid_motion
-from measureapp.data.board import AnyBoard
 from measureapp.data.model import Model
 from measureapp.data.recording import AXES, Recording
 from measureapp.errors import InputError, StorageError
 from measureapp.project.atomic import write_text
-from measureapp.project.tables import read_corners
 from measureapp.project.text_document import read_toml
 
 NOTE, KNOWN_CAMERAS = "recording.json", "known_cameras.json"
 HINT = "Write the recording as `measureapp import --help` describes."
 TABLES = ("board_view", "viewpoint")
 MOST_NAMED = 5
-LARGEST_MARK_ERROR = 0.05  # of the distance between neighbouring marks; a certificate that is further off belongs to another board
 
 
 class RecordingNote(Model):
@@ -74,35 +69,6 @@ def _problem(one: Any) -> str:
     place = (place + ".".join(str(part) for part in parts)).removesuffix(", ")
     reason = "is not a known field" if one["type"] == "extra_forbidden" else one["msg"].removeprefix("Value error, ")
     return f"{place}: {reason}" if place else reason
-
-
-def certify(board: AnyBoard, path: Path) -> AnyBoard:
-    """Return the board with the certified positions of its marks, moved rigidly onto the nominal grid.
-
-    Raises
-    ------
-    InputError
-        The certificate cannot be read, has other marks than the board, or differs from its grid by more than the printing could.
-    """
-    table = read_corners(path)
-    positions, count = table.corners_mm.shape[:2]
-    if positions != 1 or count != board.count:
-        found = f"{count} marks" if positions == 1 else f"{positions} positions"
-        raise InputError(
-            f"{path} has {found}; a certificate of the {board.label} has one position with {board.count} marks.",
-            "Number the marks from 0 row by row, all with the same position.",
-        )
-    nominal = board.nominal_corners_mm
-    motion = rigid_motion(table.corners_mm[0], nominal)
-    placed = table.corners_mm[0] @ motion[:3, :3].T + motion[:3, 3]
-    off = float(np.linalg.norm(placed - nominal, axis=1).max())
-    if off > LARGEST_MARK_ERROR * board.neighbour_mm:
-        raise InputError(
-            f"{path} is not a certificate of the {board.label} with {board.neighbour_mm:g} mm from mark to mark: "
-            f"a mark is {off:.3g} mm from its place in the grid.",
-            "Check the size given in [board], the unit of the certificate (mm), and that it numbers the marks row by row from 0.",
-        )
-    return board.model_copy(update={"certified_mm": tuple(tuple(mark) for mark in placed.tolist())})
 
 
 def write_note(project: Path, note: RecordingNote) -> None:

@@ -12,6 +12,7 @@ import numpy as np
 
 from measureapp.calibrate.motions.chain import Chain, Free
 from measureapp.calibrate.motions.chain_state import ChainState
+from measureapp.calibrate.motions.error_motions import MotionModel
 from measureapp.calibrate.rig.stitch_uncertainty import RigUncertainty
 from measureapp.data.calibration import LabelledCovariance, RigCalibration
 from measureapp.errors import StorageError
@@ -20,18 +21,21 @@ from measureapp.project.atomic import replacing
 from measureapp.project.documents import noise_document, noise_from
 
 SCHEMA_VERSION = 1
-_NOT_ARRAYS = ("noise", "free")
+_NOT_ARRAYS = ("noise", "free", "motions")
 _STORED = {"camera_jacobian": "by_cameras"}  # field of the chain -> its name in the file
 
 
 def write_rig_uncertainty(path: Path, rig: RigUncertainty) -> None:
-    """Write all but the calibration as npz: ``chain.…``, ``state.…``, ``noise.…``, ``free.…``, ``cameras.…``, ``by_cameras``, ``covariance``."""
+    """Write all but the calibration as npz: ``chain.…``, ``state.…``, ``noise.…``, ``free.…``, ``motions.…``, ``cameras.…``, ``by_cameras``, ``covariance``."""
     arrays: dict[str, Any] = {"schema_version": SCHEMA_VERSION, "covariance": rig.covariance}
     for part, noun in (("chain", rig.chain), ("state", rig.state)):
-        values = {field.name: getattr(noun, field.name) for field in fields(noun) if field.name not in _NOT_ARRAYS}
+        not_arrays = _NOT_ARRAYS if part == "chain" else ()
+        values = {field.name: getattr(noun, field.name) for field in fields(noun) if field.name not in not_arrays}
         arrays |= {f"{part}.{_STORED.get(name, name)}": value for name, value in values.items() if value is not None}
     for part, settings in (("noise", noise_document(rig.chain.noise)), ("free", asdict(rig.chain.free))):
         arrays |= {f"{part}.{name}": value for name, value in settings.items()}
+    if rig.chain.motions is not None:
+        arrays |= {f"motions.{name}": value for name, value in asdict(rig.chain.motions).items()}
     if rig.cameras is not None and rig.camera_jacobian is not None:
         arrays |= {
             "by_cameras": rig.camera_jacobian,
@@ -52,7 +56,8 @@ def read_rig_uncertainty(path: Path, calibration: RigCalibration) -> RigUncertai
         state["guide_scale"] = float(state["guide_scale"])
         parts = _part(arrays, "chain")
         jacobian = parts.pop("by_cameras", None)
-        chain = Chain(**parts, camera_jacobian=jacobian, noise=noise, free=free)
+        model = _part(arrays, "motions")
+        chain = Chain(**parts, camera_jacobian=jacobian, noise=noise, free=free, motions=MotionModel(**model) if model else None)
         cameras = _part(arrays, "cameras")
         known = LabelledCovariance(tuple(map(str, cameras["parameters"])), cameras["covariance"]) if cameras else None
         return RigUncertainty(calibration, chain, ChainState(**state), arrays["covariance"], known, arrays.get("by_cameras"))

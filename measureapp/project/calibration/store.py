@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from measureapp.calibrate.rig.stitch_uncertainty import RigUncertainty
 
 CAMERAS, RIG, FORMER, HISTORY = "cameras.json", "rig.json", "former", "history.jsonl"
-FORMAT = 1
+FORMAT = 2  # of the rig; version 1 has no error motions of the axes
 STORED, ARCHIVED = "calibration stored", "calibration archived"
 RIG_UNCERTAINTY = "rig_uncertainty.npz"  # uncertainty of the calibration, if stored
 
@@ -56,7 +56,7 @@ def load(folder: Path) -> RigCalibration | None:
         return None
     try:
         document = json.loads(path.read_text(encoding="utf-8"))
-        check_version(path, document, FORMAT)
+        check_version(path, document, 1 if document.get("schema_version") == 1 else FORMAT)
         stored = document.pop("checksum", None)
         calibration = rig_calibration_from(document, read_cameras(folder / CAMERAS))
         found = _checksum(json.loads((folder / CAMERAS).read_text(encoding="utf-8")), document)

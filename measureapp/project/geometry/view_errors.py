@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -17,7 +18,7 @@ from measureapp.project.geometry.ply import Ply
 VIEW, STITCHING, CALIBRATION, BEND, BOX = "view_pose", "stitching_error", "calibration_error", "cloud_bend", "cloud_bend_box"
 FORM, NODE, FOLLOWING = "cloud_form", "cloud_form_node", "cloud_form_motion"
 COMMON, COMMON_FOLLOWING = "common_error", "common_error_motion"
-SETUPS, BENT_VIEW = "setup_error", "cloud_bend_view"
+SETUPS, BENT_VIEW, UNEXPLAINED = "setup_error", "cloud_bend_view", "unexplained_error"
 MATRIX = tuple(f"m{row}{column}" for row in range(4) for column in range(4))
 CENTRE = ("x", "y", "z")
 
@@ -44,6 +45,8 @@ def error_elements(errors: ViewErrors | None) -> dict[str, dict[str, Any]]:
         elements[COMMON] = dict(zip((*CENTRE, "size"), np.column_stack([errors.systematic.nodes, sizes]).T, strict=True))
     if errors.setup_motions is not None:
         arrays[SETUPS] = errors.setup_motions
+    if errors.unexplained_mm > 0:
+        arrays[UNEXPLAINED] = np.array([errors.unexplained_mm])
     return elements | {name: {"value": array.ravel()} for name, array in arrays.items() if array.size}
 
 
@@ -72,12 +75,14 @@ def errors_from(path: Path, ply: Ply, frame: str) -> ViewErrors | None:
             nodes = _table(ply.elements[COMMON], (*CENTRE, "size"))
             common = SystematicErrors(nodes[:, :3], float(nodes[0, 3]), _numbers(ply, COMMON_FOLLOWING).reshape(rows, len(nodes)))
         setups = _numbers(ply, SETUPS).reshape(rows, -1) if SETUPS in ply.elements else None
-        made = ViewErrors(poses, table[:, 16:], stitching_motions, calibration_motions, distortion, form, common, setup_motions=setups)
+        unexplained = float(_numbers(ply, UNEXPLAINED).sum()) if UNEXPLAINED in ply.elements else 0.0
+        made = ViewErrors(poses, table[:, 16:], stitching_motions, calibration_motions, distortion, form, common)
+        made = replace(made, unexplained_mm=unexplained, setup_motions=setups)
     except (LookupError, ValueError, FrameMismatch) as error:
         raise InputError(
             f"{path} is damaged: what it says of its views' errors is not whole.", "Stitch again, or copy the file again."
         ) from error
-    numbers = [made.stitching_motions, made.calibration_motions, made.centres_mm]
+    numbers = [made.stitching_motions, made.calibration_motions, made.centres_mm, np.array(made.unexplained_mm)]
     numbers += [] if made.form is None else [made.form.nodes_mm, made.form.sizes_mm, made.form.reaches_mm, made.form.motions]
     numbers += [] if made.systematic is None else [made.systematic.nodes, np.array(made.systematic.size_mm), made.systematic.motions]
     numbers += [] if made.setup_motions is None else [made.setup_motions]

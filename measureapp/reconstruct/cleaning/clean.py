@@ -131,7 +131,7 @@ def clean_grid(
     normals, per_row = memory.empty((3, height, width), np.float32), np.empty(height, np.int64)
     grid = DepthGrid(depth_mm, sigma_mm, others, state, lens, inverse, radius, step_per_px, normals, per_row)
     removed = np.empty((height, -(-width // CHUNK)), np.uint8)
-    worst = np.float32(settings.max_sigma_mm)
+    worst = np.float32(np.inf if settings.max_sigma_mm is None else settings.max_sigma_mm)
     in_bands(lambda start, stop: kernels.invert_depth(depth_mm, sigma_mm, worst, radius, start, stop, inverse, state), height)
     surface, criteria = grid.surface, _criteria(centres_mm, lens, settings)
     in_bands(lambda start, stop: kernels.reject_points(surface, others, criteria, start, stop, state, normals, removed), height)

@@ -13,6 +13,7 @@ from measureapp.data.phase import PhaseMap
 from measureapp.errors import ReconstructError
 from measureapp.reconstruct.blur import correct_blur
 from measureapp.reconstruct.cleaning.clean import CleanDepth, Partner, clean
+from measureapp.reconstruct.cleaning.uncertainty_limit import uncertainty_limit_mm
 from measureapp.reconstruct.discontinuities import exclude_discontinuities
 from measureapp.reconstruct.projector.depth import ProjectorDepth, triangulate_with_projector
 from measureapp.reconstruct.rectification.rectifier import Rectifier
@@ -75,12 +76,17 @@ class LitCamera:
         A projector close to its camera measures depth less precisely than two cameras far apart: a point is too uncertain beyond three
         times the median, where that is more than the settings allow.
         """
-        median = float(np.median(sigma_mm[depth_mm > 0])) if (depth_mm > 0).any() else 0.0
-        settings = self.settings.model_copy(update={"max_sigma_mm": max(self.settings.max_sigma_mm, MAX_RELATIVE_SIGMA * median)})
+        settings = self.settings.model_copy(update={"max_sigma_mm": self.max_sigma_mm(sigma_mm)})
         camera_from_reference = self.camera.reference_from_camera.inverse()
         centre = camera_from_reference.apply(np.array(self.projector.reference_from_projector.translation_mm))
         spacing = 1.0 / float(self.camera.pinhole.matrix[0, 0])
         return clean(depth_mm, sigma_mm, self.rays, spacing, [Partner(centre, of_projector)], settings)
+
+    def max_sigma_mm(self, sigma_mm: FloatArray) -> float:
+        """Return the standard deviation above which a point is too uncertain; ``sigma_mm`` (H, W) is 0 where there is none."""
+        known = sigma_mm[sigma_mm > 0]
+        least = MAX_RELATIVE_SIGMA * float(np.median(known)) if len(known) else 0.0
+        return uncertainty_limit_mm(sigma_mm, self.phase_map.sigma_rad, self.settings, least)
 
     def make_cloud(self, cleaned: CleanDepth, sigma_mm: FloatArray, keep: BoolArray) -> PointCloud:
         """Return the pixels ``keep`` (H, W) of a cleaned depth map as a cloud in frame ``camera``, marked as the projector's."""

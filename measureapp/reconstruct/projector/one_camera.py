@@ -24,6 +24,7 @@ class ProjectorReconstruction:
     rejected: Mapping[str, int]  # reason -> count
     residual_rms_px: float | None
     state: IntArray  # (H, W) uint8 of PointState
+    max_sigma_mm: float  # standard deviation above which points were left out
 
 
 def reconstruct_with_projector(lit: LitCamera) -> ProjectorReconstruction:
@@ -62,4 +63,4 @@ def measure_with_projector(lit: LitCamera) -> ProjectorReconstruction:
     edges = lit.phase_map.state == PointState.RIM
     state = np.where(made.depth_mm > 0, cleaned.state, np.where(edges, np.uint8(PointState.RIM), triangulated))
     rejected = made.rejected | cleaned.rejected | {WORDS[PointState.RIM]: int(np.count_nonzero(edges))}
-    return ProjectorReconstruction(cloud, rejected, made.residual_rms_px, read_only(state))
+    return ProjectorReconstruction(cloud, rejected, made.residual_rms_px, read_only(state), lit.max_sigma_mm(made.sigma_mm))

@@ -73,7 +73,11 @@ def reconstruct_view_with_projector(
 
 def _alone(lit: LitCamera) -> ProjectorView:
     made = reconstruct_with_projector(lit)
-    return ProjectorView(Reconstruction(made.cloud, (), made.rejected, {lit.camera.name: made.state}), {}, len(made.cloud))
+    return ProjectorView(
+        Reconstruction(made.cloud, (), made.rejected, {lit.camera.name: made.state}, {lit.camera.name: made.max_sigma_mm}),
+        {},
+        len(made.cloud),
+    )
 
 
 def reconstruct_alone(
@@ -92,7 +96,7 @@ def reconstruct_alone(
     """
     if cameras is not None and cameras.projector is not None:
         made = measure_with_projector(LitCamera.of(phase_map, cameras, settings))
-        return Reconstruction(made.cloud, (), made.rejected, {phase_map.camera: made.state})
+        return Reconstruction(made.cloud, (), made.rejected, {phase_map.camera: made.state}, {phase_map.camera: made.max_sigma_mm})
     state = np.where(phase_map.valid, np.uint8(PointState.UNMATCHED), np.uint8(PointState.NO_PHASE))
     nothing = np.zeros((0, 3))
     empty = PointCloud(

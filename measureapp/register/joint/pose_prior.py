@@ -11,6 +11,7 @@ from scipy.linalg import block_diag
 from measureapp.arrays import FloatArray, IntArray
 from measureapp.data.view_errors import CalibrationErrors
 from measureapp.geometry.transform import RigidTransform
+from measureapp.register.joint.axis_doubt import AxisPattern
 from measureapp.register.joint.pose_graph import twist_rotation, twist_shift
 
 
@@ -25,6 +26,7 @@ class PosePrior:
         None  # (6N, 6N), motions of each camera in its frame (mm, rad), from the rig calibration; else from the settings
     )
     calibration: CalibrationErrors | None = None  # effect of the camera calibration on clouds and kinematic poses
+    patterns: Sequence[AxisPattern] = ()  # in which the axes may depart from their calibration
 
     def select(self, rows: IntArray) -> PosePrior:
         """Return the prior of the poses to which ``rows`` of the covariance belong; the stations stay those of all poses."""
@@ -33,7 +35,7 @@ class PosePrior:
             calibration = replace(calibration, kinematic_motions=np.asarray(calibration.kinematic_motions)[rows])
         if covariance is not None:
             covariance = np.asarray(covariance)[np.ix_(rows, rows)]
-        return PosePrior(self.stations, covariance, calibration)
+        return PosePrior(self.stations, covariance, calibration, tuple(pattern.select(rows) for pattern in self.patterns))
 
 
 NO_PRIOR = PosePrior()
@@ -78,13 +80,16 @@ def add_cloud_errors(
 
 def transform_to_centres(covariance: FloatArray, kinematic: Sequence[RigidTransform], centres_mm: FloatArray) -> FloatArray:
     """Transform a covariance (6N, 6N) to small motions of each view about its centre, in the part's frame."""
-    carry = block_diag(
-        *(
-            twist_shift(centre, pose.translation_mm) @ twist_rotation(pose.rotation)
-            for pose, centre in zip(kinematic, centres_mm, strict=True)
-        )
-    )
+    carry = carry_to_centres(kinematic, centres_mm)
     return np.asarray(carry @ covariance @ carry.T)
+
+
+def carry_to_centres(kinematic: Sequence[RigidTransform], centres_mm: FloatArray) -> FloatArray:
+    """Return the matrix (6N, 6N) from motions of each camera in its frame to those about the centres, in the part's frame."""
+    blocks = (
+        twist_shift(centre, pose.translation_mm) @ twist_rotation(pose.rotation) for pose, centre in zip(kinematic, centres_mm, strict=True)
+    )
+    return np.asarray(block_diag(*blocks))
 
 
 def largest_sigmas(covariance: FloatArray) -> tuple[float, float]:

@@ -13,11 +13,20 @@ from measureapp.data.cloud import LoopClosure, ViewPlacement
 from measureapp.data.view_errors import ViewErrors, factor_covariance
 from measureapp.geometry.transform import RigidTransform
 from measureapp.progress import Progress
+from measureapp.register.joint.axis_doubt import are_many, doubt_axes
 from measureapp.register.joint.form_errors import estimate_form_errors
 from measureapp.register.joint.innovation_test import estimate_free_correction, innovation_limit
 from measureapp.register.joint.loop_closure import find_worst_loop
 from measureapp.register.joint.pose_graph import PoseGraphSolution, linearise_poses, optimise_pose_graph, relative_motion_projector
-from measureapp.register.joint.pose_prior import NO_PRIOR, KinematicPrior, PosePrior, add_cloud_errors, largest_sigmas, transform_to_centres
+from measureapp.register.joint.pose_prior import (
+    NO_PRIOR,
+    KinematicPrior,
+    PosePrior,
+    add_cloud_errors,
+    carry_to_centres,
+    largest_sigmas,
+    transform_to_centres,
+)
 from measureapp.register.joint.pose_sensitivity import JointSensitivity, PairSensitivity
 from measureapp.register.joint.registration_cache import PlacedCloud, RegistrationCache, map_in_parallel
 from measureapp.register.joint.systematic_errors import estimate_systematic_errors
@@ -89,7 +98,7 @@ class Registration:
         accepted: Collection[str] = (),
     ) -> None:
         self.views, self.cache, self.settings, self.progress, self.accepted = views, cache, settings, progress, accepted
-        self.calibration = prior.calibration
+        self.calibration, self.patterns, self.axis_doubt = prior.calibration, prior.patterns, ""
         self.kinematic = [view.kinematic for view in views]
         self.centres = np.stack([view.kinematic.apply(view.prepared.centroid_mm) for view in views])
         self.radii = np.array([view.prepared.radius_mm for view in views])
@@ -166,7 +175,7 @@ class Registration:
         """Return the joint poses, and the contradicting views (they keep their kinematic positions unless they are accepted)."""
         edges = self._register_pairs(pairs)
         self._set_prior(self._estimate_cloud_sigmas(edges))
-        contradictions = self._find_contradictions(edges)
+        contradictions = self._doubt_axes(edges, self._find_contradictions(edges))
         excluded = self._excluded_views(contradictions)
         kept = [pair for pair in pairs if not excluded & set(pair)]
         used = [edge for edge in edges if not excluded & {edge.target, edge.source}]
@@ -188,6 +197,21 @@ class Registration:
                 return found
             worst = max(excess, key=lambda i: (excess[i].excess, -i))
             found[worst] = excess[worst]
+
+    def _doubt_axes(self, edges: Sequence[PairMeasurement], contradictions: dict[int, Contradiction]) -> dict[int, Contradiction]:
+        """Return the contradictions that are left where the axes may depart from their calibration in one pattern, which widens the prior."""
+        if self.given_covariance is None:
+            return contradictions
+        single = set() if are_many(len(contradictions), len(self.views)) else set(contradictions)
+        asked = [edge for edge in edges if not single & {edge.target, edge.source}]
+        carry = carry_to_centres(self.kinematic, self.centres)
+        doubt = doubt_axes(self.patterns, self.kinematic, asked, self.centres, self.kinematic_covariance, carry)
+        if doubt is None:
+            return contradictions
+        self.axis_doubt = doubt.sentence if doubt.is_certain else ""
+        self.given_covariance = np.asarray(self.given_covariance) + doubt.covariance
+        self._set_prior(self._estimate_cloud_sigmas(edges))
+        return self._find_contradictions(edges)
 
     def _test_view(self, i: int, edges: Sequence[PairMeasurement]) -> Contradiction | None:
         """Innovation test of one view: its correction by its pairs alone, relative to the limit; None without pairs."""

@@ -54,6 +54,7 @@ def join_errors(members: Sequence[ViewErrors], calibrations: Sequence[str], join
         distortion=distortion,
         form=_join_form([errors.form for errors in placed], counts),
         systematic=_join_systematic([errors.systematic for errors in placed]),
+        unexplained_mm=max(errors.unexplained_mm for errors in placed),
     )
     followed = _follow(together, joint, starts)
     return replace(followed, setup_motions=_spread(factor_covariance(joint.covariance), together.centres_mm, starts))

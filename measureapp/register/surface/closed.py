@@ -22,7 +22,7 @@ from measureapp.register.surface.poisson import run_poisson
 
 LEAST_POINTS = 200
 LARGEST_DEPTH, LEAST_DEPTH = 10, 5
-SPACINGS_PER_CELL = 2.0
+SPACINGS_PER_CELL = 2.0  # aimed at: the octree halves its cells, so a part's cells have 1.4 to 2.8 spacings
 MOST_POINTS = 1_000_000
 MEASURED_SPACINGS = 2.5  # a vertex further than this from every point is filled, not measured
 TRIMMED_SPACINGS = 8.0  # surface further than this from every point is removed
@@ -61,7 +61,7 @@ def reconstruct_surface(
     spacing, extent = point_spacing_mm(points), float(np.ptp(points, axis=0).max()) * BOX_SCALE
     if not extent > 0:
         raise RegistrationError("All points of the cloud coincide.", "Check the unit and the frame of the cloud.")
-    depth = int(np.clip(np.ceil(np.log2(extent / (settings.spacings_per_cell * spacing))), LEAST_DEPTH, LARGEST_DEPTH))
+    depth = int(np.clip(np.rint(np.log2(extent / (settings.spacings_per_cell * spacing))), LEAST_DEPTH, LARGEST_DEPTH))
     _check_memory(points, spacing, (free_bytes or available_bytes)())
     vertices, triangles = run_poisson(points, normals, depth, BOX_SCALE, PartOf(progress, 0.1, 0.8))
     progress.report(0.8, 1, "trimming the surface")

@@ -34,7 +34,7 @@ def made_part(nominal: Part, options: WorldOptions, rng: np.random.Generator) ->
         return nominal
     normals = _vertex_normals(nominal.mesh)
     moved = vertices * (1.0 + expansion) + field.at(vertices) * normals
-    return replace(nominal, mesh=replace(nominal.mesh, vertices_mm=moved))
+    return replace(nominal, mesh=replace(nominal.mesh, vertices_mm=moved), expansion=expansion)
 
 
 def with_surroundings(part: Part) -> Part:

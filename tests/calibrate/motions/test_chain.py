@@ -10,8 +10,11 @@ import pytest
 from measureapp.calibrate.motions.axis_noise import AxisNoise
 from measureapp.calibrate.motions.chain import Chain, Free
 from measureapp.calibrate.motions.chain_state import ChainState
+from measureapp.calibrate.motions.error_motions import MotionModel
 from measureapp.calibrate.poses import apply_changes
 
+AXES = np.array([[0.0, 0.6, 0.8], [1.0, 0.0, 0.0], [0.0, 0.8, -0.6]])
+MOTIONS = MotionModel(np.array([310.0, 25.0, 90.0]), AXES, np.array([-100.0, 900.0]), np.full(11, 0.01))
 SIGHTINGS, ROBOT_POSES, ANGLES, CAMERAS = 12, 4, 3, 5
 STEP = 1e-5  # mm and rad: the differences are exact to some 1e-7 of rows of up to 1e3
 
@@ -36,6 +39,7 @@ def state(generator):
         robot_changes=generator.normal(scale=0.2, size=(ROBOT_POSES, 6)),  # far larger than any robot errs
         table_changes=generator.normal(scale=0.1, size=ANGLES),
         camera_changes=generator.normal(scale=1e-3, size=CAMERAS),
+        motions=generator.normal(scale=0.02, size=MOTIONS.size),  # likewise
     )
 
 
@@ -53,6 +57,7 @@ def chain(generator, state):
         free=Free(),
         camera_jacobian=generator.normal(size=(SIGHTINGS, 6, CAMERAS)),
         camera_covariance=np.eye(CAMERAS),
+        motions=MOTIONS,
     )
     observed = apply_changes(ideal.predict(state), generator.normal(scale=0.1, size=(SIGHTINGS, 6)))
     return replace(ideal, camera_from_board=observed)

@@ -64,7 +64,7 @@ def test_the_scatter_of_the_phase_is_that_of_the_best_combination_of_the_exposur
     scatter = float(np.sqrt(np.mean(right**2)))
     drawn = 3 / sqrt(2 * len(right))  # relative, of a scatter from so many pixels
     assert best * (1 - drawn) < scatter < best * (1.02 + drawn)
-    assert float(np.median(found.sigma_rad[found.valid])) == pytest.approx(scatter, rel=0.03)
+    assert float(np.median(found.sigma_rad[found.valid])) == pytest.approx(scatter, rel=0.06)  # by the noise of so many pixels
 
 
 def cramer_rao_sigma(

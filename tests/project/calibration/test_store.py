@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import json
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from measureapp.data.axis_motions import AxisMotions
 from measureapp.data.calibration import (
     CameraArrayCalibration,
     CameraCalibration,
@@ -18,6 +20,7 @@ from measureapp.data.calibration import (
     RotationAxis,
 )
 from measureapp.data.conditions import LensSetting
+from measureapp.data.fringe import AxisReadback
 from measureapp.data.validity import CheckRecord
 from measureapp.errors import StorageError
 from measureapp.geometry.pinhole import PinholeCamera
@@ -87,3 +90,32 @@ def test_a_line_that_a_power_cut_left_does_no_harm(tmp_path: Path) -> None:
     later = replace(LINE, at="2031-05-03T08:00:00+00:00")
     store.record(tmp_path, later)
     assert store.history(tmp_path) == (LINE, later)
+
+
+def test_error_motions_of_the_axes_make_version_2_and_a_file_of_version_1_still_reads(tmp_path: Path, calibration: RigCalibration) -> None:
+    rng = np.random.default_rng(3)
+    motions = AxisMotions(
+        np.array([850.0, 0, 190]),
+        np.eye(3),
+        np.array([-650.0, 650.0]),
+        rng.normal(size=(5, 12)) * 1e-5,
+        rng.normal(size=(6, 10)) * 1e-5,
+        np.full(5, 1e-5),
+        np.full(6, 1e-5),
+        explained_mm=0.004,
+    )
+    store.save(tmp_path / "old", calibration)
+    store.save(tmp_path / "new", replace(calibration, motions=motions))
+    versions = {name: json.loads((tmp_path / name / "rig.json").read_text(encoding="utf-8"))["schema_version"] for name in ("old", "new")}
+    assert versions == {"old": 1, "new": 2}
+    old, found = store.load(tmp_path / "old"), store.load(tmp_path / "new")
+    assert old is not None
+    assert old.motions is None
+    assert found is not None
+    readback = AxisReadback(RigidTransform.from_vector([0.1, 2.0, 0.2], [500, 10, 300], "base", "flange"), 120.0, 1.1)
+    placed = found.part_from_camera(readback).matrix
+    np.testing.assert_allclose(placed, replace(calibration, motions=motions).part_from_camera(readback).matrix, atol=1e-11)
+    assert np.abs(placed - calibration.part_from_camera(readback).matrix).max() > 1e-5
+    (tmp_path / "new" / "rig.json").write_text('{"schema_version": 3}', encoding="utf-8")
+    with pytest.raises(StorageError, match="newer version"):
+        store.load(tmp_path / "new")

@@ -92,6 +92,7 @@ def test_what_the_views_err_by_comes_back_with_the_stitched_cloud(tmp_path: Path
         errors = replace(errors, distortion=None, calibration_motions=np.zeros((18, 0)))
     if not formed:
         errors = replace(errors, form=None, systematic=None)
+    errors = replace(errors, unexplained_mm=0.003)
     number = np.arange(50) % 3
     cloud = StitchedCloud(view.points_mm, view.normals, view.sigma_mm, view.grey, number, (), sampled_view=(number + 1) % 3, errors=errors)
     write_cloud(tmp_path / "s.ply", cloud)
@@ -99,7 +100,12 @@ def test_what_the_views_err_by_comes_back_with_the_stitched_cloud(tmp_path: Path
     assert back.errors is not None and back.sampled_view is not None
     np.testing.assert_array_equal(back.sampled_view, cloud.sampled_view)
     one, other = (each.along(cloud.points_mm, np.asarray(cloud.normals, float), number) for each in (errors, back.errors))
-    assert one.keys() == other.keys() and ("calibration" in one, "form" in one, "common" in one) == (calibrated, formed, formed)
+    assert one.keys() == other.keys() and [name in one for name in ("calibration", "form", "common", "unexplained")] == [
+        calibrated,
+        formed,
+        formed,
+        formed,
+    ]
     for share, columns in one.items():
         np.testing.assert_allclose(other[share], columns, atol=1e-9)
 

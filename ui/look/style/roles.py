@@ -72,6 +72,7 @@ FRAMES: Final[dict[str, FrameLook]] = {
     "chip": FrameLook("sunken", pill=True),
     "header": FrameLook("surface", "line", edge="bottom"),
     "rail": FrameLook("surface", "line", edge="right"),
+    "tour": FrameLook("accent_soft", "accent", edge="top"),
     "strip": FrameLook("surface", "line", edge="top"),
     "properties": FrameLook("surface", "line", edge="left"),
 }

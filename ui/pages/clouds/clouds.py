@@ -63,6 +63,7 @@ class CloudsPage(ViewportPage):
     """List of the views with visibility, and the clouds in 3-D."""
 
     name, word, wants_room = "clouds", "Clouds", True
+    shows_results = True
 
     def __init__(self, look: Look, session: Session, controllers: Controllers) -> None:
         super().__init__(look, session, controllers, EmptyState(look, "clouds", *EMPTY, "Run the demo"))

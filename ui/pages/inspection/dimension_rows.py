@@ -101,6 +101,7 @@ def dimension_properties(dimension: Dimension, features: Sequence[Feature], alig
         (
             *((("Kind", kind),) if kind else ()),
             *((("Datums", datum_words(dimension.datums)),) if dimension.datums else ()),
+            ("Aligned by", sentence_case(dimension.alignment or alignment.name)),
             ("Nominal", quantity(dimension.nominal, unit)),
             ("Tolerance", tolerance(dimension.lower_tolerance, dimension.upper_tolerance, unit)),
             ("Measured", quantity(dimension.measured, unit)),

@@ -22,6 +22,7 @@ from ui.pages.inspection.dimension_rows import Selection, decision_rule, feature
 from ui.pages.inspection.dimension_table import DimensionTable
 from ui.pages.inspection.feature_table import FeatureTable
 from ui.pages.inspection.filter_bar import FilterBar
+from ui.pages.inspection.no_alignment import NoAlignment
 from ui.pages.inspection.row_actions import RowActions
 from ui.pages.inspection.save_bar import SaveBar
 from ui.widgets.basic import column, label, row
@@ -29,6 +30,7 @@ from ui.widgets.segments import Segments
 from ui.widgets.verdict_banner import VerdictBanner
 
 if TYPE_CHECKING:
+    from measureapp.data.consistency import Consistency
     from measureapp.data.measurement import Inspection
     from ui.session import Comparison
 
@@ -65,15 +67,29 @@ class DimensionSide(QWidget):
         self.filter.changed.connect(lambda: self.table.set_filter(self.filter.chips(), self.filter.words()))
         self.table.closerAsked.connect(self.closerAsked)
         self.features.doubleClicked.connect(self.closerAsked)
-        self.rule = label("", "small", wrap=True)
+        self.rule, self.checks = label("", "small", wrap=True), label("", "small", wrap=True)
+        self.checks.hide()
         self._show_create()
         self._lists = QStackedWidget()
         self._lists.addWidget(self.table)
         self._lists.addWidget(self.features)
         self._lists.addWidget(self.alignment)
         self._lists.addWidget(self.deviation)
-        beside = column(self.banner, row(self.list, 0), self.filter, self._lists, self.create, self.save, self.rule, spacing=8)
-        beside.setStretch(3, 1)
+        self.unaligned = NoAlignment(look, programming)
+        self.unaligned.choose.clicked.connect(lambda: self.list.setValue("alignment"))
+        beside = column(
+            self.banner,
+            self.checks,
+            self.unaligned,
+            row(self.list, 0),
+            self.filter,
+            self._lists,
+            self.create,
+            self.save,
+            self.rule,
+            spacing=8,
+        )
+        beside.setStretch(5, 1)
         self.setLayout(beside)
 
     @property
@@ -103,9 +119,16 @@ class DimensionSide(QWidget):
         self.show_rows()
         self.features.show_features(inspection.features)
         self.alignment.show_inspection(inspection)
+        self.unaligned.show_program()
         self.rule.setText(f"Lengths in mm, U for k = 2, verdicts by {rule_name()}.")
         self.rule.setToolTip(decision_rule())
         self.banner.show_verdicts([found.verdict for found in inspection.dimensions])
+
+    def show_checks(self, consistency: Consistency) -> None:
+        """Show below the verdict what the checks of the error model leave unexplained, with its likely cause; each check as a tip."""
+        self.checks.setText(consistency.sentence)
+        self.checks.setToolTip("\n".join(f"{check.name.capitalize()}: {check.sentence}." for check in consistency.checks))
+        self.checks.setVisible(consistency.worst is not None)
 
     @property
     def is_picking(self) -> bool:

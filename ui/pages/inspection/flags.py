@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ui.look.wording import millimetres, quantity
+from ui.pages.inspection.control_frames import control_frame
 from ui.pages.inspection.dimension_rows import dimension_words, features_of, tolerance, unit_of
 from ui.pages.inspection.outlines import outline
 from ui.pages.inspection.section_lines import Whiskers
@@ -15,6 +16,7 @@ from ui.viewport.overlay.flag import Flag
 
 if TYPE_CHECKING:
     from measureapp.data.dimension import Dimension
+    from measureapp.data.dimension_program import DimensionProgram
     from measureapp.data.feature import Feature
     from measureapp.inspection.section_curves import SectionCurves
     from measureapp.inspection.surface.probe import ProbeValue
@@ -24,8 +26,14 @@ Pins = Mapping[str, tuple[float, float]]
 DIMENSION = "dimension:"
 
 
-def dimension_flags(dimensions: Sequence[Dimension], features: Sequence[Feature], sections: SectionCurves | None, pins: Pins) -> list[Flag]:
-    """Return a flag for each dimension that has features in the picture."""
+def dimension_flags(
+    dimensions: Sequence[Dimension],
+    features: Sequence[Feature],
+    sections: SectionCurves | None,
+    pins: Pins,
+    entries: Mapping[str, DimensionProgram] | None = None,
+) -> list[Flag]:
+    """Return a flag for each dimension that has features in the picture; ``entries``: of the program, where it is at hand, by name."""
     known = {feature.name: feature for feature in features}
     flags = []
     for dimension in dimensions:
@@ -37,17 +45,20 @@ def dimension_flags(dimensions: Sequence[Dimension], features: Sequence[Feature]
         if sections is not None and dimension.name in sections.profiles:
             more.append(f"Whiskers × {Whiskers.of(sections.profiles[dimension.name]).gain}")
         limits = (dimension.lower_tolerance, dimension.upper_tolerance)
+        frame = control_frame(dimension, (entries or {}).get(dimension.name), known)
+        is_stated = limits[1] is None or (frame is not None and dimension.upper_tolerance == frame.width)
         flags.append(
             Flag(
                 key,
                 anchor_of(mine[0]),
                 dimension_words(dimension.name),
                 quantity(dimension.measured, unit),
-                "" if limits[1] is None else f"Tolerance {tolerance(*limits, unit)}",
+                "" if is_stated else f"Tolerance {tolerance(*limits, unit)}",
                 "" if dimension.uncertainty is None else f"U {quantity(dimension.round_uncertainty(), unit)}",
                 str(dimension.verdict),
                 tuple(more),
                 pins.get(key),
+                frame,
             )
         )
     return flags

@@ -51,6 +51,7 @@ class InspectionPage(ViewportPage):
     """Table of dimensions with verdicts, and the features in 3-D."""
 
     name, word, wants_room = "inspection", "Inspect", True
+    shows_results = True
 
     def __init__(self, look: Look, session: Session, controllers: Controllers) -> None:
         super().__init__(look, session, controllers, EmptyState(look, "inspection", *EMPTY, "Run the demo"))
@@ -160,6 +161,8 @@ class InspectionPage(ViewportPage):
         if inspection is None:
             self.state.setText("No inspection yet.")
             return
+        if (measurement := self.session.measurement) is not None:
+            self.side.show_checks(measurement.consistency)
         alignment = inspection.alignment
         self.state.setText(f"{sentence_case(inspection.program)}. Aligned by {alignment.name}, {millimetres(alignment.rms_mm)} rms.")
         self.program.show_inspection(inspection)

@@ -56,7 +56,8 @@ class PictureContent(QObject):
         lines = feature_lines(inspection.features, chosen.features, dimension, self._sections(), colour)
         shown = inspection.dimensions if self.all_flags else () if dimension is None else (dimension,)
         worst_first = sorted(shown, key=lambda one: (one is not dimension, WORST.get(str(one.verdict), 3)))
-        flags = dimension_flags(worst_first, inspection.features, self._sections(), self._pins)
+        entries = {row.name: row.entry for row in self._side.rows if row.entry is not None}
+        flags = dimension_flags(worst_first, inspection.features, self._sections(), self._pins, entries)
         if self.is_deviation:
             comparison = self._session.comparison
             flags += self._probing.flags(self._pins)

@@ -18,7 +18,6 @@ from ui.pages.inspection.dimension_bar import DimensionBar
 from ui.pages.inspection.program_dialog import ProgramDialog
 from ui.session import Session
 from ui.settings.dialogs import choose_file
-from ui.settings.settings import Settings
 from ui.widgets.basic import Button
 from ui.widgets.unit_dialog import UnitDialog
 
@@ -35,14 +34,14 @@ PROGRAM_TIP = "Edit the inspection program as text: alignment, features, dimensi
 class NominalButton(Button):
     """Asks for a file, and for its unit if it is doubtful."""
 
-    def __init__(self, look: Look, nominal: NominalController, settings: Settings) -> None:
+    def __init__(self, look: Look, nominal: NominalController) -> None:
         super().__init__("Nominal…", look, "open", "quiet", NOMINAL_TIP)
-        self._look, self._nominal, self._settings, self.dialog = look, nominal, settings, None
+        self._look, self._nominal, self.dialog = look, nominal, None
         self.clicked.connect(self._choose)
         nominal.unitAsked.connect(self._ask)
 
     def _choose(self) -> None:
-        chosen = choose_file(self, "Choose the nominal", NOMINAL_FILES, "nominals", self._settings)
+        chosen = choose_file(self, "Choose the nominal", NOMINAL_FILES, "nominals")
         if chosen is not None:
             self._nominal.use(chosen)
 
@@ -64,7 +63,7 @@ class ProgramTools(QObject):
         programming = self.programming
         self.bar, self.nominal, self.dialog = (
             DimensionBar(look),
-            NominalButton(look, controllers.nominal, session.settings),
+            NominalButton(look, controllers.nominal),
             ProgramDialog(look, programming, page),
         )
         self.text = Button("Program…", look, "report", "quiet", PROGRAM_TIP)

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 from PySide6.QtCore import Slot
-from PySide6.QtWidgets import QFileDialog, QFrame
+from PySide6.QtWidgets import QFrame
 
 from ui.controllers.programming import ProgrammingController
 from ui.look.look import Look
+from ui.settings.dialogs import choose_new
 from ui.widgets.basic import Button, ElidedLabel, row
 
 UNSAVED = "Program edited, not saved"
@@ -54,6 +53,6 @@ class SaveBar(QFrame):
 
     @Slot()
     def _choose(self) -> None:
-        chosen, _ = QFileDialog.getSaveFileName(self, "Save the inspection program", str(Path.home() / "program.toml"), PROGRAMS)
-        if chosen:
-            self._programming.save_as(Path(chosen))
+        chosen = choose_new(self, "Save the inspection program", "program.toml", "programs", PROGRAMS)
+        if chosen is not None:
+            self._programming.save_as(chosen)

@@ -57,7 +57,8 @@ class CardButton(BigButton):
             picture.setPixmap(_fitted(card.program.picture, self.devicePixelRatioF()))
         words: list[QWidget] = [picture, big_label(facts.name, "heading")]
         drawing = facts.identification.drawing
-        numbers = " · ".join(filter(None, (facts.part_number, drawing and _drawing(drawing, facts.identification.revision))))
+        released = f"Release {facts.revision}" if facts.revision else ""
+        numbers = " · ".join(filter(None, (facts.part_number, drawing and _drawing(drawing, facts.identification.revision), released)))
         words.append(big_label(numbers, "soft"))
         words.append(self._last(look))
         words.append(big_label("" if card.seconds is None else f"About {rough_duration(card.seconds)}", "soft"))

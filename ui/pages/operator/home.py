@@ -9,11 +9,13 @@ from PySide6.QtWidgets import QLineEdit, QWidget
 from ui.controllers.operator import OperatorController
 from ui.controllers.operator_nouns import ProgramCard
 from ui.look.look import Look
+from ui.look.wording import several
 from ui.pages.operator.big import big_label
 from ui.pages.operator.cards import CardGrid
 from ui.widgets.basic import column, row
 
 EMPTY = "There is no part program in {folder}. Call the engineer."
+HELD = "{count} not released by the engineer: not offered here."
 NOTHING_FOUND = "No part program has “{words}” in its name or numbers."
 
 
@@ -57,8 +59,10 @@ class HomeScreen(QWidget):
         if shelf is None:
             return
         self.grid.show_cards(found)
-        none = EMPTY.format(folder=shelf.settings.programs_folder) if not shelf.cards else ""
-        self.note.setText(none or ("" if found else NOTHING_FOUND.format(words=self.search.text().strip())))
+        held = len(shelf.unreleased)
+        none = EMPTY.format(folder=shelf.settings.programs_folder) if not shelf.cards and not held else ""
+        missed = "" if found or not self.search.text().strip() else NOTHING_FOUND.format(words=self.search.text().strip())
+        self.note.setText(none or " ".join(filter(None, (missed, HELD.format(count=several(held, "part program")) if held else ""))))
         self.note.setVisible(bool(self.note.text()))
 
     def _take_only(self) -> None:

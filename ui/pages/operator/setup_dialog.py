@@ -11,10 +11,11 @@ from measureapp.project.operator_settings import OperatorSettings, operator_file
 from ui.controllers.operator import OperatorController
 from ui.controllers.operator_roles import RoleController
 from ui.look.look import Look
+from ui.pages.operator.releases import Releases
 from ui.widgets.basic import Button, Form, column, label, row
 from ui.widgets.path_field import PathField
 
-WIDTH = 560
+WIDTH = 1120
 PIN_SET = "A PIN is set. Type a new one twice to change it."
 NO_PIN = "No PIN is set: anyone can leave operator mode. Type one twice, 4 or more characters."
 FORGOTTEN = "If it is forgotten: measureapp gui --reset-engineer-pin"
@@ -29,8 +30,9 @@ class OperatorSetupDialog(QDialog):
         self.setFixedWidth(WIDTH)
         self._operator, self._roles = operator, roles
         self._settings = OperatorSettings()
-        self.programs = PathField(look, "Folder of the part programs", "MeasureApp/programs in your home")
-        self.parts = PathField(look, "Folder of the measured parts", "MeasureApp/parts in your home")
+        self.programs = PathField(look, "Folder of the part programs", "MeasureApp/programs in your home", "part programs")
+        self.parts = PathField(look, "Folder of the measured parts", "MeasureApp/parts in your home", "parts")
+        self.releases = Releases(look, operator.stock)
         self.shifts, self.minutes = QLineEdit(), QDoubleSpinBox()
         self.shifts.setPlaceholderText("06:00, 14:00, 22:00")
         self.minutes.setRange(1.0, 1440.0)
@@ -57,7 +59,11 @@ class OperatorSetupDialog(QDialog):
         form.add("New PIN or password", self.pin)
         form.add("Once more", self.again)
         buttons = row(0, self.close_button, self.save)
-        self.setLayout(column(form, self.state, label(FORGOTTEN, "small", wrap=True), self.problem, buttons, margin=24, spacing=16))
+        settings = column(form, self.state, label(FORGOTTEN, "small", wrap=True), self.problem, 0, spacing=16)
+        both = row(settings, self.releases, spacing=32)
+        both.setStretch(0, 1)
+        both.setStretch(1, 1)
+        self.setLayout(column(both, buttons, margin=24, spacing=16))
 
     def open(self) -> None:
         """Show the present settings."""
@@ -70,6 +76,7 @@ class OperatorSetupDialog(QDialog):
         self.parts.setValue(self._settings.parts_folder)
         self.shifts.setText(", ".join(self._settings.shift_starts))
         self.minutes.setValue(self._settings.idle_minutes)
+        self._operator.stock.reload()
         self.pin.clear()
         self.again.clear()
         self.state.setText(PIN_SET if self._roles.has_pin else NO_PIN)

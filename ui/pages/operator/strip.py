@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from datetime import datetime
 
-from PySide6.QtCore import QSize
+from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import QFrame, QLabel
 
 from ui.controllers.operator_nouns import ShiftCount
 from ui.look.look import Look
 from ui.look.wording import percent, several
-from ui.pages.operator.big import big_label
+from ui.pages.operator.big import BigButton, big_label
 from ui.widgets.basic import clear, row
 
 DOT_PX, COUNT_PX = 20, 24
@@ -18,7 +18,9 @@ HEIGHT = 56
 
 
 class ShiftStrip(QFrame):
-    """Numbers of the shift; each verdict by sign, colour and name."""
+    """Numbers of the shift, each verdict by sign, colour and name; and a button for keys on the screen."""
+
+    keyboardClicked = Signal()
 
     def __init__(self, look: Look) -> None:
         super().__init__()
@@ -32,7 +34,10 @@ class ShiftStrip(QFrame):
         self._signs = {name: QLabel() for name in self.counts}
         self._dots = row(spacing=4)
         counts = [widget for name, shown in self.counts.items() for widget in (self._signs[name], shown)]
-        layout = row(self.since, 16, *counts, 16, self.yields, 0, big_label("Last", "soft"), self._dots, spacing=8)
+        keyboard = self.keyboard = BigButton("Keyboard", look, "keyboard", "quiet")
+        keyboard.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # the field that is typed into keeps it
+        keyboard.clicked.connect(self.keyboardClicked)
+        layout = row(self.since, 16, *counts, 16, self.yields, 0, big_label("Last", "soft"), self._dots, 16, keyboard, spacing=8)
         layout.setContentsMargins(24, 0, 24, 0)
         self.setLayout(layout)
         look.changed.connect(self._redraw)

@@ -46,6 +46,7 @@ SHEET = Template("""
 #operator QPushButton[op="quiet"]:focus { border-color: $accent; }
 #operator QPushButton[op="quiet"]:disabled { background: transparent; }
 #operator QPushButton[op="key"] { font-size: 28px; padding: 0; min-height: 72px; }
+#operator QPushButton[op="key"][low="true"] { font-size: 22px; min-height: 48px; }
 #operator QPushButton[op="card"] { text-align: left; padding: 0; min-height: ${card}px; }
 
 #operator QLineEdit { background: $surface; color: $text; border: 2px solid $line; border-radius: 8px; font-size: 24px; padding: 0 16px; min-height: 56px; }

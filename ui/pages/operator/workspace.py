@@ -18,6 +18,7 @@ from ui.pages.operator.cards import when_words
 from ui.pages.operator.details import DetailsScreen, ReportScreen, dimensions_of
 from ui.pages.operator.home import HomeScreen
 from ui.pages.operator.identify import IdentifyScreen
+from ui.pages.operator.keyboard import KeyboardCaller, TouchKeyboard
 from ui.pages.operator.load import LoadScreen
 from ui.pages.operator.pin import PinScreen
 from ui.pages.operator.repeat import RepeatScreen
@@ -62,9 +63,11 @@ class OperatorWorkspace(QWidget):
         self.screens = QStackedWidget()
         for screen in (*self._of_step.values(), self.repeat, self.details, self.report, self.pin):
             self.screens.addWidget(screen)
-        whole = column(self.bar, self.call, self.words, self.screens, self.strip, spacing=0)
+        self.keyboard = TouchKeyboard(look)
+        whole = column(self.bar, self.call, self.words, self.screens, self.keyboard, self.strip, spacing=0)
         whole.setStretch(3, 1)
         self.setLayout(whole)
+        self.keys = KeyboardCaller(self, self.keyboard)
         self.scanner = Scanner(self._wants_codes, self)
         self._sheet_of = ""
         self._clock = QTimer(self)
@@ -111,6 +114,7 @@ class OperatorWorkspace(QWidget):
         self.bar.engineerClicked.connect(roles.ask_engineer)
         roles.pinAsked.connect(lambda: self._show(self.pin))
         self.scanner.scanned.connect(operator.scan_code)
+        self.strip.keyboardClicked.connect(self.keys.toggle)
         self._look.changed.connect(self._restyle)
         context = Qt.ShortcutContext.WidgetWithChildrenShortcut
         QShortcut(QKeySequence(Qt.Key.Key_Escape), self, self._escape, context=context)

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 from PySide6.QtCore import Qt, Slot
 from PySide6.QtGui import QHideEvent, QKeySequence, QResizeEvent, QShortcut, QShowEvent
-from PySide6.QtWidgets import QFileDialog, QSplitter, QWidget
+from PySide6.QtWidgets import QSplitter, QWidget
 
 from ui.controllers.controllers import Controllers
 from ui.look.look import Look
@@ -22,7 +21,7 @@ from ui.pages.plan.viewpoint_form import ViewpointForm
 from ui.pages.plan.viewpoint_properties import viewpoint_properties
 from ui.pages.viewport_page import Composer, ViewportPage
 from ui.session import Session
-from ui.settings.dialogs import choose_file
+from ui.settings.dialogs import choose_file, choose_new
 from ui.widgets.basic import Button, card, column, label, row
 from ui.widgets.coverage_legend import CoverageLegend
 from ui.widgets.empty_state import EmptyState
@@ -320,31 +319,24 @@ class PlanPage(ViewportPage):
 
     @Slot()
     def _choose_file(self) -> None:
-        chosen, _ = QFileDialog.getOpenFileName(self, "Open a scan plan", str(self._folder()), PLANS)
-        if chosen:
-            self.planning.open(Path(chosen))
+        chosen = choose_file(self, "Open a scan plan", PLANS, "plans")
+        if chosen is not None:
+            self.planning.open(chosen)
 
     @Slot()
     def _choose_target(self) -> None:
         plan = self.planning.plan
         if plan is None:
             return
-        start = self.planning.file or self._folder() / "plan.toml"
-        chosen, _ = QFileDialog.getSaveFileName(self, "Save the scan plan", str(start), PLANS)
-        if chosen:
-            path = Path(chosen)
+        path = choose_new(self, "Save the scan plan", "plan.toml", "plans", PLANS, self.planning.file)
+        if path is not None:
             self.planning.save(path if path.suffix else path.with_suffix(".toml"))
 
     @Slot()
     def _choose_part(self) -> None:
-        chosen = choose_file(self, "Choose the nominal of the part", NOMINALS, "nominals", self.session.settings)
+        chosen = choose_file(self, "Choose the nominal of the part", NOMINALS, "nominals")
         if chosen is not None:
             self.planning.part.choose(chosen)
-
-    def _folder(self) -> Path:
-        if self.planning.file is not None:
-            return self.planning.file.parent
-        return self.session.folder or Path.home()
 
 
 def _number(text: str) -> float | None:

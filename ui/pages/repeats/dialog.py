@@ -6,13 +6,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Slot
-from PySide6.QtWidgets import QCheckBox, QDialog, QFileDialog, QListWidget, QListWidgetItem, QSpinBox, QWidget
+from PySide6.QtWidgets import QCheckBox, QDialog, QListWidget, QListWidgetItem, QSpinBox, QWidget
 
 from ui.controllers.repeats import RepeatsController
 from ui.look.look import Look
 from ui.look.wording import several
 from ui.pages.repeats.rows import HEADERS, NUMERIC, rows_of
 from ui.session import Session
+from ui.settings.dialogs import choose_folder
 from ui.widgets.basic import Button, Form, card, column, label, row
 from ui.widgets.data_table import DataTable
 
@@ -132,10 +133,9 @@ class RepeatsDialog(QDialog):
 
     def _choose(self) -> None:
         known = self.folders()
-        start = known[-1].parent if known else Path.home()
-        chosen = QFileDialog.getExistingDirectory(self, "Add the project of one measurement", str(start))
-        if chosen:
-            self.add_project(Path(chosen))
+        chosen = choose_folder(self, "Add the project of one measurement", "projects", known[-1].parent if known else None)
+        if chosen is not None:
+            self.add_project(chosen)
 
     def _take_away(self) -> None:
         for item in self.projects.selectedItems():
@@ -148,9 +148,9 @@ class RepeatsDialog(QDialog):
     def _save(self) -> None:
         if self.study is None:
             return
-        chosen = QFileDialog.getExistingDirectory(self, "Folder for the report of repeats", str(self.folders()[0].parent))
-        if chosen:
-            self._repeats.write(self.study, Path(chosen))
+        chosen = choose_folder(self, "Folder for the report of repeats", "exports")
+        if chosen is not None:
+            self._repeats.write(self.study, chosen)
 
     @Slot(object)
     def _show_study(self, study: RepeatStudy) -> None:

@@ -149,7 +149,7 @@ class RigPage(Page):
         if chosen is None:
             return
         if chosen == "":
-            path = choose_file(self, "Open a rig description", "Rig descriptions (*.toml)", "rigs", self.session.settings)
+            path = choose_file(self, "Open a rig description", "Rig descriptions (*.toml)", "rigs")
             self._name_rig()
             if path is not None:
                 self.controllers.rig.choose(path)

@@ -8,7 +8,7 @@ from typing import Any
 
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QCloseEvent, QIcon, QKeyEvent, QPixmap
-from PySide6.QtWidgets import QDialog, QFileDialog, QListWidget, QListWidgetItem, QScrollArea, QStackedWidget, QWidget
+from PySide6.QtWidgets import QDialog, QListWidget, QListWidgetItem, QScrollArea, QStackedWidget, QWidget
 
 from measureapp.data.rig import OTHER_DEVICES, CameraDescription, RigDescription
 from measureapp.devices.plugin_loader import PluginOffer, PluginRow
@@ -20,6 +20,7 @@ from ui.pages.rig.driver_form import DriverForm
 from ui.pages.rig.drivers_list import DriversList
 from ui.pages.rig.links_form import LinksForm
 from ui.pages.rig.rig_draft import DRIVERS, LINKS, MOTION, RIG, RULES, Problem, RigDraft, kind_of
+from ui.settings.dialogs import choose_new
 from ui.widgets.basic import Button, card, column, label, row
 from ui.widgets.field_editors import ChoiceEditor, FieldEditor
 from ui.widgets.model_form import FieldRows
@@ -169,10 +170,9 @@ class RigEditor(QDialog):
         self._check()
 
     def _choose_file(self) -> None:
-        start = self._file or Path.home() / "MeasureApp" / "my_rig.toml"
-        chosen, _ = QFileDialog.getSaveFileName(self, "Save the rig description", str(start), FILES)
-        if chosen:
-            self._save_to(Path(chosen) if Path(chosen).suffix else Path(chosen).with_suffix(".toml"))
+        chosen = choose_new(self, "Save the rig description", "my_rig.toml", "rigs", FILES, self._file)
+        if chosen is not None:
+            self._save_to(chosen if chosen.suffix else chosen.with_suffix(".toml"))
 
     def _save_to(self, path: Path | None) -> None:
         found = self._read()

@@ -51,13 +51,13 @@ class ScanSetup(QWidget):
     def __init__(self, look: Look, session: Session) -> None:
         super().__init__()
         self._session = session
-        self.folder = PathField(look, "Folder of the project", "New folder, or an existing project")
+        self.folder = PathField(look, "Folder of the project", "New folder, or an existing project", "projects")
         self.part = QLineEdit()
         self.part.setPlaceholderText("Name of the part")
-        self.nominal = PathField(look, "Nominal of the part", "None: no comparison with CAD", files=NOMINALS)
-        self.program = PathField(look, "Inspection program", "None: no dimensions", files=PROGRAMS)
-        self.calibrated = PathField(look, "Project with a calibration of this rig", "Project whose calibration is used")
-        self.plan = PathField(look, "Scan plan", "Plan of the page Plan", files=PLANS)
+        self.nominal = PathField(look, "Nominal of the part", "None: no comparison with CAD", "nominals", files=NOMINALS)
+        self.program = PathField(look, "Inspection program", "None: no dimensions", "programs", files=PROGRAMS)
+        self.calibrated = PathField(look, "Project with a calibration of this rig", "Project whose calibration is used", "projects")
+        self.plan = PathField(look, "Scan plan", "Plan of the page Plan", "plans", files=PLANS)
         self.exposures = QComboBox()
         for name, (words, tip) in EXPOSURES.items():
             self.exposures.addItem(words, name)

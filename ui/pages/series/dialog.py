@@ -115,6 +115,6 @@ class SeriesDialog(QDialog):
         self.reason.setEnabled(self.file.isEnabled())
 
     def _save(self) -> None:
-        folder = choose_folder(self, "Folder for the report of the series", "exports", self._session.settings)
+        folder = choose_folder(self, "Folder for the report of the series", "exports")
         if folder is not None and self.found is not None:
             self._series.write(self.found, folder)

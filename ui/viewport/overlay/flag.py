@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from PySide6.QtCore import QSizeF
 
+from ui.viewport.overlay.control_frame import ControlFrame, frame_size
 from ui.viewport.overlay.style import OverlayStyle
 
 SIGNS = {"pass": "✓", "fail": "✗", "not proven": "?", "not measured": "–"}
@@ -27,6 +28,7 @@ class Flag:
     verdict: str = ""  # "pass", "fail", "not proven", "not measured" or none
     more: tuple[str, ...] = ()  # further lines, such as the components of a deviation
     pinned: tuple[float, float] | None = None  # middle of the box, as fractions of the picture, where it was dragged to
+    frame: ControlFrame | None = None  # of a geometrical tolerance, drawn below the title
 
     @property
     def sign(self) -> str:
@@ -44,5 +46,8 @@ def flag_size(flag: Flag, style: OverlayStyle) -> QSizeF:
     sizes = [style.measure(line, LETTERS_PX, bold=place == 0 and bool(flag.title)) for place, line in enumerate(lines)]
     width = max((size.width() for size in sizes), default=0.0) + (SIGN_WIDTH * style.scale if flag.sign else 0.0)
     height = sum(size.height() for size in sizes)
-    padding = 2 * PADDING * style.scale
-    return QSizeF(min(width, LARGEST_WIDTH * style.scale) + padding, height + padding)
+    width, padding = min(width, LARGEST_WIDTH * style.scale), 2 * PADDING * style.scale
+    if flag.frame is not None:  # never cut
+        frame = frame_size(flag.frame, style)
+        width, height = max(width, frame.width() + (0.0 if flag.title else SIGN_WIDTH * style.scale)), height + frame.height()
+    return QSizeF(width + padding, height + padding)

@@ -8,6 +8,7 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen
 
+from ui.viewport.overlay.control_frame import frame_size, paint_frame
 from ui.viewport.overlay.flag import LETTERS_PX, PADDING, SIGN_WIDTH, Flag
 from ui.viewport.overlay.flag_layout import Box, FlagPlaces, leader_end
 from ui.viewport.overlay.style import OverlayStyle, use_letters
@@ -99,3 +100,6 @@ def _paint_box(painter: QPainter, flag: Flag, box: Box, style: OverlayStyle, cho
         words = painter.fontMetrics().elidedText(line, Qt.TextElideMode.ElideRight, int(inner.width()) + 1)
         painter.drawText(QRectF(inner.left(), top, inner.width(), height), LEFT, words)
         top += height
+        if place == 0 and flag.frame is not None:
+            paint_frame(painter, flag.frame, QPointF(inner.left(), top), style, style.text)
+            top += frame_size(flag.frame, style).height()

@@ -1,0 +1,84 @@
+"""Feature control frames: what they state, and that they are drawn whole."""
+
+import numpy as np
+import pytest
+from PySide6.QtCore import QRectF
+
+from measureapp.data.dimension import Dimension, Verdict
+from measureapp.data.dimension_program import DimensionProgram
+from measureapp.data.feature import Feature
+from ui.look.theme import Theme
+from ui.pages.inspection.flags import dimension_flags
+from ui.viewport.overlay.control_frame import CHARACTERISTICS, ControlFrame, frame_size, symbol_path
+from ui.viewport.overlay.flag import Flag, flag_size
+from ui.viewport.overlay.style import OverlayStyle
+
+UP = np.array([0, 0, 1.0])
+FACE = Feature("face", "plane", np.zeros(3), UP, points=100)
+BORE = Feature("bore", "cylinder", np.zeros(3), UP, 5.0, points=100)
+BALL = Feature("ball", "sphere", np.zeros(3), None, 5.0, points=100)
+
+
+def flag_of(kind, feature, datums=(), upper=0.1, **entry):
+    names = tuple(one.name for one in datums)
+    found = Dimension("it", 0.0, 0.03, 0.01, 0.0, upper, Verdict.PASS, features=(feature.name,), kind=kind, datums=names)
+    stated = {"it": DimensionProgram(name="it", kind=kind, features=(feature.name,), datums=names, upper_tolerance=0.1, **entry)}
+    (flag,) = dimension_flags([found], [feature, *datums], None, {}, stated)
+    return flag
+
+
+def plain(frame):
+    return [one.replace("\u00a0", " ") for one in frame.words()]
+
+
+@pytest.mark.parametrize(
+    ("kind", "feature", "datums", "cells"),
+    [
+        ("flatness", FACE, (), ["0.100"]),
+        ("position", BORE, (FACE,), ["Ø 0.100", "A"]),
+        ("concentricity", BALL, (BORE,), ["SØ 0.100", "A"]),
+        ("perpendicularity", BORE, (FACE,), ["Ø 0.100", "A"]),
+        ("parallelism", BORE, (FACE,), ["0.100", "A"]),
+        ("parallelism", FACE, (BORE,), ["0.100", "A"]),
+        ("position", FACE, (BORE,), ["0.100", "A"]),
+    ],
+)
+def test_a_zone_about_an_axis_or_centre_has_a_diameter_and_a_slab_has_none(kind, feature, datums, cells):
+    flag = flag_of(kind, feature, datums)
+    assert flag.frame.characteristic == kind and plain(flag.frame) == cells
+    assert flag.tolerance == ""  # the frame states it
+
+
+def test_modifiers_stand_behind_what_they_modify_and_a_bonus_is_not_part_of_the_stated_width():
+    material = {"datum": "pin", "condition": "least", "size_limits_mm": (9.9, 10.1)}
+    pin = Feature("pin", "cylinder", np.zeros(3), UP, 5.0, points=100)
+    more = {"material_condition": "maximum", "size_limits_mm": (9.9, 10.1), "datum_material": (material,)}
+    flag = flag_of("position", BORE, (FACE, pin), upper=0.18, **more)
+    assert plain(flag.frame) == ["Ø 0.100 \u24c2", "A", "B\u24c1"]
+    assert "0.180" in flag.tolerance  # with its bonus, which the frame must not claim
+    assert plain(flag_of("surface_profile", FACE, (BORE,), zone_offset_mm=0.02).frame)[0] == "0.100 UZ +0.020"
+
+
+def test_sizes_and_zones_without_a_tolerance_have_no_frame():
+    size = Dimension("d", 10.0, 10.0, 0.01, -0.1, 0.1, Verdict.PASS, features=("bore",), kind="diameter")
+    free = Dimension("f", 0.0, 0.02, 0.01, None, None, Verdict.NO_TOLERANCE, features=("face",), kind="flatness")
+    assert [flag.frame for flag in dimension_flags([size, free], [FACE, BORE], None, {})] == [None, None]
+
+
+@pytest.mark.parametrize("kind", sorted(CHARACTERISTICS))
+def test_every_symbol_stays_in_its_cell_and_differs_from_all_others(kind):
+    area = QRectF(10.0, 20.0, 12.0, 12.0)
+    path = symbol_path(kind, area)
+    reach = path.boundingRect()
+    assert not path.isEmpty()
+    assert reach.left() >= area.left() - 0.01 and reach.right() <= area.right() + 0.01
+    assert reach.top() >= area.top() - 0.01 and reach.bottom() <= area.bottom() + 0.01
+    assert all(path != symbol_path(other, area) for other in CHARACTERISTICS - {kind, "coaxiality", "concentricity"})
+
+
+def test_a_box_is_never_narrower_than_its_frame(qapp):
+    style = OverlayStyle.of(Theme.load("light"))
+    frame = ControlFrame("position", 0.1, "Ø 0.100 \u24c2 UZ +0.020 and more than fits", ("A", "B", "C"))
+    plain_flag, framed = Flag("one", np.zeros(3), "One"), Flag("one", np.zeros(3), "One", frame=frame)
+    assert flag_size(framed, style).width() > frame_size(frame, style).width()
+    assert flag_size(framed, style).height() == flag_size(plain_flag, style).height() + frame_size(frame, style).height()
