@@ -126,5 +126,5 @@ def _ask(client: Client, question: Any, *arguments: Any) -> Mapping[str, Any]:
         if isinstance(answer, ImportError):
             raise InputError(f"The worker {worker} does not have this program: {answer}.", "Install the same version everywhere.")
         if isinstance(answer, BaseException):
-            raise InputError(f"The worker {worker} does not answer: {answer}.", "Look at its log, and start it again.")
+            raise InputError(f"The worker {worker} does not answer: {answer}.", "Read its log, and start it again.")
     return answers

@@ -117,4 +117,6 @@ def _answer_of(job: Job, end: Future[Any]) -> Finished:
         return found
     if isinstance(error, MeasureError):
         return Finished.failed(job, error)
-    return Finished.failed(job, StorageError(f"The cluster gave it up: {error}.", "Look at the logs of the workers; start the job again."))
+    return Finished.failed(
+        job, StorageError(f"The cluster gave it up: {error}.", "Read the logs of the workers, then start the job again.")
+    )

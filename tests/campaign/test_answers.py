@@ -42,8 +42,7 @@ def test_a_project_is_known_until_what_it_was_computed_from_changes(demo, tmp_pa
     stored.of([job])
     stored.keep(Finished(job.name, folder, True))
     assert Answers(tmp_path).of([job])
-    program = ProjectFolder.open(folder).program
-    text = program.read_text(encoding="utf-8")
-    program.unlink()
-    program.write_text(text.replace("180", "181"), encoding="utf-8")
+    project, changed = ProjectFolder.open(folder), tmp_path / "changed.toml"
+    changed.write_text(project.program.read_text(encoding="utf-8").replace("180", "181"), encoding="utf-8")
+    project.save_inspection(changed, project.nominal)
     assert Answers(tmp_path).of([job]) == {}
