@@ -137,5 +137,8 @@ def test_every_command_that_reads_something_is_given_rubbish() -> None:
         ("gui",),
         ("patterns", "list"),
         ("plugins",),
+        ("sample", "list"),
+        ("sample", "open"),
+        ("sample", "pack"),
         *named,
     ]  # without input, or tested elsewhere
