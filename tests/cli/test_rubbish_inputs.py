@@ -58,6 +58,7 @@ INPUTS: list[tuple[str, str]] = [
     ("program pack IN --out OUT.mpart", "json"),
     ("program pack PLAN --inspection IN --out OUT.mpart", "toml"),
     ("program pack PLAN --picture IN --out OUT.mpart", "png"),
+    ("program release IN --by Nobody", "mpart"),
     ("program show IN", "mpart"),
     ("program unpack IN --out OUT", "mpart"),
     ("plan predict IN", ""),
@@ -102,6 +103,7 @@ INPUTS: list[tuple[str, str]] = [
     ("scan PLAN --rig paper --project OUT --calibration IN", ""),
     ("program of IN --out OUT", ""),
     ("program start IN --project OUT", "mpart"),
+    ("sample pack IN OUT --title Part", ""),
     ("series add IN", ""),
     ("series rebuild PROGRAM IN", ""),
 ]
@@ -137,5 +139,7 @@ def test_every_command_that_reads_something_is_given_rubbish() -> None:
         ("gui",),
         ("patterns", "list"),
         ("plugins",),
+        ("sample", "list"),
+        ("sample", "open"),
         *named,
     ]  # without input, or tested elsewhere

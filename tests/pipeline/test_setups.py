@@ -29,7 +29,7 @@ def projects(turned_over: TurnedOver, tmp_path_factory: pytest.TempPathFactory) 
 def _without_surface_and_pictures() -> Iterator[None]:
     """They take most of the time, and are those of other projects."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("measureapp.pipeline.setups.compute_surface", lambda stitched, on_event, progress: None)
+        patch.setattr("measureapp.pipeline.surface.SurfaceBeside.wait", lambda beside, on_event, progress: None)
         patch.setattr("measureapp.report.compose.render_part", lambda measurement, scene=None: ())
         yield
 

@@ -91,7 +91,7 @@ def test_a_click_on_a_pixel_shows_stage_reason_and_numbers(qtbot, clouds):
     QTest.keyClick(dialog.picture, Qt.Key.Key_Right)
     assert dialog.place.text() == "Row 20, column 31"
     assert dialog.stage.text() == "Measured"
-    assert "0.012 mm, at most 0.5" in dialog.figures.text().replace("\u00a0", " ")
+    assert "Point σ 0.012 mm" in dialog.figures.text().replace("\u00a0", " ")
 
 
 def test_a_reason_in_the_list_shows_a_pixel_that_has_it(qtbot, clouds):

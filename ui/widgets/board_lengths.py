@@ -6,11 +6,12 @@ from pathlib import Path
 from typing import Any
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QComboBox, QFileDialog, QLineEdit, QWidget
+from PySide6.QtWidgets import QComboBox, QLineEdit, QWidget
 
 from measureapp.data.board import AnyBoard
 from measureapp.data.certificate import BOARD_CLASSES, BoardClass, BoardLengths
 from measureapp.errors import InputError
+from ui.settings.dialogs import choose_file
 
 NOT_STATED, CERTIFICATE, KEPT = "", "certificate", "kept"
 WORDS = {
@@ -80,11 +81,9 @@ class BoardLengthsField(QWidget):
         """Ask for the file where a certificate is chosen; without one, nothing is stated."""
         if self.source.currentData() != CERTIFICATE:
             return
-        chosen, _ = QFileDialog.getOpenFileName(
-            self.source, "Certificate of the board", "" if self._file is None else str(self._file), FILES
-        )
-        if chosen:
-            self.read(Path(chosen))
+        chosen = choose_file(self.source, "Certificate of the board", FILES, "certificates", self._file)
+        if chosen is not None:
+            self.read(chosen)
         elif self._file is None:
             self.source.setCurrentIndex(self.source.findData(NOT_STATED))
 
