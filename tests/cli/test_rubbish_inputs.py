@@ -59,6 +59,7 @@ INPUTS: list[tuple[str, str]] = [
     ("program pack PLAN --inspection IN --out OUT.mpart", "toml"),
     ("program pack PLAN --picture IN --out OUT.mpart", "png"),
     ("program release IN --by Nobody", "mpart"),
+    ("campaign IN", "toml"),
     ("program show IN", "mpart"),
     ("program unpack IN --out OUT", "mpart"),
     ("plan predict IN", ""),
