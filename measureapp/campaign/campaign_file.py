@@ -21,7 +21,7 @@ from measureapp.pipeline.project_names import unique_names
 from measureapp.simulate.worlds import WorldName
 
 RANGE = re.compile(r"^\s*(\d+)\s*-\s*(\d+)\s*$")
-EXAMPLE = 'For example:\nfolder = "accuracy"\n[demo]\nparts = ["gypsum"]\nrigs = ["good", "usual"]\nseeds = "1-20"\nresolution = "quarter"'
+EXAMPLE = 'State `projects = ["week/*"]`, or a table `[demo]` with parts, rigs and seeds, such as `seeds = "1-20"`.'
 
 
 class DemoMatrix(Model):
@@ -70,8 +70,10 @@ def read_campaign(path: Path) -> tuple[Path, list[Job]]:
     """
     try:
         given = Campaign.model_validate(tomllib.loads(path.read_text(encoding="utf-8")))
-    except (OSError, UnicodeDecodeError) as error:
-        raise InputError(f"{path} cannot be read: {error}.", "Give a campaign file in TOML.") from error
+    except OSError as error:
+        raise InputError(f"{path} cannot be read: {error.strerror or error}.", "Give a campaign file in TOML.") from error
+    except UnicodeDecodeError as error:
+        raise InputError(f"{path} is not a text.", "Give a campaign file in TOML.") from error
     except tomllib.TOMLDecodeError as error:
         raise InputError(f"{path} is not valid TOML: {error}.", EXAMPLE) from error
     except ValidationError as error:
