@@ -195,7 +195,7 @@ def test_the_real_camera_and_projector_give_the_recorded_depth() -> None:
     folder = recorded("slmaster_real_mono")
     phase_map, cameras = real_set(folder, distortion=False)
     made = triangulate_with_projector(phase_map, cameras.cameras["one"], cameras.projector)
-    depth = made.depth_mm[made.depth_mm > 0]
+    depth = made.depth_mm[(made.depth_mm > 0) & (phase_map.modulation > 10)]  # the set counts no fainter pixel; ours does, with its σ
     assert len(depth) == pytest.approx(214_654, rel=0.02)
     assert np.percentile(depth, [1, 50, 99]) == pytest.approx([694.7, 727.9, 775.4], abs=0.3)
 
