@@ -223,13 +223,6 @@ def test_what_was_not_measured_is_hatched_on_points_and_surfaces(view):
     assert levels[0] > 15 > 2 > levels[1]
 
 
-def test_values_that_are_not_finite_are_grey_on_every_scale():
-    colours = colouring.along(colouring.GROWING, np.array([0.0, 1.0, np.nan]), 0.0, 1.0)
-    assert tuple(colours[2]) == tuple(colouring.UNKNOWN)
-    assert tuple(colours[0]) == tuple(colouring.GROWING[0].astype(int))
-    assert tuple(colours[1]) == tuple(colouring.GROWING[-1].astype(int))
-
-
 @pytest.mark.parametrize(("largest", "end"), [(0.012, 0.02), (0.0049, 0.005), (0.3, 0.5)])
 def test_the_end_of_a_scale_is_a_round_number(largest, end):
     assert colouring.upper_end(np.full(100, largest)) == pytest.approx(end)
