@@ -166,10 +166,10 @@ class DimensionSide(QWidget):
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Hide nominals and tolerances in a narrow table, so that the verdicts stay in sight."""
         super().resizeEvent(event)
-        for column, least in ((Column.NOMINAL, NARROW), (Column.TOLERANCE, NARROWEST)):
+        for hidden, least in ((Column.NOMINAL, NARROW), (Column.TOLERANCE, NARROWEST)):
             is_narrow = self.width() < least
             if is_narrow != (event.oldSize().width() < least) or not event.oldSize().isValid():
-                self.table.setColumnHidden(column, is_narrow)
+                self.table.setColumnHidden(hidden, is_narrow)
 
     def _edit(self, edit):  # type: ignore[no-untyped-def]
         return apply_edit(self._programming, self.table.rows, edit)
