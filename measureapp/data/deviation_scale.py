@@ -15,7 +15,7 @@ Range = tuple[float, float]
 class DeviationScale(Model):
     """The colour scale of deviations; it never affects a verdict."""
 
-    tolerance_mm: Range = Field(default=(-0.1, 0.1), description="band of one colour; shares inside, below and above it are counted")
+    tolerance_mm: Range = Field(default=(-0.1, 0.1), description="band of one colour; the fractions inside, below and above it are stated")
     range_mm: Range | None = Field(default=None, description="ends of the scale; without them it covers the band and nearly all points")
     ramp: RampName = "blue-white-red"
     steps: int = Field(default=0, ge=0, le=100, description="number of colour steps; 0: continuous")
