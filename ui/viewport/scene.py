@@ -26,7 +26,7 @@ CLOSEST_MM, ROOM = 15.0, 1.8
 SPLAT, LARGEST_SPLAT_PX = 1.5, 32.0  # size of the points of a level, in edges of its cubes
 TRIANGLE_COST = 1.2  # of a triangle, in points
 TRANSPARENT = 0.35
-LIGHT_FROM = (-0.45, 0.65, 1.0)  # right, up and back of the focal point, in the frame of the eye
+LIGHT_FROM = (-0.35, 0.5, 1.0)  # right, up and back of the focal point, in the frame of the eye
 
 
 class Scene:
