@@ -12,6 +12,7 @@ from ui.actions.actions import Actions
 from ui.actions.palette import CommandPalette
 from ui.actions.shortcut_list import ShortcutList
 from ui.controllers.controllers import Controllers
+from ui.look.language.words import tr
 from ui.look.look import Look
 from ui.messages import MOMENT, Message
 from ui.pages.calibration import CalibrationPage
@@ -57,7 +58,7 @@ class MainWindow(QMainWindow):
 
     def __init__(self, look: Look, session: Session, controllers: Controllers, settings: Settings) -> None:
         super().__init__()
-        self.setWindowTitle("MeasureApp")
+        self.setWindowTitle(tr("MeasureApp"))
         self.setMinimumSize(SMALLEST[0], SMALLEST[1] - TITLE_BARS)
         self.resize(*SMALLEST)
         self.look, self.session, self.controllers, self.settings = look, session, controllers, settings
@@ -266,11 +267,11 @@ class MainWindow(QMainWindow):
         )
 
     def _log_saved(self, file: Path) -> None:
-        self.session.tell(f"The log is saved to {file}.", "Send this file to support.", "done")
+        self.session.tell(tr("The log is saved to {file}.", file=file), "Send this file to support.", "done")
 
     def _name_window(self) -> None:
         name = self.session.project_name
-        self.setWindowTitle(f"{name} – MeasureApp" if name else "MeasureApp")
+        self.setWindowTitle(tr("{name} – MeasureApp", name=name) if name else tr("MeasureApp"))
 
     def _change_role(self, role: str) -> None:
         roles = self.controllers.roles

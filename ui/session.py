@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Literal
 from PySide6.QtCore import QObject, Signal
 
 from measureapp.data.deviation_scale import DeviationScale
+from ui.look.language.words import tr
 from ui.messages import BUSY, CALIBRATION, CANCEL, DEVICES, PROJECT, STOPPED, Level, Message, Messages
 from ui.settings.settings import Settings
 from ui.workers.mailbox import Mailboxes
@@ -332,7 +333,11 @@ class Session(QObject):
         """Return whether a job runs; if so, say that it must end first."""
         if self.busy_with:
             self.tell(
-                f"{self.busy_with} is still running.", "Wait until it has finished, or cancel it.", "warning", cause=BUSY, remedy=CANCEL
+                tr("{busy_with} is still running.", busy_with=self.busy_with),
+                "Wait until it has finished, or cancel it.",
+                "warning",
+                cause=BUSY,
+                remedy=CANCEL,
             )
         return bool(self.busy_with)
 

@@ -7,6 +7,7 @@ from PySide6.QtGui import QKeyEvent, QKeySequence
 from PySide6.QtWidgets import QDialog, QLineEdit, QWidget
 
 from ui.actions.actions import Action, Actions
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.widgets.basic import column, label
 from ui.widgets.data_table import Cell, DataTable
@@ -21,13 +22,13 @@ class CommandPalette(QDialog):
     def __init__(self, look: Look, actions: Actions, contexts: dict[str, str], parent: QWidget) -> None:
         """``contexts``: words of the pages by their names."""
         super().__init__(parent)
-        self.setWindowTitle("Commands")
+        self.setWindowTitle(tr("Commands"))
         self.setMinimumSize(*SIZE)
         self._actions, self._contexts = actions, contexts
         self._shown: tuple[Action, ...] = ()
         self.line = QLineEdit()
-        self.line.setPlaceholderText("Type what you want to do")
-        self.line.setAccessibleName("Search for a command")
+        self.line.setPlaceholderText(tr("Type what you want to do"))
+        self.line.setAccessibleName(tr("Search for a command"))
         self.table = DataTable(look, ["Command", "Where", "Keys"], stretch=0)
         self.table.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self.hint = label("", "small", wrap=True)
@@ -61,7 +62,7 @@ class CommandPalette(QDialog):
         if self._shown:
             self.table.selectRow(0)
         else:
-            self.hint.setText("Nothing fits. Try other words.")
+            self.hint.setText(tr("Nothing fits. Try other words."))
 
     def _cells(self, action: Action) -> list[Cell]:
         reason = self._actions.reason(action)
@@ -74,7 +75,7 @@ class CommandPalette(QDialog):
 
     def _explain(self, row: int) -> None:
         if 0 <= row < len(self._shown):
-            self.hint.setText(self._actions.reason(self._shown[row]))
+            self.hint.setText(translated(self._actions.reason(self._shown[row])))
 
     def _run(self, *_: object) -> None:
         row = self.table.currentIndex().row()
@@ -82,7 +83,7 @@ class CommandPalette(QDialog):
             return
         chosen = self._shown[row]
         if self._actions.reason(chosen):
-            self.hint.setText(self._actions.reason(chosen))
+            self.hint.setText(translated(self._actions.reason(chosen)))
             return
         self.accept()
         self._actions.perform(chosen.id)

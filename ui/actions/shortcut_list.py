@@ -6,6 +6,7 @@ from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import QDialog, QWidget
 
 from ui.actions.actions import EVERYWHERE, Actions
+from ui.look.language.words import tr
 from ui.look.look import Look
 from ui.widgets.basic import column, label
 from ui.widgets.data_table import Cell, DataTable
@@ -16,7 +17,7 @@ class ShortcutList(QDialog):
 
     def __init__(self, look: Look, actions: Actions, contexts: dict[str, str], parent: QWidget) -> None:
         super().__init__(parent)
-        self.setWindowTitle("Shortcuts")
+        self.setWindowTitle(tr("Shortcuts"))
         self.resize(640, 560)
         self._actions, self._contexts = actions, contexts
         self.table = DataTable(look, ["Keys", "Command", "Where"], stretch=1)

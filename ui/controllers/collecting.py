@@ -22,6 +22,7 @@ from ui.controllers.jobs import JobRunner
 from ui.controllers.rig_capture import RigCapture
 from ui.controllers.rig_connection import RigConnection
 from ui.controllers.stored_sessions import newest_session, project_on_disk, sessions_folder
+from ui.look.language.words import tr
 from ui.session import Session
 from ui.workers.job import Job
 
@@ -111,7 +112,7 @@ class CollectingController(QObject):
     def _begin_with_images(self, start: Start, folder: Path) -> None:
         collected, recorded = begin_with_images(self.kind, start, folder, self._session)
         self._take_over(collected, None, {})
-        self.run(f"Reading {folder.name}", lambda job: work.read(job, recorded, collected))
+        self.run(tr("Reading {name}", name=folder.name), lambda job: work.read(job, recorded, collected))
 
     def resume(self, folder: Path) -> None:
         """Continue a stored session."""

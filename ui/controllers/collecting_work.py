@@ -13,6 +13,7 @@ from PySide6.QtGui import QImage
 from measureapp.errors import CalibrationError, DecodeError, InputError, MeasureError
 from measureapp.progress import PartOf
 from ui.controllers.collecting_nouns import LiveImage
+from ui.look.language.words import tr
 from ui.workers.mailbox import Mailboxes
 
 if TYPE_CHECKING:
@@ -90,7 +91,7 @@ def take(job: Job, rig: Rig, viewpoints: Sequence[Viewpoint], session: Calibrati
 def read(job: Job, recorded: Sequence[RecordedView], session: CalibrationSession) -> None:
     """Add recorded views; one that cannot be read is reported and skipped."""
     for done, view in enumerate(recorded):
-        job.report(done, len(recorded), f"Detecting the board in {view.name}")
+        job.report(done, len(recorded), tr("Detecting the board in {name}", name=view.name))
         try:
             found = view.add_to(session, PartOf(job, done / len(recorded), (done + 1) / len(recorded)))
         except (InputError, DecodeError) as error:
@@ -120,7 +121,7 @@ def _thumbnails_of(job: Job, snapshot: Snapshot) -> dict[tuple[str, str], QImage
     observations = snapshot.observations
     pictures: dict[tuple[str, str], QImage] = {}
     for done, observation in enumerate(observations):
-        job.report(done, len(observations), f"Reading view {observation.id}")
+        job.report(done, len(observations), tr("Reading view {id}", id=observation.id))
         for camera, image in observation.images.items():
             try:
                 pictures[observation.id, camera] = thumbnail(image.pixels())

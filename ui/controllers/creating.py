@@ -11,6 +11,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 from measureapp.errors import MeasureError
 from ui.controllers.jobs import JobRunner
 from ui.controllers.programming import ProgrammingController
+from ui.look.language.words import tr
 from ui.session import Session
 
 if TYPE_CHECKING:
@@ -57,7 +58,9 @@ class CreatingController(QObject):
             return
         name = edits.unique_name(program, "feature", f"{str(entry['shape']).replace('_', ' ')} 1")
         new = {**entry, "name": name}
-        if self._programming.edit(lambda program: edits.add(program, "feature", new), f"{name} added to the inspection program."):
+        if self._programming.edit(
+            lambda program: edits.add(program, "feature", new), tr("{name} added to the inspection program.", name=name)
+        ):
             self.picked.emit(name)
 
     def proposals(self, names: Sequence[str]) -> tuple[Proposal, ...]:
@@ -81,7 +84,7 @@ class CreatingController(QObject):
             program = edits.add(program, "dimension", *proposal.dimensions)
             return _linked(program, [str(one["name"]) for one in proposal.dimensions])
 
-        return name if self._programming.edit(change, f"{name} added to the inspection program.") else ""
+        return name if self._programming.edit(change, tr("{name} added to the inspection program.", name=name)) else ""
 
     def constructions(self, names: Sequence[str]) -> tuple[str, ...]:
         """Return the shapes that can be constructed from features."""
@@ -101,7 +104,9 @@ class CreatingController(QObject):
             return ""
         name = edits.unique_name(self.program, "feature", f"{shape.replace('_', ' ')} 1")
         entry = _construction(name, shape, names)
-        added = self._programming.edit(lambda program: edits.add(program, "feature", entry), f"{name} added to the inspection program.")
+        added = self._programming.edit(
+            lambda program: edits.add(program, "feature", entry), tr("{name} added to the inspection program.", name=name)
+        )
         return name if added else ""
 
     def _features(self, program: InspectionProgram) -> dict[str, Feature]:

@@ -13,6 +13,7 @@ from ui.controllers.jobs import JobRunner
 from ui.controllers.rig_control import RigControl
 from ui.controllers.scanning import ScanController
 from ui.look.demo_settings import DemoSettings
+from ui.look.language.words import tr
 from ui.look.paths import demo_folder, next_demo_folder
 from ui.session import Session
 
@@ -71,7 +72,7 @@ class DemoController(QObject):
         folder = next_demo_folder(self.folder or demo_folder(settings))
         self._rig.disconnect_rig()
         self._session.open_project(folder.name, settings.part, folder)
-        self._scanning.run(f"Demo: {Path(settings.part).stem}", lambda _job: _request(settings, folder), "demo")
+        self._scanning.run(tr("Demo: {stem}", stem=Path(settings.part).stem), lambda _job: _request(settings, folder), "demo")
 
 
 def _request(settings: DemoSettings, folder: Path) -> ScanRequest:

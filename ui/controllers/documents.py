@@ -12,6 +12,7 @@ from PySide6.QtGui import QDesktopServices
 from measureapp.errors import InputError, StorageError
 from ui.controllers.jobs import JobRunner
 from ui.controllers.report_header import ReportHeader, read_header, save_header
+from ui.look.language.words import tr
 from ui.session import Session
 
 if TYPE_CHECKING:
@@ -115,14 +116,14 @@ class DocumentsController(QObject):
 
     def _open(self, path: Path) -> None:
         if not QDesktopServices.openUrl(QUrl.fromLocalFile(str(path))):
-            self._session.tell("No PDF viewer is installed.", f"The report is saved to {path}.", "warning")
+            self._session.tell("No PDF viewer is installed.", tr("The report is saved to {path}.", path=path), "warning")
 
     @Slot()
     def open_folder(self) -> None:
         """Show the project's folder in the file manager."""
         folder = self._session.folder
         if folder is not None and not QDesktopServices.openUrl(QUrl.fromLocalFile(str(folder))):
-            self._session.tell("The file manager could not be opened.", f"The project is saved to {folder}.", "warning")
+            self._session.tell("The file manager could not be opened.", tr("The project is saved to {folder}.", folder=folder), "warning")
 
     @Slot(str, object)
     def export(self, kind: str, target: Path) -> None:
@@ -140,11 +141,11 @@ class DocumentsController(QObject):
             if kind in DOCUMENTS and folder is not None and self._is_stored
             else (lambda job: export(kind, source, measurement, target, job))
         )
-        self._runner.run(f"Exporting {target.name}", work, self._report_export)
+        self._runner.run(tr("Exporting {name}", name=target.name), work, self._report_export)
 
     @Slot(object)
     def _report_export(self, target: Path) -> None:
-        self._session.tell(f"{target.name} saved to {target.parent}.", "", "done")
+        self._session.tell(tr("{name} saved to {parent}.", name=target.name, parent=target.parent), "", "done")
 
 
 def page_images(measurement: Measurement, folder: Path | None, job: Job) -> tuple[bytes, ...]:

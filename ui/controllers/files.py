@@ -12,6 +12,7 @@ from measureapp.data.length_unit import LengthUnit
 from measureapp.errors import InputError, UnitQuestion
 from ui.controllers.comparison import compute_comparison
 from ui.controllers.jobs import JobRunner
+from ui.look.language.words import tr
 from ui.session import Comparison, Session
 
 if TYPE_CHECKING:
@@ -68,7 +69,7 @@ class FilesController(QObject):
         """Read the files, align, inspect and compare."""
         if self._session.refuse_during_job() or self._session.ask_about_unsaved(lambda: self.measure(files)):
             return
-        self._runner.run(f"Measuring {files.cloud.name}", lambda job: measure_file(files, job), self._show)
+        self._runner.run(tr("Measuring {name}", name=files.cloud.name), lambda job: measure_file(files, job), self._show)
 
     @Slot(object)
     def _show(self, found: MeasuredFile | FileQuestion) -> None:
@@ -80,7 +81,7 @@ class FilesController(QObject):
         session.set_stitched(found.cloud)
         session.set_inspection(found.inspection)
         session.set_comparison(found.comparison)
-        session.tell(f"{files.cloud.name} was inspected against {files.reference.name}.", "", "done")
+        session.tell(tr("{name} was inspected against {name_2}.", name=files.cloud.name, name_2=files.reference.name), "", "done")
         self.measured.emit()
 
 

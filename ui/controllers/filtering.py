@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject, Slot
 
 from measureapp.errors import StorageError
 from ui.controllers.jobs import JobRunner
+from ui.look.language.words import tr
 from ui.look.wording import counted
 from ui.session import Session
 
@@ -72,7 +73,7 @@ class FilteringController(QObject):
             session.tell("The filter removes no points.", "Use stricter limits, or another filter.")
             return
         session.set_filters(found.chain)
-        words = f"{counted(before - len(session.filtered or ()))} of {counted(before)} points removed."
+        words = tr("{counted} of {before} points removed.", counted=counted(before - len(session.filtered or ())), before=counted(before))
         self._tell(found, words, "Dimensions still refer to the stitched cloud.")
 
     @Slot(object)
@@ -85,7 +86,11 @@ class FilteringController(QObject):
         if found.problem is None:
             self._session.tell(words, hint, "done")
         else:
-            self._session.tell(f"{words} Not saved with the project: {found.problem.message}", found.problem.hint, "warning")
+            self._session.tell(
+                tr("{words} Not saved with the project: {message}", words=words, message=found.problem.message),
+                found.problem.hint,
+                "warning",
+            )
 
 
 def add_filter(cloud: StitchedCloud, chain: FilterChain | None, wanted: Filter, folder: Path | None, job: Job) -> Filtered:

@@ -10,6 +10,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 
 from measureapp.errors import InspectionError
 from ui.controllers.jobs import JobRunner
+from ui.look.language.words import tr
 from ui.look.wording import sentence
 from ui.session import Session
 
@@ -108,5 +109,8 @@ def grow_feature(
     found = find_features(points, program, None, InspectionSettings(), job)[name]
     if found.feature is None:
         reason, _, remedy = found.reason.removeprefix(f"{name}: ").rstrip(".").partition(". ")
-        raise InspectionError(f"No {shape} found there: {reason}.", sentence(remedy) or "Click another point, or choose another shape.")
+        raise InspectionError(
+            tr("No {shape} found there: {reason}.", shape=shape, reason=reason),
+            sentence(remedy) or "Click another point, or choose another shape.",
+        )
     return GrownFeature(found.feature, seed_mm)

@@ -10,6 +10,7 @@ import numpy as np
 from PySide6.QtCore import QObject, Signal, Slot
 
 from ui.controllers.jobs import JobRunner
+from ui.look.language.words import tr
 from ui.session import Session
 
 if TYPE_CHECKING:
@@ -74,7 +75,7 @@ class HolesController(QObject):
             self.explained.emit(self._last)
         elif folder is not None and self.can_explain:
             self._job = self._runner.run(
-                f"Analysing {viewpoint_id}",
+                tr("Analysing {viewpoint_id}", viewpoint_id=viewpoint_id),
                 lambda job: explain(folder, viewpoint_id, job),
                 self._keep,
                 on_failed=self._tell_failure,
@@ -124,7 +125,7 @@ class HolesController(QObject):
 
 def explain(folder: Path, viewpoint_id: str, job: Job) -> Explanation:
     """Decode and reconstruct one stored view; runs on a job's thread."""
-    job.report(0, 1, f"Reading the images of {viewpoint_id}")
+    job.report(0, 1, tr("Reading the images of {viewpoint_id}", viewpoint_id=viewpoint_id))
     from measureapp.pipeline.why import explain_view
     from measureapp.project.folder import ProjectFolder
 

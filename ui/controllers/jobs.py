@@ -8,6 +8,7 @@ from typing import Any
 from PySide6.QtCore import QObject, Signal, Slot
 
 from measureapp.errors import MeasureError
+from ui.look.language.words import tr
 from ui.messages import MOMENT, PROJECT
 from ui.session import Session
 from ui.workers.job import Job, Work
@@ -95,4 +96,4 @@ class JobRunner(QObject):
 
 def _failure_of(job: QObject | None) -> str:
     """Return the cause under which the failure of a job is told."""
-    return f"job: {job.title}" if isinstance(job, Job) else PROJECT
+    return tr("job: {title}", title=job.title) if isinstance(job, Job) else PROJECT

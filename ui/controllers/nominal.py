@@ -12,6 +12,7 @@ from measureapp.data.length_unit import LengthUnit
 from ui.controllers.jobs import JobRunner
 from ui.controllers.program_jobs import ChangedNominal, NominalQuestion, measure_with_nominal
 from ui.controllers.programming import ProgrammingController
+from ui.look.language.words import tr
 from ui.session import Session
 
 
@@ -61,7 +62,7 @@ class NominalController(QObject):
         if isinstance(found, NominalQuestion):
             self.unitAsked.emit(found)
             return
-        words = f"Nominal changed to {found.path.name}."
+        words = tr("Nominal changed to {name}.", name=found.path.name)
         if found.former is None:
             self._programming.stack.clear()
         else:

@@ -17,6 +17,7 @@ from ui.controllers.operator_run import OperatorRun
 from ui.controllers.operator_shelf import ShelfController
 from ui.controllers.rig_control import BY_BUTTON, RigControl
 from ui.controllers.scanning import ScanController
+from ui.look.language.words import tr
 from ui.session import Session
 
 if TYPE_CHECKING:
@@ -147,11 +148,17 @@ class OperatorController(QObject):
             self._take_fields(meaning.fields)
         elif meaning.kind == "ambiguous":
             self.said.emit(
-                f"The code {shown(text)} fits several part programs: {', '.join(meaning.names)}. Choose one by its card.", "error"
+                tr(
+                    "The code {shown} fits several part programs: {list}. Choose one by its card.",
+                    shown=shown(text),
+                    list=", ".join(meaning.names),
+                ),
+                "error",
             )
         else:
             self.said.emit(
-                f"The code {shown(text)} belongs to no part program. Choose the part by its card, or call the engineer.", "error"
+                tr("The code {shown} belongs to no part program. Choose the part by its card, or call the engineer.", shown=shown(text)),
+                "error",
             )
 
     def _identify_by(self, text: str, facts: Sequence[PartProgramFacts | None]) -> None:
@@ -163,10 +170,21 @@ class OperatorController(QObject):
             self.said.emit("", "info")
             self._take_fields(meaning.fields)
         elif meaning.kind == "wrong part":
-            words = f"Wrong part: the code is of part {meaning.fields.part}, this program measures part {mine.part_number}."
+            words = tr(
+                "Wrong part: the code is of part {part}, this program measures part {part_number}.",
+                part=meaning.fields.part,
+                part_number=mine.part_number,
+            )
             self.said.emit(words, "error")
         else:
-            self.said.emit(f"The code {shown(text)} is not one of part {mine.part_number or mine.name}. Nothing was entered.", "error")
+            self.said.emit(
+                tr(
+                    "The code {shown} is not one of part {value}. Nothing was entered.",
+                    shown=shown(text),
+                    value=mine.part_number or mine.name,
+                ),
+                "error",
+            )
 
     def _take_fields(self, fields: CodeFields) -> None:
         self.entered = replace(self.entered, serial=fields.serial or self.entered.serial, order=fields.order or self.entered.order)
@@ -211,10 +229,10 @@ class OperatorController(QObject):
             return ("The rig is being loaded.",)
         found = []
         if session.cell.stopped and session.cell.stopped != BY_BUTTON:
-            found.append(f"The rig was stopped: {session.cell.stopped} {work.CALL}")
+            found.append(tr("The rig was stopped: {stopped} {call}", stopped=session.cell.stopped, call=work.CALL))
         running = self._jobs.queue.running
         if running is not None and not running.quiet and not self.run.waits:
-            found.append(f"{running.title} is still running.")
+            found.append(tr("{title} is still running.", title=running.title))
         if self.obstacles is None:
             return (*found, "The calibration and the disk are being checked.")
         return (*found, *self.obstacles)

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from measureapp.errors import InputError, MeasureError
 from ui.controllers.operator_nouns import Entered, Filed, ProgramCard, verdict_of
+from ui.look.language.words import tr
 
 if TYPE_CHECKING:
     from measureapp.data.measurement import Measurement
@@ -51,7 +52,9 @@ def read_shelf(job: Job, file: Path, rig: RigDescription | None) -> Shelf:
     try:
         paths = sorted(path for path in folder.iterdir() if path.suffix.lower() == ".mpart")
     except OSError as error:
-        raise InputError(f"The part programs in {folder} cannot be read: {error.strerror or error}.", CALL) from error
+        raise InputError(
+            tr("The part programs in {folder} cannot be read: {value}.", folder=folder, value=error.strerror or error), CALL
+        ) from error
     cards = [_card(path, settings, runs, rig) for path in paths]
     ordered = sorted(cards, key=lambda card: (bool(card.problem), card.name.casefold()))
     offered, held = (tuple(card for card in ordered if (card.program is None or card.is_released) == may) for may in (True, False))
@@ -123,7 +126,7 @@ def _check_calibration(rig: RigDescription, settings: OperatorSettings) -> None:
     if folder is None:
         if rig.driver == VIRTUAL_DRIVER:
             return
-        raise InputError(f"{rig.name} has no calibration.", CALL)
+        raise InputError(tr("{name} has no calibration.", name=rig.name), CALL)
     project = ProjectFolder.open(folder)
     validity = known_validity(project, project.require_calibration(), None)
     if validity.drift is not None and validity.drift.status == "drifted":
@@ -145,10 +148,12 @@ def _check_disk(rig: RigDescription, program: PartProgram, settings: OperatorSet
         probe.unlink()
         free = shutil.disk_usage(folder).free
     except OSError as error:
-        raise InputError(f"{folder} cannot be written to: {error.strerror or error}.", CALL) from error
+        raise InputError(tr("{folder} cannot be written to: {value}.", folder=folder, value=error.strerror or error), CALL) from error
     needed = sum(stack_bytes(rig, program.plan, viewpoint) for viewpoint in program.plan) + RESERVE_BYTES
     if free < needed:
-        raise InputError(f"The disk has {free / 1e9:.1f} GB free, and this part needs {needed / 1e9:.1f} GB.", CALL)
+        raise InputError(
+            tr("The disk has {value:.1f} GB free, and this part needs {value_2:.1f} GB.", value=free / 1e9, value_2=needed / 1e9), CALL
+        )
 
 
 def calibrated_project(rig: RigDescription, settings: OperatorSettings) -> Path | None:
@@ -238,7 +243,9 @@ def file_finished(job: Job, folder: Path, measurement: Measurement, program: Par
         with replacing(target) as temporary:
             shutil.copyfile(project.report_pdf, temporary)
     except (MeasureError, OSError) as error:
-        return Filed(run, problem=f"The result is filed; its report could not be copied to {target}: {error}.")
+        return Filed(
+            run, problem=tr("The result is filed; its report could not be copied to {target}: {error}.", target=target, error=error)
+        )
     return Filed(run, target)
 
 

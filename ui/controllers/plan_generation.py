@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from measureapp.errors import PlanError
+from ui.look.language.words import tr
 
 if TYPE_CHECKING:
     from measureapp.data.plan import ScanPlan
@@ -45,7 +46,10 @@ def order(plan: ScanPlan, rig: RigDescription, arm: ArmModel | None, job: Job) -
     from measureapp.planning.travel import travel_times_s
 
     if len(plan) > MOST_ORDERED:
-        raise PlanError(f"{len(plan)} viewpoints are too many to be ordered.", f"Up to {MOST_ORDERED} can be.")
+        raise PlanError(
+            tr("{count} viewpoints are too many to be ordered.", count=len(plan)),
+            tr("Up to {most_ordered} can be.", most_ordered=MOST_ORDERED),
+        )
     job.report(0, 2, "Times of the moves")
     viewpoints = tuple(plan)
     times = travel_times_s(viewpoints, rig, arm)

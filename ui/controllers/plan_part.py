@@ -10,6 +10,7 @@ import numpy as np
 from PySide6.QtCore import QObject, Signal, Slot
 
 from ui.controllers.jobs import JobRunner
+from ui.look.language.words import tr
 from ui.session import Session
 
 if TYPE_CHECKING:
@@ -88,7 +89,7 @@ class PlanPart(QObject):
         pose = None if plan is None else plan.part_pose
         if rig is not None and self._wanted != (path, rig, pose):
             self._wanted = (path, rig, pose)
-            self._runner.run(f"Reading {path.name}", lambda job: prepare(path, rig, pose, job), self._show, quiet=True)
+            self._runner.run(tr("Reading {name}", name=path.name), lambda job: prepare(path, rig, pose, job), self._show, quiet=True)
 
     @Slot(object)
     def _show(self, prepared: PreparedPart) -> None:

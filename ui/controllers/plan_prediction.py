@@ -11,6 +11,7 @@ from PySide6.QtCore import QObject, QTimer, Signal, Slot
 
 from ui.controllers.jobs import JobRunner
 from ui.controllers.plan_part import PlanPart, PreparedPart
+from ui.look.language.words import tr
 from ui.session import Session
 from ui.workers.job import Job
 
@@ -206,7 +207,7 @@ def _predict(plan: ScanPlan, cell: Cell, known: Known, job: Job) -> Prediction:
     if part is None:
         return replace(found, note="Choose the nominal of the part to see the predicted coverage.")
     if len(plan) > MOST_VIEWPOINTS:
-        return replace(found, note=f"Coverage is predicted for up to {MOST_VIEWPOINTS} viewpoints.")
+        return replace(found, note=tr("Coverage is predicted for up to {most_viewpoints} viewpoints.", most_viewpoints=MOST_VIEWPOINTS))
     job.emit_event(replace(found, note="The coverage is being predicted…"))
     viewpoints = tuple(plan)
     sentences = found.check.sentences()

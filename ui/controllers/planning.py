@@ -14,6 +14,7 @@ from ui.controllers.jobs import JobRunner
 from ui.controllers.plan_generation import Wanted, generate, order
 from ui.controllers.plan_part import PlanPart
 from ui.controllers.plan_prediction import PlanPrediction
+from ui.look.language.words import tr
 from ui.look.wording import percent, several
 from ui.messages import SHOW_RIG
 from ui.session import Session
@@ -137,7 +138,7 @@ class PlanningController(QObject):
         except MeasureError as error:
             self._session.tell(error.message, error.hint, "warning")
             return
-        self._push(f"Add {viewpoint.id}", changed)
+        self._push(tr("Add {id}", id=viewpoint.id), changed)
         self.selectAsked.emit((viewpoint.id,))
 
     def free_name(self) -> str:
@@ -202,8 +203,12 @@ class PlanningController(QObject):
     def _show_generated(self, made: GeneratedPlan) -> None:
         self._push("Generate", made.plan)
         self._session.tell(
-            f"{several(len(made.plan), 'viewpoint measures', 'viewpoints measure')} {percent(made.planned_share)} of the surface, "
-            f"{percent(made.planned_of_allowed)} of what the rig can.",
+            tr(
+                "{count} {planned_share} of the surface, {planned_of_allowed} of what the rig can.",
+                count=several(len(made.plan), "viewpoint measures", "viewpoints measure"),
+                planned_share=percent(made.planned_share),
+                planned_of_allowed=percent(made.planned_of_allowed),
+            ),
             " ".join(made.problems),
             "warning" if made.problems else "done",
         )
@@ -234,13 +239,13 @@ class PlanningController(QObject):
             job.report(0, 1, path.name)
             return path, read_plan(path)
 
-        self._runner.run(f"Opening {path.name}", work, self._opened, quiet=True)
+        self._runner.run(tr("Opening {name}", name=path.name), work, self._opened, quiet=True)
 
     @Slot(object)
     def _opened(self, found: tuple[Path, ScanPlan]) -> None:
         self.file, plan = found
-        self._push(f"Open {self.file.name}", plan)
-        self._session.tell(f"{self.file.name} is open: {len(plan)} viewpoints.", "", "done")
+        self._push(tr("Open {name}", name=self.file.name), plan)
+        self._session.tell(tr("{name} is open: {count} viewpoints.", name=self.file.name, count=len(plan)), "", "done")
 
     @Slot(object)
     def save(self, path: Path) -> None:
@@ -256,13 +261,13 @@ class PlanningController(QObject):
             write_plan(path, plan)
             return path
 
-        self._runner.run(f"Saving {path.name}", work, self._saved, quiet=True)
+        self._runner.run(tr("Saving {name}", name=path.name), work, self._saved, quiet=True)
 
     @Slot(object)
     def _saved(self, path: Path) -> None:
         self.file = path
         self.stack.setClean()
-        self._session.tell(f"The plan is saved as {path.name}.", "", "done")
+        self._session.tell(tr("The plan is saved as {name}.", name=path.name), "", "done")
 
     @Slot()
     def use(self) -> None:
@@ -287,7 +292,11 @@ class PlanningController(QObject):
             self._session.start_viewpoints(tuple(viewpoint.id for viewpoint in plan))
             self._session.set_plan(plan)
         where = "" if self._session.folder is None else " It is stored in the project."
-        self._session.tell(f"The next scan uses this plan of {len(plan)} viewpoints.{where}", "Go on with the page Scan.", "done")
+        self._session.tell(
+            tr("The next scan uses this plan of {count} viewpoints.{where}", count=len(plan), where=where),
+            "Go on with the page Scan.",
+            "done",
+        )
         self.changed.emit()
 
     @Slot()

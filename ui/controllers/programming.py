@@ -20,6 +20,7 @@ from ui.controllers.program_jobs import (
 )
 from ui.controllers.program_measuring import ProgramMeasuring
 from ui.controllers.program_rows import DimensionRow, Status, changed_names
+from ui.look.language.words import tr
 from ui.session import Session
 
 if TYPE_CHECKING:
@@ -135,7 +136,7 @@ class ProgrammingController(QObject):
         document = tomllib.loads(lines)
         kind = "feature" if "features" in document else "dimension"
         entries = document[f"{kind}s"]
-        self.edit(lambda program: edits.add(program, kind, *entries), f"{name} added to the inspection program.")
+        self.edit(lambda program: edits.add(program, kind, *entries), tr("{name} added to the inspection program.", name=name))
 
     @Slot(str)
     def remove(self, name: str) -> None:
@@ -145,7 +146,9 @@ class ProgrammingController(QObject):
 
         if self.state is not None:
             kind = "dimension" if name in edits.names_of(self.state.program, "dimension") else "feature"
-            self.edit(lambda program: edits.remove(program, [Node(kind, name)]), f"{name} removed from the inspection program.")
+            self.edit(
+                lambda program: edits.remove(program, [Node(kind, name)]), tr("{name} removed from the inspection program.", name=name)
+            )
 
     def replace(self, text: str) -> None:
         """Use another text. Raises InputError if it is not valid."""
@@ -228,7 +231,7 @@ class ProgrammingController(QObject):
         """Write the edited program to a file of its own."""
         state = self.state
         if state is not None:
-            self._runner.run(f"Saving {path.name}", lambda _job: save_copy(path, state), self._show_copied)
+            self._runner.run(tr("Saving {name}", name=path.name), lambda _job: save_copy(path, state), self._show_copied)
 
     @Slot(object)
     def _show_saved(self, found: tuple[ProgramState, Outcome | None]) -> None:
@@ -246,7 +249,7 @@ class ProgrammingController(QObject):
 
     @Slot(object)
     def _show_copied(self, path: Path) -> None:
-        self._session.tell(f"Program saved as {path.name}.", "", "done")
+        self._session.tell(tr("Program saved as {name}.", name=path.name), "", "done")
 
     def take_outcome(self, outcome: Outcome, state: ProgramState) -> None:
         """Use a measurement of another nominal, which was stored with the program."""

@@ -11,6 +11,7 @@ from PySide6.QtCore import QObject, Slot
 from measureapp.errors import StorageError
 from ui.controllers.jobs import JobRunner
 from ui.controllers.run_events import RunEvents
+from ui.look.language.words import tr
 from ui.look.paths import sample_folder
 from ui.messages import OPEN_PROJECT, RECOMPUTE
 from ui.session import Session
@@ -130,7 +131,9 @@ class ProjectController(QObject):
 
     @Slot(object)
     def _say_saved(self, path: Path) -> None:
-        self._session.tell(f"The template is saved to {path}.", "New projects start from it: New project from a template.", "done")
+        self._session.tell(
+            tr("The template is saved to {path}.", path=path), "New projects start from it: New project from a template.", "done"
+        )
 
     @Slot(object)
     def copy_to(self, folder: Path) -> None:
@@ -187,13 +190,13 @@ class ProjectController(QObject):
         if read.measurement is not None:
             session.set_measurement(read.measurement, read.files, read.filters)
         session.set_validity(read.validity)
-        session.tell(f"{read.name} is open.", "", "done")
+        session.tell(tr("{name} is open.", name=read.name), "", "done")
         if read.damage is not None:
             session.tell(read.damage.message, "Press Recompute on the page Scan; no new scan is needed.", "warning", remedy=RECOMPUTE)
         if read.lost is not None:
             session.tell(read.lost.message, read.lost.hint, "warning")
         if read.holder is not None:
-            session.tell(f"{read.name} is open read-only: it is in use by {read.holder}.", IN_USE, "warning")
+            session.tell(tr("{name} is open read-only: it is in use by {holder}.", name=read.name, holder=read.holder), IN_USE, "warning")
 
     @Slot(object)
     def _show_recomputed(self, outcome: Outcome) -> None:

@@ -10,6 +10,7 @@ from PySide6.QtCore import QObject, Slot
 from measureapp.errors import InputError
 from ui.controllers.jobs import JobRunner
 from ui.controllers.stored_sessions import newest_result
+from ui.look.language.words import tr
 from ui.session import Session
 
 if TYPE_CHECKING:
@@ -56,5 +57,5 @@ def read_accepted(job: Job, folder: Path) -> RigCalibration | CameraArrayCalibra
 
     found = read_result(folder if (folder / RIG).is_file() else folder / CAMERAS)
     if not isinstance(found, RigCalibration | CameraArrayCalibration):
-        raise InputError(f"{folder} holds no calibration of cameras or a rig.", "Calibrate again.")
+        raise InputError(tr("{folder} holds no calibration of cameras or a rig.", folder=folder), "Calibrate again.")
     return found

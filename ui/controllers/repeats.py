@@ -12,6 +12,7 @@ from ui.controllers.jobs import JobRunner
 from ui.controllers.scan_choices import ScanChoices, documents_of, request_maker
 from ui.controllers.scanning import ScanController
 from ui.controllers.stored_sessions import project_on_disk
+from ui.look.language.words import tr
 from ui.session import Session
 
 if TYPE_CHECKING:
@@ -95,7 +96,7 @@ class RepeatsController(QObject):
     @Slot(object)
     def _tell_written(self, path: Path) -> None:
         self._session.tell(
-            f"The report of repeats is saved as {path.name}, with a table (CSV) and JSON beside it.", str(path.parent), "done"
+            tr("The report of repeats is saved as {name}, with a table (CSV) and JSON beside it.", name=path.name), str(path.parent), "done"
         )
         self.written.emit(path)
 
@@ -136,7 +137,9 @@ class RepeatsController(QObject):
         nominal, program = documents_of(series.source)
         self._next = free_folder(series.source)
         choices = ScanChoices(self._next, series.part, nominal, program, series.source)
-        self._scanning.run(f"Repeat {series.number} of {series.count}", request_maker(choices, self._session), "repeat")
+        self._scanning.run(
+            tr("Repeat {number} of {count}", number=series.number, count=series.count), request_maker(choices, self._session), "repeat"
+        )
         self.changed.emit()
 
     @Slot(object)

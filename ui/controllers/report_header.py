@@ -6,6 +6,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from ui.look.language.words import tr
+
 if TYPE_CHECKING:
     from measureapp.data.identification import Identification
     from measureapp.data.measurement import Measurement
@@ -40,11 +42,11 @@ def read_header(folder: Path, job: Job) -> ReportHeader:
     from measureapp.report.template import default_template, own_logo, read_template
 
     company, own = default_template().description, ProjectFolder.open(folder).report_template
-    offered = [TemplateChoice(f"Your own: {company.name}, version {company.version}")]
+    offered = [TemplateChoice(tr("Your own: {name}, version {version}", name=company.name, version=company.version))]
     if own is not None:
         kept = read_template(own).description
-        words = f"{kept.name}, version {kept.version}" if own.is_dir() else "a layout (Typst)"
-        offered.append(TemplateChoice(f"This project's: {words}", of_project=True))
+        words = tr("{name}, version {version}", name=kept.name, version=kept.version) if own.is_dir() else "a layout (Typst)"
+        offered.append(TemplateChoice(tr("This project's: {words}", words=words), of_project=True))
     return ReportHeader(read_identification(folder), company.company, own_logo(), offered[-1], tuple(offered))
 
 
@@ -53,8 +55,8 @@ def read_choice(path: Path) -> TemplateChoice:
     from measureapp.report.template import read_template
 
     found = read_template(path)
-    words = path.name if path.is_file() else f"{found.description.name}, version {found.description.version}"
-    return TemplateChoice(f"Another: {words}", path)
+    words = path.name if path.is_file() else tr("{name}, version {version}", name=found.description.name, version=found.description.version)
+    return TemplateChoice(tr("Another: {words}", words=words), path)
 
 
 def save_header(folder: Path, header: ReportHeader, measurement: Measurement | None, job: Job) -> None:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Literal
 from measureapp.errors import CalibrationError
 from ui.controllers.collected_views import name_of
 from ui.controllers.stored_sessions import RESULT, project_on_disk
+from ui.look.language.words import tr
 from ui.look.wording import millimetres, quantity
 from ui.session import Session
 
@@ -119,7 +120,7 @@ def facts_of(snapshot: Snapshot, solved: Solved) -> tuple[tuple[str, str], ...]:
             ("Reprojection (rms)", quantity(cameras.joint_rms_px, "px", 3)),
             ("Noise of a corner (1 σ)", quantity(cameras.sigma_px, "px", 3)),
         ]
-        facts += [(f"Camera {name}", _camera_words(camera)) for name, camera in solved.cameras.cameras.items()]
+        facts += [(tr("Camera {name}", name=name), _camera_words(camera)) for name, camera in solved.cameras.cameras.items()]
     if solved.residuals_mm:
         worst = max(solved.residuals_mm, key=lambda name: solved.residuals_mm[name])
         facts.append(("Largest residual", f"{millimetres(solved.residuals_mm[worst])}, {name_of(snapshot.observation(worst))}"))
@@ -139,9 +140,9 @@ def accept(found: Result, session: Session) -> tuple[str, str]:
         session.set_cameras(now.cameras)
     elif session.calibration is not None and now.cameras is not None:
         rig, own = (", ".join(one.names) for one in (session.calibration.cameras, now.cameras))
-        return "The result is saved, but the rig keeps its own cameras.", f"It is one of {own}; the rig has {rig}."
+        return "The result is saved, but the rig keeps its own cameras.", tr("It is one of {own}; the rig has {rig}.", own=own, rig=rig)
     outdated = found.snapshot.setup.kind.outdates(found.known if now.rig is not None else replace(found.known, rig=None))
-    return "The calibration is accepted.", " ".join(outdated) or f"Saved to {place if project is None else project}."
+    return "The calibration is accepted.", " ".join(outdated) or tr("Saved to {words}.", words=place if project is None else project)
 
 
 def _compare(snapshot: Snapshot, solved: Solved, known: Known, merged: Known) -> str:
@@ -155,7 +156,7 @@ def _compare(snapshot: Snapshot, solved: Solved, known: Known, merged: Known) ->
 
 def _camera_words(camera: CameraCalibration) -> str:
     """Return the residual of a camera, and the blur of its images where it was determined."""
-    return quantity(camera.rms_px, "px", 3) + (f", blur {quantity(camera.blur_px, 'px', 2)}" if camera.blur_px else "")
+    return quantity(camera.rms_px, "px", 3) + (tr(", blur {blur_px}", blur_px=quantity(camera.blur_px, "px", 2)) if camera.blur_px else "")
 
 
 def pair_values(found: Sequence[Estimate], truth: Sequence[Estimate], previous: Sequence[Estimate]) -> tuple[ValueRow, ...]:

@@ -12,6 +12,7 @@ from ui.controllers.jobs import JobRunner
 from ui.controllers.rig_control import RigControl
 from ui.controllers.run_events import RunEvents
 from ui.controllers.stored_sessions import project_on_disk
+from ui.look.language.words import tr
 from ui.session import Session
 
 if TYPE_CHECKING:
@@ -95,7 +96,11 @@ class RigCalibratingController(QObject):
             session.set_plan(project.plan() or plan)
         session.set_calibration(calibrated.solved.solution.calibration)
         verdict = calibrated.solved.verdict
-        session.tell(f"The rig is calibrated. {verdict.sentence}", verdict.remedy, "warning" if verdict.level == "bad" else "done")
+        session.tell(
+            tr("The rig is calibrated. {sentence}", sentence=verdict.sentence),
+            verdict.remedy,
+            "warning" if verdict.level == "bad" else "done",
+        )
         self.calibrated.emit(calibrated)
 
     @Slot()

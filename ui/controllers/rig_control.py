@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal, Slot
 
 from ui.controllers.jobs import JobRunner
+from ui.look.language.words import tr
 from ui.messages import DEVICES, SHOW_RIG, STOPPED
 from ui.session import CellState, Session
 from ui.workers.job import Job
@@ -71,7 +72,7 @@ class RigControl(QObject):
             rig = connect_rig(description)
             return rig, _read(rig)
 
-        self._runner.run(f"Connecting {description.name}", work, self._connected)
+        self._runner.run(tr("Connecting {name}", name=description.name), work, self._connected)
 
     @Slot(object)
     def _connected(self, found: tuple[Rig, CellState]) -> None:
@@ -80,7 +81,7 @@ class RigControl(QObject):
         unready = [device.name for device in cell.devices if not device.status.ready]
         if unready:
             self._session.tell(
-                f"Connected, but not ready: {', '.join(unready)}.",
+                tr("Connected, but not ready: {list}.", list=", ".join(unready)),
                 "See the remedy in the table of devices.",
                 "warning",
                 cause=DEVICES,

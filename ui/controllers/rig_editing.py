@@ -11,6 +11,7 @@ from measureapp.errors import MeasureError
 from ui.controllers.jobs import JobRunner
 from ui.controllers.rig_control import RigControl
 from ui.controllers.startup import driver_row
+from ui.look.language.words import tr
 from ui.session import Session
 from ui.workers.job import Job
 
@@ -64,7 +65,9 @@ class RigEditing(QObject):
     def save(self, description: RigDescription, path: Path) -> None:
         """Write a description, and work with it from now on; `saved` or `refused` follows."""
         if self._session.busy_with:
-            self.refused.emit(f"Another task is running: {self._session.busy_with}. Save the rig when it has ended.")
+            self.refused.emit(
+                tr("Another task is running: {busy_with}. Save the rig when it has ended.", busy_with=self._session.busy_with)
+            )
             return
 
         def work(job: Job) -> Path:
@@ -88,7 +91,7 @@ class RigEditing(QObject):
     @Slot(object)
     def _use(self, path: Path) -> None:
         self._rig.choose(path)
-        self._session.tell(f"The rig was saved to {path}.", "", "done")
+        self._session.tell(tr("The rig was saved to {path}.", path=path), "", "done")
         self.saved.emit(path)
 
     @Slot(object)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Slot
 
+from ui.look.language.words import tr
 from ui.look.wording import percent
 from ui.messages import CALIBRATION, SHOW_CALIBRATION
 from ui.session import RunNow, Session, ViewpointStatus
@@ -94,17 +95,27 @@ class RunEvents(QObject):
                 self._show_capture(event)
             case e.ViewpointRetaken():
                 session.set_viewpoint(event.viewpoint_id, "moving", event.reason)
-                session.tell(f"Viewpoint {event.viewpoint_id} is taken again: {event.reason}", "", "warning")
+                session.tell(
+                    tr("Viewpoint {viewpoint_id} is taken again: {reason}", viewpoint_id=event.viewpoint_id, reason=event.reason),
+                    "",
+                    "warning",
+                )
             case e.ViewpointStored():
                 session.set_viewpoint(event.viewpoint_id, "stored", f"{event.seconds:.1f} s")
             case e.ViewpointFailed():
                 if event.viewpoint_id in session.viewpoints:  # not one of a calibration
                     session.set_viewpoint(event.viewpoint_id, "failed", event.reason)
-                session.tell(f"Viewpoint {event.viewpoint_id} failed: {event.reason}", "The scan continues with the next one.", "warning")
+                session.tell(
+                    tr("Viewpoint {viewpoint_id} failed: {reason}", viewpoint_id=event.viewpoint_id, reason=event.reason),
+                    "The scan continues with the next one.",
+                    "warning",
+                )
             case e.ViewpointSkipped():
-                session.tell(f"Viewpoint {event.viewpoint_id} was skipped.", "Retake it if you need it after all.")
+                session.tell(
+                    tr("Viewpoint {viewpoint_id} was skipped.", viewpoint_id=event.viewpoint_id), "Retake it if you need it after all."
+                )
             case e.ViewpointQueued():
-                session.tell(f"Viewpoint {event.viewpoint_id}: {event.reason}")
+                session.tell(tr("Viewpoint {viewpoint_id}: {reason}", viewpoint_id=event.viewpoint_id, reason=event.reason))
 
     def _apply_processing(self, event: ProcessingEvent) -> None:
         from measureapp.pipeline import events as e
@@ -120,7 +131,11 @@ class RunEvents(QObject):
                 session.add_view(event.view)
             case e.ViewFailed():
                 session.set_viewpoint(event.viewpoint_id, "failed", event.reason)
-                session.tell(f"Viewpoint {event.viewpoint_id} has no cloud: {event.reason}", "Its images are stored.", "warning")
+                session.tell(
+                    tr("Viewpoint {viewpoint_id} has no cloud: {reason}", viewpoint_id=event.viewpoint_id, reason=event.reason),
+                    "Its images are stored.",
+                    "warning",
+                )
             case e.PartElsewhere():
                 session.tell(event.sentence, "", "warning")
             case e.StitchReady():
@@ -128,7 +143,7 @@ class RunEvents(QObject):
                 if event.stitched.axis_doubt:
                     session.tell(event.stitched.axis_doubt, "", "warning", cause=CALIBRATION, remedy=SHOW_CALIBRATION)
             case e.SurfaceFailed():
-                session.tell(f"No surface: {event.reason}", event.remedy, "warning")
+                session.tell(tr("No surface: {reason}", reason=event.reason), event.remedy, "warning")
             case e.InspectionReady():
                 session.set_inspection(event.inspection)
             case e.ValidityKnown():
@@ -148,9 +163,13 @@ class RunEvents(QObject):
     def _report_exposures(self, event: ExposuresChosen) -> None:
         """Report the exposures that a probe has chosen."""
         times = ", ".join(f"{exposure_us / 1000:g}" for exposure_us in event.exposures_us)
-        where = f"Viewpoint {event.viewpoint_id}: exposures" if event.viewpoint_id else "Exposures"
-        shares = f"{percent(event.decodable_share)} of the lit pixels decodable, {percent(event.planned_share)} as planned"
-        self._session.tell(f"{where} of {times}\u00a0ms chosen by a probe: {shares}.", event.note)
+        where = tr("Viewpoint {viewpoint_id}: exposures", viewpoint_id=event.viewpoint_id) if event.viewpoint_id else "Exposures"
+        shares = tr(
+            "{decodable_share} of the lit pixels decodable, {planned_share} as planned",
+            decodable_share=percent(event.decodable_share),
+            planned_share=percent(event.planned_share),
+        )
+        self._session.tell(tr("{where} of {times}\xa0ms chosen by a probe: {shares}.", where=where, times=times, shares=shares), event.note)
 
     def _report_validity(self, event: ValidityKnown) -> None:
         """Report age and temperature before the scan, and camera drift after it."""

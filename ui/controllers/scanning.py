@@ -17,6 +17,7 @@ from ui.controllers.rig_control import RigControl
 from ui.controllers.run_events import RunEvents
 from ui.controllers.scan_choices import CheckedScan, MakeRequest, ScanChoices, request_maker
 from ui.controllers.stored_sessions import project_on_disk
+from ui.look.language.words import tr
 from ui.look.verdict_words import summary_words
 from ui.look.wording import several
 from ui.messages import MOMENT
@@ -104,7 +105,9 @@ class ScanController(QObject):
         self._passed = not found.problems
         if found.problems:
             self._session.tell(
-                f"{several(len(found.problems), 'thing prevents', 'things prevent')} the scan.", "See the list on the page Scan.", "warning"
+                tr("{count} the scan.", count=several(len(found.problems), "thing prevents", "things prevent")),
+                "See the list on the page Scan.",
+                "warning",
             )
 
     @Slot()
@@ -198,7 +201,7 @@ class ScanController(QObject):
         self._session.set_measurement(outcome.measurement, outcome.files, outcome.filters)
         inspection = outcome.measurement.inspection
         verdicts = [str(dimension.verdict) for dimension in inspection.dimensions] if inspection else []
-        words = f"The {self._subject} is complete."
+        words = tr("The {subject} is complete.", subject=self._subject)
         if not verdicts or part_verdict(verdicts) == "pass":
             self._session.tell(f"{words} {summary_words(verdicts)}" if verdicts else words, "", "done")
         else:

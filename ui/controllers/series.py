@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal, Slot
 
 from ui.controllers.jobs import JobRunner
+from ui.look.language.words import tr
 from ui.session import Session
 
 if TYPE_CHECKING:
@@ -82,7 +83,9 @@ class SeriesController(QObject):
     @Slot(object)
     def _tell_written(self, path: Path) -> None:
         self._session.tell(
-            f"The report of the series is saved as {path.name}, with a table (CSV) and JSON beside it.", str(path.parent), "done"
+            tr("The report of the series is saved as {name}, with a table (CSV) and JSON beside it.", name=path.name),
+            str(path.parent),
+            "done",
         )
 
 

@@ -13,6 +13,7 @@ from PySide6.QtCore import QObject, Slot
 from measureapp.errors import MeasureError
 from measureapp.progress import PartOf, Progress
 from ui.controllers.jobs import JobRunner
+from ui.look.language.words import tr
 from ui.session import DriverRow, Session
 
 if TYPE_CHECKING:
@@ -132,7 +133,9 @@ def warm_up(job: Progress) -> None:
     for done, name in enumerate(WARM_UP):
         job.report(IMPORTED_SHARE * done, len(WARM_UP), "Preparing the measurement")
         if importlib.util.find_spec(name) is None:
-            raise MeasureError(f"The package {name} is missing.", "Run `python3 installer/bootstrap.py run` to repair the installation.")
+            raise MeasureError(
+                tr("The package {name} is missing.", name=name), "Run `python3 installer/bootstrap.py run` to repair the installation."
+            )
         import_with_retry(name)
     from measureapp.pipeline.warm_up import warm_up as compile_kernels
 

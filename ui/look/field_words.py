@@ -6,6 +6,7 @@ import re
 from collections.abc import Mapping
 from typing import Any
 
+from ui.look.language.words import tr
 from ui.look.wording import sentence
 
 UNITS = {
@@ -95,7 +96,7 @@ def problem_words(problem: Mapping[str, Any]) -> str:
     if kind == "string_too_short":
         return "Enter a value."
     if kind == "too_short":
-        return f"Give at least {limits['min_length']}."
+        return tr("Give at least {limits}.", limits=limits["min_length"])
     known = PROBLEMS.get(kind)
     if known:
         return sentence(known.format(**limits))

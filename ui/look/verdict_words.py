@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from ui.look.language.words import tr
 from ui.look.wording import several
 
 NO_DIMENSIONS = "The program evaluated no dimension: there is no verdict."
@@ -26,8 +27,8 @@ def summary_words(verdicts: Sequence[str]) -> str:
     if not verdicts:
         return NO_DIMENSIONS
     if set(verdicts) == {"pass"}:
-        return f"All {several(len(verdicts), 'dimension')} pass." if len(verdicts) > 1 else "The dimension passes."
+        return tr("All {count} pass.", count=several(len(verdicts), "dimension")) if len(verdicts) > 1 else "The dimension passes."
     if set(verdicts) == {"no tolerance"}:
         return NO_TOLERANCE
     counts = [words.format(n=list(verdicts).count(name)) for name, words in COUNTED.items() if name in verdicts]
-    return f"{', '.join(counts)}, of {several(len(verdicts), 'dimension')}."
+    return tr("{list}, of {count}.", list=", ".join(counts), count=several(len(verdicts), "dimension"))

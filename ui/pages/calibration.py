@@ -12,6 +12,7 @@ from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu, QWidget
 
 from ui.controllers.controllers import Controllers
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.look.wording import millimetres, quantity, sentence_case, when
 from ui.pages.calibration_rows import PROJECTOR_ROW, SolutionRow, added_to_length_mm, camera_rows, contributions, solution_rows
@@ -86,8 +87,8 @@ class CalibrationPage(Page):
         menu.aboutToShow.connect(lambda: self.offers)
         self.calibrate = Button("Calibrate", self.look, "calibration", tip="Calibrate the whole rig again, or one part")
         self.calibrate.setMenu(menu)
-        self.automatic_action = menu.addAction("Calibrate automatically…", self.open_automatic)
-        self.automatic_action.setToolTip("The connected rig takes all images of the board itself, and everything is solved together")
+        self.automatic_action = menu.addAction(tr("Calibrate automatically…"), self.open_automatic)
+        self.automatic_action.setToolTip(tr("The connected rig takes all images of the board itself, and everything is solved together"))
         menu.addSeparator()
         self.automatic: AutomaticCalibration | None = None
         self.cameras_alone = Button("Cameras only…", self.look, "camera", "normal", "Focal length, distortion and pose of every camera")
@@ -111,7 +112,7 @@ class CalibrationPage(Page):
         if not self._offers:
             for kind in KINDS.values():
                 action = self.calibrate.menu().addAction(f"{kind.words.action}…", partial(self.open_wizard, kind.name))
-                action.setToolTip(kind.words.tip)
+                action.setToolTip(translated(kind.words.tip))
                 self._offers[kind.name] = action
         there = {"": True, "cameras": self.session.cameras is not None, "rig": self.session.calibration is not None}
         for name, action in self._offers.items():
@@ -156,7 +157,7 @@ class CalibrationPage(Page):
         saved = self.controllers.recent_calibration.saved
         self.last_one.setVisible(bool(saved) and self.session.folder is None)
         age = when(saved) if saved else ""
-        self.last_one.setToolTip(f"Use the calibration that was accepted without a project{f' ({age})' if age else ''}")
+        self.last_one.setToolTip(tr("Use the calibration that was accepted without a project{words}", words=f" ({age})" if age else ""))
 
     def _show(self) -> None:
         calibration, cameras = self.session.calibration, self.session.cameras
@@ -167,7 +168,7 @@ class CalibrationPage(Page):
             part.setVisible(calibration is not None)
         if calibration is None:
             self._rows = [] if cameras is None else camera_rows(cameras)
-            self.state.setText("The true geometry of the rig is not known yet." if cameras is None else CAMERAS_ONLY)
+            self.state.setText(tr("The true geometry of the rig is not known yet.") if cameras is None else translated(CAMERAS_ONLY))
             self.table.set_rows([self._cells(found) for found in self._rows])
             self.table.setMaximumHeight(self.table.fitted_height())
             self._select(max(0, self.table.currentIndex().row()))
@@ -175,8 +176,8 @@ class CalibrationPage(Page):
         self._rows = solution_rows(calibration, self.session.rig)
         bad = [found.name for found in self._rows if not found.good]
         age = when(calibration.provenance.created)
-        judgement = f"Poor fit: {', '.join(bad)}. Calibrate again." if bad else "All parts fit well: scan next."
-        self.state.setText(f"Calibrated {age}. {judgement}" if age else judgement)
+        judgement = tr("Poor fit: {list}. Calibrate again.", list=", ".join(bad)) if bad else "All parts fit well: scan next."
+        self.state.setText(tr("Calibrated {age}. {judgement}", age=age, judgement=judgement) if age else translated(judgement))
         self.verdict.setText(millimetres(added_to_length_mm(calibration, self.session.rig)))
         self.table.set_rows([self._cells(found) for found in self._rows])
         self.table.setMaximumHeight(self.table.fitted_height())
@@ -221,7 +222,12 @@ class CalibrationPage(Page):
                     )
                     if group.rows
                 ),
-                f"{found.estimate}. Criterion: {found.criterion[0].lower()}{found.criterion[1:]}.",
+                tr(
+                    "{estimate}. Criterion: {lower}{criterion}.",
+                    estimate=found.estimate,
+                    lower=found.criterion[0].lower(),
+                    criterion=found.criterion[1:],
+                ),
             )
         )
 

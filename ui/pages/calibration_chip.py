@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from datetime import UTC, datetime
 from typing import TYPE_CHECKING
 
+from ui.look.language.words import tr
 from ui.look.wording import millimetres, when
 from ui.pages.calibration_rows import ADDED_LIMIT_MM, added_to_length_mm, solution_rows
 
@@ -39,17 +40,23 @@ def calibration_state(
     if drift is not None and drift.status in ("watch", "drifted"):
         who = " or ".join(drift.cameras)
         colour, mark = ("verdict_fail", "✗") if drift.status == "drifted" else ("verdict_not_proven", "!")
-        return ChipState(f"Camera {who} moved · {millimetres(drift.error_mm)} {mark}", colour, "\n".join(reasons))
+        return ChipState(
+            tr("Camera {who} moved · {error_mm} {mark}", who=who, error_mm=millimetres(drift.error_mm), mark=mark),
+            colour,
+            "\n".join(reasons),
+        )
     if reasons:
-        return ChipState(f"Calibrated {age} · check it !", "verdict_not_proven", "\n".join(reasons))
+        return ChipState(tr("Calibrated {age} · check it !", age=age), "verdict_not_proven", "\n".join(reasons))
     poor = [f"{found.name}: {found.residual}. {found.criterion}." for found in solution_rows(calibration, rig) if not found.good]
     if poor:
-        return ChipState(f"Calibrated {age} · poor fit ✗", "verdict_fail", "\n".join(poor))
+        return ChipState(tr("Calibrated {age} · poor fit ✗", age=age), "verdict_fail", "\n".join(poor))
     added = added_to_length_mm(calibration, rig)
     good = added <= ADDED_LIMIT_MM
     tip = ADDED_TIP if drift is None else "\n".join(line for line in (ADDED_TIP, drift.sentence, drift.undetectable) if line)
     return ChipState(
-        f"Calibrated {age} · adds {millimetres(added)} (k = 2) {'✓' if good else '✗'}", "verdict_pass" if good else "verdict_fail", tip
+        tr("Calibrated {age} · adds {added} (k = 2) {words}", age=age, added=millimetres(added), words="✓" if good else "✗"),
+        "verdict_pass" if good else "verdict_fail",
+        tip,
     )
 
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from math import acos, degrees
 from typing import TYPE_CHECKING
 
+from ui.look.language.words import tr
 from ui.look.wording import millimetres, quantity, sentence_case
 
 if TYPE_CHECKING:
@@ -42,11 +43,11 @@ def solution_rows(calibration: RigCalibration, rig: RigDescription | None) -> li
     rows = camera_rows(calibration.cameras)
     hand_eye, guide, axis = calibration.hand_eye, calibration.guide, calibration.axis
     place = hand_eye.flange_from_camera.translation_mm
-    robot_words = f"Residual up to {millimetres(robot_mm, 2)}, twice the robot's absolute accuracy"
+    robot_words = tr("Residual up to {robot_mm}, twice the robot's absolute accuracy", robot_mm=millimetres(robot_mm, 2))
     rows.append(
         SolutionRow(
             "Hand–eye",
-            f"Camera at {_vector(place, 2)} mm on the flange",
+            tr("Camera at {vector} mm on the flange", vector=_vector(place, 2)),
             f"± {millimetres(hand_eye.translation_sigma_mm)} · ± {quantity(degrees(hand_eye.rotation_sigma_rad), '°', 4)}",
             millimetres(hand_eye.residual_mm),
             hand_eye.residual_mm <= robot_mm,
@@ -56,7 +57,7 @@ def solution_rows(calibration: RigCalibration, rig: RigDescription | None) -> li
     rows.append(
         SolutionRow(
             "Linear guide",
-            f"Direction {_vector(guide.direction)}, scale {guide.scale:.6f}",
+            tr("Direction {vector}, scale {scale:.6f}", vector=_vector(guide.direction), scale=guide.scale),
             f"± {quantity(degrees(guide.direction_sigma_rad), '°', 4)} · ± {guide.scale_sigma * 1e6:.0f} ppm",
             millimetres(guide.straightness_mm),
             guide.straightness_mm <= robot_mm,
@@ -66,11 +67,11 @@ def solution_rows(calibration: RigCalibration, rig: RigDescription | None) -> li
     rows.append(
         SolutionRow(
             "Table axis",
-            f"Through {_vector(axis.point_mm, 2)} mm, tilted by {quantity(_tilt_deg(axis), '°', 3)}",
+            tr("Through {vector} mm, tilted by {quantity}", vector=_vector(axis.point_mm, 2), quantity=quantity(_tilt_deg(axis), "°", 3)),
             f"± {millimetres(axis.point_sigma_mm)} · ± {quantity(degrees(axis.direction_sigma_rad), '°', 4)}",
             millimetres(axis.residual_mm),
             axis.residual_mm <= AXIS_LIMIT_MM,
-            f"Residual up to {millimetres(AXIS_LIMIT_MM, 2)}",
+            tr("Residual up to {axis_limit_mm}", axis_limit_mm=millimetres(AXIS_LIMIT_MM, 2)),
         )
     )
     if calibration.motions is not None:
@@ -80,7 +81,7 @@ def solution_rows(calibration: RigCalibration, rig: RigDescription | None) -> li
 
 def motion_rows(motions: AxisMotions) -> list[SolutionRow]:
     """Return a row of the table's error motions, and one of the guide's where it was moved; with what they move the board by."""
-    share = f"Board moved by {millimetres(motions.explained_mm)} rms"
+    share = tr("Board moved by {explained_mm} rms", explained_mm=millimetres(motions.explained_mm))
     named = [("Error motions, table", motions.table_words), ("Error motions, guide", motions.guide_words)]
     return [SolutionRow(name, sentence_case(words), share, "–", True, MOTION_WORDS) for name, words in named if words]
 
@@ -88,7 +89,7 @@ def motion_rows(motions: AxisMotions) -> list[SolutionRow]:
 def camera_rows(cameras: CameraArrayCalibration) -> list[SolutionRow]:
     """Return one row per camera, and one of the projector where it is calibrated."""
     projector = () if cameras.projector is None else (_lens_row(PROJECTOR_ROW, cameras.projector),)
-    return [*(_lens_row(f"Camera {name}", cameras.cameras[name]) for name in cameras.names), *projector]
+    return [*(_lens_row(tr("Camera {name}", name=name), cameras.cameras[name]) for name in cameras.names), *projector]
 
 
 def _lens_row(name: str, camera: CameraCalibration | ProjectorCalibration) -> SolutionRow:
@@ -96,11 +97,16 @@ def _lens_row(name: str, camera: CameraCalibration | ProjectorCalibration) -> So
     sigma = max((value for key, value in camera.standard_deviations.items() if key in {"fx", "fy", "f"}), default=None)
     return SolutionRow(
         name,
-        f"Focal length {matrix[0, 0]:.1f} px, centre ({matrix[0, 2]:.1f}, {matrix[1, 2]:.1f}) px",
+        tr(
+            "Focal length {matrix:.1f} px, centre ({matrix_2:.1f}, {matrix_3:.1f}) px",
+            matrix=matrix[0, 0],
+            matrix_2=matrix[0, 2],
+            matrix_3=matrix[1, 2],
+        ),
         f"± {quantity(sigma, 'px', 2)}" if sigma is not None else "–",
         quantity(camera.rms_px or None, "px", 3),
         camera.rms_px <= REPROJECTION_LIMIT_PX,
-        f"Reprojection up to {quantity(REPROJECTION_LIMIT_PX, 'px', 1)} rms",
+        tr("Reprojection up to {reprojection_limit_px} rms", reprojection_limit_px=quantity(REPROJECTION_LIMIT_PX, "px", 1)),
     )
 
 
@@ -133,10 +139,10 @@ def contributions(calibration: RigCalibration, rig: RigDescription | None) -> li
     hand_eye, guide, axis = calibration.hand_eye, calibration.guide, calibration.axis
     parts = [
         ("Hand–eye, position", hand_eye.translation_sigma_mm),
-        (f"Hand–eye, rotation over {standoff:.0f} mm", hand_eye.rotation_sigma_rad * standoff),
-        (f"Guide direction over {stroke:.0f} mm", guide.direction_sigma_rad * stroke),
-        (f"Guide scale over {stroke:.0f} mm", guide.scale_sigma * stroke),
+        (tr("Hand–eye, rotation over {standoff:.0f} mm", standoff=standoff), hand_eye.rotation_sigma_rad * standoff),
+        (tr("Guide direction over {stroke:.0f} mm", stroke=stroke), guide.direction_sigma_rad * stroke),
+        (tr("Guide scale over {stroke:.0f} mm", stroke=stroke), guide.scale_sigma * stroke),
         ("Table axis, position", axis.point_sigma_mm),
-        (f"Table axis, tilt over {HEIGHT_MM:.0f} mm", axis.direction_sigma_rad * HEIGHT_MM),
+        (tr("Table axis, tilt over {height_mm:.0f} mm", height_mm=HEIGHT_MM), axis.direction_sigma_rad * HEIGHT_MM),
     ]
     return [*parts, ("Together", sum(value**2 for _, value in parts) ** 0.5)]

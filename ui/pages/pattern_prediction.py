@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
+from ui.look.language.words import tr
 from ui.look.wording import counted, duration, quantity, sentence, several, storage
 from ui.widgets.properties_panel import Group
 
@@ -28,7 +29,7 @@ def predict(patterns: PatternSet, width_px: int, height_px: int) -> tuple[Group,
         return (Group("Predicted performance", (("Cannot be used", sentence(str(error))),)),)
     groups = []
     for check in checks:
-        heading = "Predicted performance" + (f", {check.direction} fringes" if len(checks) > 1 else "")
+        heading = "Predicted performance" + (tr(", {direction} fringes", direction=check.direction) if len(checks) > 1 else "")
         rows = (
             ("Method", sentence(check.method).rstrip(".")),
             ("Range", quantity(check.range_px, "px", 0)),
@@ -47,9 +48,9 @@ def odds(probability: float) -> str:
         return "None expected"
     one_of = 1 / probability
     if one_of > 1e6:
-        return f"< 1 of {counted(1_000_000)} pixels"
+        return tr("< 1 of {counted} pixels", counted=counted(1_000_000))
     digits = max(0, len(str(int(one_of))) - 2)
-    return f"1 of {counted(int(round(one_of, -digits)))} pixels"
+    return tr("1 of {counted} pixels", counted=counted(int(round(one_of, -digits))))
 
 
 def cost(plan: ScanPlan, rig: RigDescription) -> Group:
@@ -64,7 +65,7 @@ def cost(plan: ScanPlan, rig: RigDescription) -> Group:
         "Per viewpoint",
         (
             ("Images", f"{images} × {several(len(cameras), 'camera')}"),
-            ("Acquisition time", f"At least {quantity(seconds, 's', 1)}"),
+            ("Acquisition time", tr("At least {seconds}", seconds=quantity(seconds, "s", 1))),
             ("Disk space", storage(size)),
             ("All viewpoints", f"{duration(seconds * len(plan))}, {storage(size * len(plan))}"),
         ),

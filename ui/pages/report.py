@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QLabel, QScrollArea, QSizePolicy, QWidget
 from measureapp.project.file_names import safe_file_name
 from ui.controllers.controllers import Controllers
 from ui.controllers.documents import FORMATS
+from ui.look.language.words import tr
 from ui.look.look import Look
 from ui.look.wording import part_words, sentence_case, when
 from ui.pages.page import Page
@@ -119,13 +120,19 @@ class ReportPage(Page):
         self.show_filled(measurement is not None)
         self.show_pages(())
         if measurement is None:
-            self.state.setText("Nothing to report.")
+            self.state.setText(tr("Nothing to report."))
             return
         documents = self.controllers.documents
         for kind, made in self.exports.items():
             made.setVisible(kind in ("ply", "open") or (kind == "stl" and measurement.mesh is not None) or documents.can_write(kind))
         self.open_pdf.setVisible(documents.can_write("pdf"))
-        self.state.setText(f"{part_words(measurement.part)}, measured {when(measurement.measured_at) or measurement.measured_at}.")
+        self.state.setText(
+            tr(
+                "{part_words}, measured {value}.",
+                part_words=part_words(measurement.part),
+                value=when(measurement.measured_at) or measurement.measured_at,
+            )
+        )
         rows = (("Project", measurement.project), ("Part", part_words(measurement.part)), ("Rig", measurement.rig))
         times = tuple((sentence_case(name), f"{seconds:.1f} s") for name, seconds in measurement.timings_s.items())
         groups = [Group("Measurement", rows), *([Group("Time", times)] if times else [])]

@@ -14,6 +14,7 @@ from measureapp.data.identification import FIELDS, LABELS, LONGEST_LINE, LONGEST
 from measureapp.data.model import first_problem
 from measureapp.errors import MeasureError
 from ui.controllers.report_header import ReportHeader, TemplateChoice, read_choice
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.settings.dialogs import choose_folder
 from ui.widgets.basic import Button, CalmComboBox, Form, column, label, row
@@ -35,15 +36,15 @@ class HeaderDialog(QDialog):
     def __init__(self, look: Look, header: ReportHeader, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._header, identification = header, header.identification
-        self.setWindowTitle("Report header")
+        self.setWindowTitle(tr("Report header"))
         form = Form()
         self.company = QLineEdit(header.company)
         self.company.setMaxLength(LONGEST_LINE)
-        self.company.setAccessibleName("Company")
+        self.company.setAccessibleName(tr("Company"))
         self.logo = PathField(look, "Logo", "PNG, JPEG or SVG", "logos", files="Pictures (*.png *.jpg *.jpeg *.svg)")
         self.logo.setValue(header.logo)
         self.template, self.note = CalmComboBox(), label("", "small", wrap=True)
-        self.template.setAccessibleName("Template")
+        self.template.setAccessibleName(tr("Template"))
         self._offer(header.templates, header.template)
         self.template.activated.connect(self._choose_template)
         form.add("Template", column(self.template, self.note, spacing=4))
@@ -52,7 +53,7 @@ class HeaderDialog(QDialog):
         self.fields = {name: QLineEdit(_text(getattr(identification, name))) for name in FIELDS}
         for name, field in self.fields.items():
             field.setMaxLength(LONGEST_TEXT if name == "remarks" else LONGEST_LINE)
-            field.setAccessibleName(LABELS[name])
+            field.setAccessibleName(translated(LABELS[name]))
             form.add(LABELS[name], field)
         self.problem = label("", "problem", wrap=True)
         self.problem.hide()
@@ -90,7 +91,7 @@ class HeaderDialog(QDialog):
         own = chosen.source is None and not chosen.of_project
         self.company.setEnabled(own)
         self.logo.setEnabled(own)
-        self.note.setText(OWN_NOTE if own else PROJECT_NOTE)
+        self.note.setText(translated(OWN_NOTE) if own else translated(PROJECT_NOTE))
 
     def _choose_template(self, place: int) -> None:
         choice = self.template.itemData(place)
@@ -114,7 +115,7 @@ class HeaderDialog(QDialog):
         return found
 
     def _refuse(self, words: str) -> None:
-        self.problem.setText(words)
+        self.problem.setText(translated(words))
         self.problem.show()
 
     def _accept(self) -> None:

@@ -11,6 +11,7 @@ from PySide6.QtGui import QKeySequence, QResizeEvent, QShortcut, QShowEvent
 from PySide6.QtWidgets import QSplitter, QWidget
 
 from ui.controllers.controllers import Controllers
+from ui.look.language.words import tr
 from ui.look.look import Look
 from ui.pages.clip_bar import ClipBar
 from ui.pages.page import Page
@@ -104,7 +105,7 @@ class ViewportPage(Page):
 
     @Slot(str)
     def _say_picture_failed(self, file: str) -> None:
-        self.session.tell(f"{file} cannot be written.", "Check the path, the free space and the permissions.", "error")
+        self.session.tell(tr("{file} cannot be written.", file=file), "Check the path, the free space and the permissions.", "error")
 
     def _cancel(self) -> None:
         """End a gesture of the mouse; without one, a special use of clicks."""

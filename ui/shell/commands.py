@@ -8,6 +8,7 @@ from typing import Protocol
 
 from ui.actions.actions import Action, Actions
 from ui.controllers.controllers import Controllers
+from ui.look.language.words import tr
 from ui.messages import CANCEL
 from ui.pages.page import Page
 from ui.pages.plan.page import PlanPage
@@ -100,7 +101,7 @@ def register_commands(actions: Actions, window: CommandedWindow) -> None:
         actions.register(
             Action(
                 f"sample.{name}",
-                f"Open a sample: {words}",
+                tr("Open a sample: {words}", words=words),
                 partial(window.controllers.project.open_sample, name),
                 "example project learn",
                 why_not=_no_job(session),
@@ -113,7 +114,7 @@ NO_JOB = "No job is running."
 
 def _no_job(session: Session) -> Callable[[], str]:
     def reason() -> str:
-        return f"{session.busy_with} is still running." if session.busy_with else ""
+        return tr("{busy_with} is still running.", busy_with=session.busy_with) if session.busy_with else ""
 
     return reason
 
@@ -155,7 +156,13 @@ def _page_action(window: CommandedWindow, name: str, word: str, place: int) -> A
         return "" if window.session.role == "engineer" else "This page belongs to the engineer's role."
 
     return Action(
-        f"page.{name}", f"Go to {word}", lambda: window.show_page(name), "page", shortcut=f"Ctrl+{place + 1}", why_not=reason, bound=False
+        f"page.{name}",
+        tr("Go to {word}", word=word),
+        lambda: window.show_page(name),
+        "page",
+        shortcut=tr("Ctrl+{value}", value=place + 1),
+        why_not=reason,
+        bound=False,
     )
 
 

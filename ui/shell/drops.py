@@ -12,6 +12,7 @@ from PySide6.QtGui import QColor, QDragEnterEvent, QDragMoveEvent, QDropEvent, Q
 from PySide6.QtWidgets import QMainWindow, QWidget
 
 from ui.actions.actions import ENGINEERS
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.look.painting import set_letters
 
@@ -53,40 +54,42 @@ def meaning(paths: list[Path], actions: DropActions) -> Drop:
         return Drop(ONE_AT_A_TIME)
     path, running = paths[0], actions.running()
     if running:
-        return Drop(f"{running} is still running. Wait until it has finished, or cancel it.")
+        return Drop(tr("{running} is still running. Wait until it has finished, or cancel it.", running=running))
     if path.is_dir():
         return _folder(path, actions)
     kind = path.suffix.lower()
     if kind in NOMINALS and actions.is_measured():
-        return Drop(f"{path.name} becomes the nominal of the project", lambda: actions.set_nominal(path))
+        return Drop(tr("{name} becomes the nominal of the project", name=path.name), lambda: actions.set_nominal(path))
     if kind in CLOUDS:
-        return Drop(f"{path.name} is inspected", lambda: actions.inspect(path))
+        return Drop(tr("{name} is inspected", name=path.name), lambda: actions.inspect(path))
     if kind in NOMINALS:
         return Drop("A STEP file is a nominal. Open a measured project first.")
     if kind == ".toml":
         return _document(path, actions)
     if kind == ".mpart":
         return Drop("Part programs are chosen in operator mode, from the folder of part programs.")
-    return Drop(f"MeasureApp cannot use {path.name}. Drop a project folder, a cloud, a mesh, a nominal, a rig, a plan or a program.")
+    return Drop(
+        tr("MeasureApp cannot use {name}. Drop a project folder, a cloud, a mesh, a nominal, a rig, a plan or a program.", name=path.name)
+    )
 
 
 def _folder(path: Path, actions: DropActions) -> Drop:
     if (path / "project.json").is_file():
-        return Drop(f"The project {path.name} is opened", lambda: actions.open_project(path))
-    return Drop(f"{path.name} is not a MeasureApp project.")
+        return Drop(tr("The project {name} is opened", name=path.name), lambda: actions.open_project(path))
+    return Drop(tr("{name} is not a MeasureApp project.", name=path.name))
 
 
 def _document(path: Path, actions: DropActions) -> Drop:
     described = toml_content(path)
     if described == "rig":
-        return Drop(f"The rig {path.name} is chosen", lambda: actions.open_rig(path))
+        return Drop(tr("The rig {name} is chosen", name=path.name), lambda: actions.open_rig(path))
     if described == "plan":
-        return Drop(f"The scan plan {path.name} is opened", lambda: actions.open_plan(path))
+        return Drop(tr("The scan plan {name} is opened", name=path.name), lambda: actions.open_plan(path))
     if described == "program" and actions.is_measured():
-        return Drop(f"{path.name} becomes the inspection program of the project", lambda: actions.set_program(path))
+        return Drop(tr("{name} becomes the inspection program of the project", name=path.name), lambda: actions.set_program(path))
     if described == "program":
         return Drop("This is an inspection program. Open a measured project first.")
-    return Drop(f"{path.name} is neither a rig, a scan plan nor an inspection program.")
+    return Drop(tr("{name} is neither a rig, a scan plan nor an inspection program.", name=path.name))
 
 
 def toml_content(path: Path) -> str:
@@ -165,7 +168,7 @@ class Outline(QWidget):
     def tell(self, words: str, *, refused: bool) -> None:
         """Show these words."""
         self.words, self.refused = words, refused
-        self.setAccessibleName(words)
+        self.setAccessibleName(translated(words))
         self.setGeometry(self.parentWidget().rect())
         self.show()
         self.raise_()

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QObject, QTimer
 
+from ui.look.language.words import tr
 from ui.look.wording import part_words, several, storage
 from ui.pages.calibration_chip import calibration_state
 from ui.session import Session
@@ -39,7 +40,9 @@ class HeaderState(QObject):
 
     def _show_project(self) -> None:
         session = self._session
-        self._header.show_project(session.project_name, f"Part: {part_words(session.part)}" if session.part else "")
+        self._header.show_project(
+            session.project_name, tr("Part: {part_words}", part_words=part_words(session.part)) if session.part else ""
+        )
         self._show_disk()
 
     def _show_devices(self) -> None:
@@ -57,12 +60,12 @@ class HeaderState(QObject):
         if cell.stopped:
             return "Stopped", "verdict_fail", cell.stopped
         if unready:
-            return f"{several(len(unready), 'device')} not ready", "verdict_fail", ", ".join(unready)
+            return tr("{count} not ready", count=several(len(unready), "device")), "verdict_fail", ", ".join(unready)
         if problems:
             return f"{several(len(problems), 'driver')} failed", "verdict_fail", problems[0].problem
         words = "Virtual rig" if rig.driver == "virtual_rig" else rig.name
         colour = "verdict_pass" if cell.connected or rig.driver == "virtual_rig" else "soft"
-        return words, colour, f"{rig.name}, connected" if cell.connected else f"{rig.name}, not connected"
+        return words, colour, tr("{name}, connected", name=rig.name) if cell.connected else tr("{name}, not connected", name=rig.name)
 
     def _show_calibration(self) -> None:
         state = calibration_state(self._session.calibration, self._session.rig, self._session.validity)
@@ -74,4 +77,4 @@ class HeaderState(QObject):
             folder = folder.parent
         free = shutil.disk_usage(folder).free
         colour = "verdict_fail" if free < DISK_LOW_BYTES else "soft"
-        self._header.disk.show_state(f"{storage(free)} free", colour, f"Free space at {folder}")
+        self._header.disk.show_state(f"{storage(free)} free", colour, tr("Free space at {folder}", folder=folder))

@@ -14,6 +14,7 @@ from measureapp.errors import MeasureError
 from ui.actions.actions import Actions
 from ui.controllers.controllers import Controllers
 from ui.controllers.files import FileQuestion, FilesToMeasure
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.look.wording import sentence_case
 from ui.session import Session
@@ -69,11 +70,11 @@ class ProjectMenu(QObject):
             entry = menu.addAction(f"{action.text}\t{QKeySequence(action.shortcut).toString()}" if action.shortcut else action.text)
             reason = actions.reason(action)
             entry.setEnabled(not reason)
-            entry.setToolTip(reason)
+            entry.setToolTip(translated(reason))
             entry.triggered.connect(lambda _=False, chosen=id_: actions.perform(chosen))
             if id_ == BELOW:
-                self._offer_recent(menu.addMenu("Open recent"))
-                self._offer_samples(menu.addMenu("Open a sample"), actions)
+                self._offer_recent(menu.addMenu(tr("Open recent")))
+                self._offer_samples(menu.addMenu(tr("Open a sample")), actions)
         menu.setToolTipsVisible(True)
 
     def _offer_recent(self, menu: QMenu) -> None:
@@ -160,7 +161,7 @@ class ProjectMenu(QObject):
         try:
             self._controllers.programming.replace(path.read_text(encoding="utf-8"))
         except (OSError, UnicodeDecodeError) as error:
-            self._session.tell(f"{path.name} cannot be read: {error}.", "Choose another file.", "error")
+            self._session.tell(tr("{name} cannot be read: {error}.", name=path.name, error=error), "Choose another file.", "error")
         except MeasureError as error:
             self._session.tell(f"{path.name}: {error.message}", error.hint, "error")
 

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from measureapp.errors import StorageError
+from ui.look.language.words import tr
 from ui.messages import Message
 from ui.settings.settings import Settings
 from ui.workers.job import LOG
@@ -45,17 +46,19 @@ def save_support_log(file: Path, texts: dict[str, str], log_folder: Path, job: J
             for log in sorted(log_folder.glob(f"{LOG}*")):
                 archive.write(log, log.name)
     except OSError as error:
-        raise StorageError(f"{file} cannot be written: {error.strerror or error}.", "Choose another folder.") from error
+        raise StorageError(
+            tr("{file} cannot be written: {value}.", file=file, value=error.strerror or error), "Choose another folder."
+        ) from error
     return file
 
 
 def _versions() -> list[str]:
-    lines = [f"Python {sys.version.split()[0]}", f"{platform.system()} {platform.release()} {platform.machine()}"]
+    lines = [tr("Python {split}", split=sys.version.split()[0]), f"{platform.system()} {platform.release()} {platform.machine()}"]
     for name in PACKAGES:
         try:
             lines.append(f"{name} {metadata.version(name)}")
         except metadata.PackageNotFoundError:
-            lines.append(f"{name} is not installed")
+            lines.append(tr("{name} is not installed", name=name))
     return lines
 
 

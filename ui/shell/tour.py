@@ -9,6 +9,7 @@ from PySide6.QtCore import QObject
 from PySide6.QtWidgets import QWidget
 
 from ui.controllers.controllers import Controllers
+from ui.look.language.words import tr
 from ui.pages.page import SAMPLE, Page
 from ui.session import Session
 from ui.settings.settings import Settings
@@ -140,7 +141,13 @@ class Tour(QObject):
 
     def _show(self) -> None:
         step, last = self.step, self._place + 1 == len(STEPS)
-        words = "Show me a measured part" if self._place < 0 else "Finish" if last else f"Next: {STEPS[self._place + 1].heading.lower()}"
+        words = (
+            "Show me a measured part"
+            if self._place < 0
+            else "Finish"
+            if last
+            else tr("Next: {lower}", lower=STEPS[self._place + 1].heading.lower())
+        )
         count = "" if self._place < 0 else f"{self._place + 1} of {len(STEPS)}"
         self.bar.say(count, step.heading, step.text, next_words=words, can_go_back=self._place > 0, last=last)
 

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Literal
 
 from PySide6.QtGui import QGuiApplication
 
+from ui.look.language.words import tr
+
 if TYPE_CHECKING:
     from vtkmodules.vtkRenderingCore import vtkRenderWindow
 
@@ -59,7 +61,7 @@ def missing_graphics() -> str:
         import ui.viewport.preparation
         import ui.viewport.print_picture  # noqa: F401  (loaded here, because the window must not wait for them)
     except ImportError as error:
-        return f"The 3-D view needs a library that is missing ({error}). Run the installer again."
+        return tr("The 3-D view needs a library that is missing ({error}). Run the installer again.", error=error)
     if choose_backend() == "off-screen":
         return _try_off_screen()
     return ""

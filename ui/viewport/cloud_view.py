@@ -10,6 +10,7 @@ from PySide6.QtCore import QPoint, QPointF, Qt, QTimer, Signal
 from PySide6.QtGui import QColor, QGuiApplication, QImage, QShowEvent
 from PySide6.QtWidgets import QLabel, QMenu, QStackedLayout, QWidget
 
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.look.theme import Theme
 from ui.settings.dialogs import choose_new
@@ -73,15 +74,15 @@ class CloudView(SteeredView):
         self._frame_name, self._chosen = "", ""
         self._framing: tuple[np.ndarray | None, Direction] | None = None
         self.corner: Callable[[], tuple[str, ...]] = lambda: ()  # words in the corner of printed pictures
-        self._placeholder = QLabel(PREPARING, alignment=Qt.AlignmentFlag.AlignCenter)
+        self._placeholder = QLabel(translated(PREPARING), alignment=Qt.AlignmentFlag.AlignCenter)
         self._placeholder.setProperty("role", "soft")
         self._placeholder.setWordWrap(True)
         self._stack = QStackedLayout(self)
         self._stack.addWidget(self._placeholder)
         self.setMinimumSize(280, 240)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.setAccessibleName("3-D view")
-        self.setAccessibleDescription(KEYS)
+        self.setAccessibleName(tr("3-D view"))
+        self.setAccessibleDescription(translated(KEYS))
         add_keys(self)
         look.changed.connect(self._apply_theme)
 
@@ -106,7 +107,7 @@ class CloudView(SteeredView):
     def hide_picture(self) -> None:
         """Say that a picture is being prepared, in place of one that is of something else; `show_picture` ends it."""
         if self._view is not None:
-            self._placeholder.setText(PREPARING)
+            self._placeholder.setText(translated(PREPARING))
             self._stack.setCurrentWidget(self._placeholder)
 
     def show_picture(self) -> None:
@@ -116,7 +117,7 @@ class CloudView(SteeredView):
 
     def explain(self, problem: str) -> None:
         """Show the reason for a missing 3-D view."""
-        self._placeholder.setText(problem)
+        self._placeholder.setText(translated(problem))
 
     def set_clouds(self, layers: Sequence[CloudLayer], cloud: ShuffledCloud | None = None) -> None:
         """Show these clouds; ``cloud``: all of them, if they were shuffled already in a thread."""

@@ -10,6 +10,7 @@ from PySide6.QtCore import QLocale, QPoint, Qt
 from PySide6.QtWidgets import QLineEdit, QMenu, QWidget
 
 from measureapp.data.deviation_scale import RampName
+from ui.look.language.words import tr
 from ui.look.wording import MINUS
 from ui.viewport.overlay.legend import Legend
 from ui.viewport.overlay.legend_edits import STEP_CHOICES, Handle, reset, swapped, symmetric, value_of, with_value
@@ -41,7 +42,7 @@ def view_menu(view: CloudView, pick: Pick) -> QMenu:
     menu, stage = QMenu(view), view.stage
     assert stage is not None
     _add(menu, "Show everything", view.fit, "F")
-    views = menu.addMenu("Standard views")
+    views = menu.addMenu(tr("Standard views"))
     for place, (name, words) in enumerate(VIEW_WORDS.items(), 1):
         _add(views, words, lambda chosen=name: view.look_from(chosen), str(place))  # type: ignore[misc]
     centre = _add(menu, "Rotate about this place", lambda: stage.set_centre(pick))
@@ -65,12 +66,12 @@ def legend_menu(parent: QWidget, legend: Legend, edit: Callable[[Legend], None])
     """Return the context menu of a legend."""
     menu = QMenu(parent)
     _add(menu, "Symmetric range", lambda: edit(symmetric(legend)))
-    steps = menu.addMenu("Steps")
+    steps = menu.addMenu(tr("Steps"))
     for count in STEP_CHOICES:
         words = "Continuous" if count == 0 else str(count)
         _check(steps, words, legend.steps == count, lambda chosen=count: edit(replace(legend, steps=chosen)))  # type: ignore[misc]
     if legend.ramp != "growing":
-        colours = menu.addMenu("Colours")
+        colours = menu.addMenu(tr("Colours"))
         for name, words in RAMP_WORDS.items():
             _check(colours, words, legend.ramp == name, lambda chosen=name: edit(replace(legend, ramp=chosen)))  # type: ignore[misc]
         go = _check(menu, "Go / no-go", legend.go_no_go, lambda: edit(replace(legend, go_no_go=not legend.go_no_go)))
@@ -116,7 +117,7 @@ class NumberPopup(QLineEdit):
         self.setWindowFlags(Qt.WindowType.Popup)
         self.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.setFixedWidth(FIELD_WIDTH)
-        self.setAccessibleName("Value of the legend")
+        self.setAccessibleName(tr("Value of the legend"))
         self._legend, self._handle, self._edit = legend, handle, edit
         self.setText(f"{value_of(legend, handle):.{max(3, digits_of(legend))}f}")
         self.selectAll()

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from ui.look.language.words import tr
+
 WANTED = ("OpenGL vendor", "OpenGL renderer", "OpenGL version")
 
 
@@ -11,9 +13,15 @@ def describe_renderer() -> str:
 
     window = off_screen_window()
     if window is None:
-        return f"No graphics library was found. Backend: {choose_backend()}."
+        return tr("No graphics library was found. Backend: {choose_backend}.", choose_backend=choose_backend())
     window.SetSize(16, 16)
     window.Render()
     lines = [line.strip() for line in window.ReportCapabilities().splitlines() if line.strip().startswith(WANTED)]
     window.Finalize()
-    return "\n".join((f"Backend: {choose_backend()}", f"Class: {window.GetClassName()}", *lines))
+    return "\n".join(
+        (
+            tr("Backend: {choose_backend}", choose_backend=choose_backend()),
+            tr("Class: {getclassname}", getclassname=window.GetClassName()),
+            *lines,
+        )
+    )

@@ -8,6 +8,7 @@ import numpy as np
 from PySide6.QtCore import QObject, QPoint, QPointF, QTimer, Signal
 from PySide6.QtGui import QPainter
 
+from ui.look.language.words import tr
 from ui.look.wording import counted
 from ui.viewport.clip_box import ClipBox
 from ui.viewport.overlay.camera_view import CameraView
@@ -185,5 +186,5 @@ def shown_words(shown: int, total: int) -> str:
     'Showing 0.6 of 12.8 million points'
     """
     if total >= 1_000_000:
-        return f"Showing {shown / 1e6:.1f} of {total / 1e6:.1f} million points"
-    return f"Showing {counted(shown)} of {counted(total)} points"
+        return tr("Showing {value:.1f} of {value_2:.1f} million points", value=shown / 1e6, value_2=total / 1e6)
+    return tr("Showing {shown} of {total} points", shown=counted(shown), total=counted(total))

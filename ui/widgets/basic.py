@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from ui.look.language.words import translated
 from ui.look.look import Look
 
 TextRole = Literal["body", "title", "heading", "strong", "soft", "small", "caption", "figure", "field", "problem"]
@@ -29,7 +30,7 @@ ButtonRole = Literal["normal", "primary", "quiet", "message", "stop"]
 
 def label(text: str = "", role: TextRole = "body", *, wrap: bool = False) -> QLabel:
     """Return a label; ``wrap`` allows several lines."""
-    made = QLabel(text)
+    made = QLabel(translated(text))
     made.setProperty("role", role)
     made.setWordWrap(wrap)
     made.setTextInteractionFlags(Qt.TextInteractionFlag.NoTextInteraction)
@@ -50,7 +51,7 @@ class ElidedLabel(QLabel):
     def set_words(self, words: str) -> None:
         """Set the text."""
         self.words = words
-        self.setToolTip(words)
+        self.setToolTip(translated(words))
         self._fit()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -59,7 +60,7 @@ class ElidedLabel(QLabel):
         self._fit()
 
     def _fit(self) -> None:
-        self.setText(self.fontMetrics().elidedText(self.words, Qt.TextElideMode.ElideRight, max(40, self.width() - 2)))
+        self.setText(translated(self.fontMetrics().elidedText(self.words, Qt.TextElideMode.ElideRight, max(40, self.width() - 2))))
 
 
 class Button(QPushButton):
@@ -68,9 +69,9 @@ class Button(QPushButton):
     def __init__(self, text: str, look: Look, icon: str = "", role: ButtonRole = "normal", tip: str = "") -> None:
         super().__init__(f"\u2009{text}" if icon and text else text)
         self._look, self._icon, self._role, self._words, self._tip = look, icon, role, text, tip
-        self.setAccessibleName(text or tip)
+        self.setAccessibleName(translated(text) or translated(tip))
         self.setProperty("role", role)
-        self.setToolTip(tip)
+        self.setToolTip(translated(tip))
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.setAutoDefault(False)  # Enter in a dialog triggers its default button only
         self.setCursor(Qt.CursorShape.PointingHandCursor)
@@ -85,7 +86,7 @@ class Button(QPushButton):
     def set_compact(self, compact: bool) -> None:
         """Show the icon without text, with the text in the tooltip."""
         self.setText("" if compact else f"\u2009{self._words}")
-        self.setToolTip(f"{self._words}: {self._tip[:1].lower()}{self._tip[1:]}" if compact else self._tip)
+        self.setToolTip(f"{self._words}: {self._tip[:1].lower()}{self._tip[1:]}" if compact else translated(self._tip))
 
     def set_icon(self, name: str) -> None:
         """Set the icon."""
@@ -135,7 +136,7 @@ class Form(QFormLayout):
 
     def add(self, name: str | QLabel, editor: QWidget | QLayout) -> None:
         """Add an editor; a label as its name can be changed later."""
-        named = QLabel(name) if isinstance(name, str) else name
+        named = QLabel(translated(name)) if isinstance(name, str) else name
         named.setProperty("role", "field")
         self.addRow(named, editor)
 

@@ -9,6 +9,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QLabel, QSpinBox, QWidget
 
 from measureapp.data.board import DICTIONARIES, BoardDescription, CharucoDescription, CheckerboardDescription, CirclesDescription
+from ui.look.language.words import translated
 from ui.widgets.basic import Form, label
 from ui.widgets.board_lengths import BoardLengthsField
 from ui.widgets.segments import Segments
@@ -108,8 +109,8 @@ class BoardForm(QWidget):
     def _show_kind(self) -> None:
         kind = self.kind.value()
         across, down = CIRCLES if kind == "circles" else CORNERS
-        self._columns_word.setText(across)
-        self._rows_word.setText(down)
+        self._columns_word.setText(translated(across))
+        self._rows_word.setText(translated(down))
         for name, length in self.lengths.items():
             self._form.setRowVisible(length, name in LENGTHS[kind])
         self._form.setRowVisible(self.dictionary, kind == "charuco")

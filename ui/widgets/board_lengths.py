@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QComboBox, QLineEdit, QWidget
 from measureapp.data.board import AnyBoard
 from measureapp.data.certificate import BOARD_CLASSES, BoardClass, BoardLengths
 from measureapp.errors import InputError
+from ui.look.language.words import tr, translated
 from ui.settings.dialogs import choose_file
 
 NOT_STATED, CERTIFICATE, KEPT = "", "certificate", "kept"
@@ -36,12 +37,12 @@ class BoardLengthsField(QWidget):
         self.source = QComboBox()
         for value, words in WORDS.items():
             self.source.addItem(words, value)
-        self.source.setToolTip(TIP)
-        self.source.setAccessibleName("Lengths")
+        self.source.setToolTip(translated(TIP))
+        self.source.setAccessibleName(tr("Lengths"))
         self.temperature = QLineEdit()
-        self.temperature.setPlaceholderText("not measured; such as 21.5±0.5")
-        self.temperature.setToolTip(TEMPERATURE_TIP)
-        self.temperature.setAccessibleName("Temperature of the board")
+        self.temperature.setPlaceholderText(tr("not measured; such as 21.5±0.5"))
+        self.temperature.setToolTip(translated(TEMPERATURE_TIP))
+        self.temperature.setAccessibleName(tr("Temperature of the board"))
         self._file: Path | None = None
         self._kept: dict[str, Any] = {}  # what an earlier board had from its certificate
         self.source.activated.connect(self._ask)
@@ -91,13 +92,13 @@ class BoardLengthsField(QWidget):
         """Take the lengths from a certificate."""
         self._file = file
         place = self.source.findData(CERTIFICATE)
-        self.source.setItemText(place, f"Certificate {file.name}")
+        self.source.setItemText(place, tr("Certificate {name}", name=file.name))
         self.source.setCurrentIndex(place)
         self.edited.emit()
 
     def _forget(self) -> None:
         self._file, self._kept = None, {}
-        self.source.setItemText(self.source.findData(CERTIFICATE), WORDS[CERTIFICATE])
+        self.source.setItemText(self.source.findData(CERTIFICATE), translated(WORDS[CERTIFICATE]))
         place = self.source.findData(KEPT)
         if place >= 0:
             self.source.removeItem(place)
@@ -106,4 +107,4 @@ class BoardLengthsField(QWidget):
 def _words_of(lengths: BoardLengths | None) -> str:
     if lengths is None:
         return "Certified marks"
-    return f"Certificate {lengths.number}".strip() if lengths.source == "certificate" else "Exact"
+    return tr("Certificate {number}", number=lengths.number).strip() if lengths.source == "certificate" else "Exact"

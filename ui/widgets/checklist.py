@@ -9,6 +9,7 @@ from typing import Literal
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtWidgets import QLabel, QScrollArea, QWidget
 
+from ui.look.language.words import translated
 from ui.look.look import Look
 from ui.look.wording import keep_units
 from ui.widgets.basic import clear, column, label, row
@@ -56,7 +57,7 @@ class Checklist(QScrollArea):
             sign = QLabel()
             sign.setPixmap(self._look.icon(icon, colour).pixmap(QSize(20, 20)))
             sign.setFixedSize(QSize(24, 24))
-            sign.setAccessibleName(item.kind)
+            sign.setAccessibleName(translated(item.kind))
             words = [label(keep_units(item.words), "body", wrap=True)]
             if item.remedy:
                 words.append(label(keep_units(item.remedy), "soft", wrap=True))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QFrame
 
+from ui.look.language.words import tr
 from ui.look.look import Look
 from ui.widgets.basic import Button, label, row
 
@@ -29,6 +30,6 @@ class ClosingBar(QFrame):
 
     def ask(self, title: str) -> None:
         """Ask whether the job ``title`` is stopped."""
-        self.words.setText(f"{title} is still running. Closing the window stops it; everything stored so far is kept.")
+        self.words.setText(tr("{title} is still running. Closing the window stops it; everything stored so far is kept.", title=title))
         self.show()
         self.stay.setFocus()

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from PySide6.QtWidgets import QFrame, QWidget
 
+from ui.look.language.words import translated
 from ui.look.look import Look
 from ui.widgets.basic import clear, column, label, row
 from ui.widgets.not_measured import SWATCH, HatchedSwatch
@@ -27,7 +28,7 @@ class CoverageLegend(QWidget):
     def show_swatches(self, swatches: Sequence[Swatch], words: str) -> None:
         """Show colours with their meaning after a sentence."""
         clear(self._lines)
-        self.words.setText(words)
+        self.words.setText(translated(words))
         self.words.setVisible(bool(words))
         for first in range(0, len(swatches), IN_A_LINE):
             line = row(spacing=8)

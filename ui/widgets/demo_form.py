@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QComboBox, QSpinBox, QWidget
 
 from measureapp.data.length_unit import LengthUnit
 from ui.look.demo_settings import DemoSettings, Resolution
+from ui.look.language.words import tr, translated
 from ui.look.pattern_words import PATTERN_WORDS
 from ui.settings.dialogs import choose_file
 from ui.widgets.basic import Form, label
@@ -34,7 +35,7 @@ class DemoForm(QWidget):
         for name, words in PARTS.items():
             self._part.addItem(words, name)
         self._part.addItem(OWN_MESH, "")
-        self._part.setToolTip("A sample part, or your own closed mesh; its unit is requested unless it is clearly millimetres")
+        self._part.setToolTip(tr("A sample part, or your own closed mesh; its unit is requested unless it is clearly millimetres"))
         self._chosen = 0
         self._units: dict[str, LengthUnit] = {}  # of mesh files
         self._resolution = Segments({"quarter": "Quarter", "half": "Half", "full": "Full"})
@@ -47,7 +48,7 @@ class DemoForm(QWidget):
         self._viewpoints, self._seed = QSpinBox(), QSpinBox()
         self._viewpoints.setRange(3, 60)
         self._seed.setRange(1, 9999)
-        self._seed.setToolTip("The seed determines the hidden errors of robot, guide, table and lenses")
+        self._seed.setToolTip(tr("The seed determines the hidden errors of robot, guide, table and lenses"))
         form = Form(self)
         for words, editor in (
             ("Part", self._part),
@@ -95,8 +96,8 @@ class DemoForm(QWidget):
             self._part.insertItem(self._part.count() - 1, "", part)
         if part not in PARTS:
             self._units[part] = unit
-            words = Path(part).name if unit is LengthUnit.MM else f"{Path(part).name}, in {unit.words}"
-            self._part.setItemText(self._part.findData(part), words)
+            words = Path(part).name if unit is LengthUnit.MM else tr("{name}, in {words}", name=Path(part).name, words=unit.words)
+            self._part.setItemText(self._part.findData(part), translated(words))
         self._chosen = self._part.findData(part)
         self._part.setCurrentIndex(self._chosen)
 
@@ -118,7 +119,7 @@ class DemoForm(QWidget):
         self._tell()
 
     def _say_patterns(self) -> None:
-        self._pattern_line.setText(PATTERN_WORDS[self._patterns.currentData()].line)
+        self._pattern_line.setText(translated(PATTERN_WORDS[self._patterns.currentData()].line))
 
     def _tell(self) -> None:
         if not self._part.currentData():  # the user is about to choose a file

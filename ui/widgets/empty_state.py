@@ -5,6 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import QLabel, QWidget
 
+from ui.look.language.words import translated
 from ui.look.look import Look
 from ui.widgets.basic import Button, column, label, row
 
@@ -36,8 +37,8 @@ class EmptyState(QWidget):
 
     def say(self, heading: str, text: str, *, offer: bool = True) -> None:
         """Change the text; ``offer`` shows the button."""
-        self.heading.setText(heading)
-        self.text.setText(text)
+        self.heading.setText(translated(heading))
+        self.text.setText(translated(text))
         self.button.setVisible(offer)
 
     def _redraw(self) -> None:

@@ -16,6 +16,7 @@ from pydantic import BaseModel, SecretStr
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QCheckBox, QLineEdit, QPlainTextEdit, QWidget
 
+from ui.look.language.words import tr, translated
 from ui.widgets.basic import CalmComboBox, column, label, row
 
 NUMBER_WIDTH, TUPLE_WIDTH, TEXT_HEIGHT, LINE_HEIGHT, FRAME = 144, 88, 200, 20, 20
@@ -85,7 +86,7 @@ class TextEditor(FieldEditor):
 
     def set_raw(self, value: Any) -> None:
         """Show a text."""
-        self.line.setText(value.get_secret_value() if isinstance(value, SecretStr) else "" if value is None else str(value))
+        self.line.setText(translated(value.get_secret_value()) if isinstance(value, SecretStr) else "" if value is None else str(value))
         self.line.setCursorPosition(0)
 
 
@@ -104,7 +105,7 @@ class NumberEditor(FieldEditor):
 
     def set_raw(self, value: Any) -> None:
         """Show a number."""
-        self.line.setText(_digits(value))
+        self.line.setText(translated(_digits(value)))
 
 
 class NumbersEditor(FieldEditor):
@@ -115,8 +116,8 @@ class NumbersEditor(FieldEditor):
         self._count = count
         self.lines = [QLineEdit()] if count is None else [_number_line(TUPLE_WIDTH) for _ in range(count)]
         for line, name in zip(self.lines, names, strict=False):
-            line.setAccessibleName(name)
-            line.setPlaceholderText(name)
+            line.setAccessibleName(translated(name))
+            line.setPlaceholderText(translated(name))
         for line in self.lines:
             line.textEdited.connect(self.edited)
         self.setLayout(row(*self.lines, label(unit, "soft"), *([] if count is None else [0])))
@@ -134,7 +135,7 @@ class NumbersEditor(FieldEditor):
             self.lines[0].setText(", ".join(texts))
             return
         for line, text in zip(self.lines, texts or [""] * len(self.lines), strict=True):
-            line.setText(text)
+            line.setText(translated(text))
 
 
 class CheckEditor(FieldEditor):
@@ -142,7 +143,7 @@ class CheckEditor(FieldEditor):
 
     def __init__(self) -> None:
         super().__init__()
-        self.box = QCheckBox("Yes")
+        self.box = QCheckBox(tr("Yes"))
         self.box.toggled.connect(self.edited)
         self.setLayout(row(self.box, 0))
 
@@ -189,7 +190,7 @@ class OptionalEditor(FieldEditor):
         """``start``: first value when it is set."""
         super().__init__()
         self.inner, self._start = inner, start
-        self.box = QCheckBox("Set")
+        self.box = QCheckBox(tr("Set"))
         self.box.toggled.connect(self._toggle)
         inner.edited.connect(self.edited)
         inner.setVisible(False)
@@ -278,7 +279,7 @@ def _number_line(width: int) -> QLineEdit:
 
 def _text_area(hint: str) -> QPlainTextEdit:
     area = QPlainTextEdit()
-    area.setPlaceholderText(hint)
+    area.setPlaceholderText(translated(hint))
     area.setTabChangesFocus(True)
     area.setLineWrapMode(QPlainTextEdit.LineWrapMode.NoWrap)
     return area

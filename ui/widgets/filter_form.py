@@ -9,6 +9,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QSizePolicy, QSpinBox, QStackedWidget, QWidget
 
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.widgets.basic import Button, column, label, row
 from ui.widgets.segments import Segments
@@ -49,8 +50,8 @@ class FilterForm(QWidget):
         self.side, self.offset = QComboBox(), _length(0.0, -LIMIT_MM, LIMIT_MM, " mm")
         self.side.addItems(list(SIDES))
         for field, words in self._described_editors():
-            field.setAccessibleName(words)
-            field.setToolTip(words)
+            field.setAccessibleName(translated(words))
+            field.setToolTip(translated(words))
         self.fields = QStackedWidget()
         for line in self._lines():
             shown = QWidget()
@@ -68,7 +69,7 @@ class FilterForm(QWidget):
 
     def _described_editors(self) -> list[tuple[QWidget, str]]:
         """Return the editors with their descriptions."""
-        ends = [(f"{end} limit of the box along {axis}, in mm") for axis in "xyz" for end in ("Lower", "Upper")]
+        ends = [(tr("{end} limit of the box along {axis}, in mm", end=end, axis=axis)) for axis in "xyz" for end in ("Lower", "Upper")]
         return [
             (self.sigmas, "Limit in standard deviations above the mean distance"),
             (self.neighbours, "Number of neighbours for the mean distance"),

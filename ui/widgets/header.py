@@ -6,6 +6,7 @@ from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QMenu, QWidget
 
+from ui.look.language.words import translated
 from ui.look.look import Look
 from ui.widgets.basic import Button, ElidedLabel, column, row
 from ui.widgets.segments import Segments
@@ -21,7 +22,7 @@ class Chip(QFrame):
         self.setObjectName("chip")
         self.setFixedHeight(32)
         self._look, self._icon_name, self._colour = look, icon, "soft"
-        self._icon, self._text = QLabel(), QLabel(text)
+        self._icon, self._text = QLabel(), QLabel(translated(text))
         layout = QHBoxLayout(self)
         layout.setContentsMargins(12, 0, 12, 0)
         layout.setSpacing(8)
@@ -36,9 +37,9 @@ class Chip(QFrame):
 
     def show_state(self, text: str, colour: str = "soft", tip: str = "") -> None:
         """Set text, icon colour and tooltip."""
-        self._text.setText(text)
+        self._text.setText(translated(text))
         self._colour = colour
-        self.setToolTip(tip)
+        self.setToolTip(translated(tip))
         self._redraw()
 
     def _redraw(self) -> None:

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QDialog, QTextBrowser, QWidget
 
 from measureapp.errors import InputError
 from measureapp.resources import resource
+from ui.look.language.words import tr
 from ui.look.look import Look
 from ui.widgets.basic import Button, column, row
 
@@ -21,7 +22,7 @@ class HelpDialog(QDialog):
 
     def __init__(self, look: Look, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setWindowTitle("Help")
+        self.setWindowTitle(tr("Help"))
         self.resize(720, 640)
         self.browser = QTextBrowser()
         self.browser.setOpenLinks(False)
@@ -40,9 +41,9 @@ class HelpDialog(QDialog):
         try:
             text = resource(f"help/{name}.md").read_text(encoding="utf-8")
         except (InputError, OSError):
-            text = f"# Help\n\nThere is no page about “{name}”."
+            text = tr("# Help\n\nThere is no page about “{name}”.", name=name)
         colour = self._look.theme.colours["accent_text"]
-        self.browser.document().setDefaultStyleSheet(f"a {{ color: {colour}; }}")
+        self.browser.document().setDefaultStyleSheet(tr("a {{ color: {colour}; }}", colour=colour))
         self.browser.setMarkdown(text)
         _space(self.browser.document())
         self.show()

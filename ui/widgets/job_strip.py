@@ -8,6 +8,7 @@ from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QFrame, QLabel, QProgressBar, QSizePolicy, QWidget
 
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.look.wording import duration
 from ui.widgets.basic import Button, column, label, row
@@ -37,7 +38,7 @@ class JobStrip(QFrame):
         self.bar = QProgressBar()
         self.bar.setRange(0, 1000)
         self.bar.setTextVisible(False)
-        self.bar.setAccessibleName("Progress of the job")
+        self.bar.setAccessibleName(tr("Progress of the job"))
         self.cancel = Button("Cancel", look, "cancel", "normal", "Stop at the next safe point")
         self.cancel.clicked.connect(self._on_cancel)
         self._job = self._job_area()
@@ -67,12 +68,12 @@ class JobStrip(QFrame):
         self._job.setVisible(bool(title))
         self._places.setStretch(0, JOB_SHARE if title else 0)
         self._places.setStretch(2, MESSAGE_SHARE if title else 1)
-        self.title.setText(title)
+        self.title.setText(translated(title))
         self.note.setText("")
         self.time_left.setText("")
         self.bar.setValue(0)
         self.cancel.setEnabled(True)
-        self.cancel.setText("Cancel")
+        self.cancel.setText(tr("Cancel"))
         self._started = time.monotonic()
         self._places.activate()
         self._fit_message()
@@ -81,7 +82,7 @@ class JobStrip(QFrame):
         """Show the progress of the job and the estimated remaining time, unless the page states a better one."""
         self.bar.setValue(round(1000 * share))
         if note != self.note.text():
-            self.note.setText(note)
+            self.note.setText(translated(note))
         elapsed = time.monotonic() - self._started
         if with_time and share > SETTLED_SHARE and elapsed > SETTLED_S:
             self.time_left.setText(f"{duration(elapsed * (1 - share) / share)} left")
@@ -90,17 +91,17 @@ class JobStrip(QFrame):
         """Show one message with its hint; empty: none."""
         self._level = level
         self.words = f"{text} {hint}".strip()
-        self.message.setToolTip(f"{self.words}\nClick to see all messages." if self.words else "Show all messages")
-        self.message.setAccessibleName(self.words)
+        self.message.setToolTip(tr("{words}\nClick to see all messages.", words=self.words) if self.words else tr("Show all messages"))
+        self.message.setAccessibleName(translated(self.words))
         self._fit_message()
         self._redraw()
 
     def show_open(self, count: int) -> None:
         """Show how many warnings and errors are open."""
         self.all.setText(f"\u2009{count}" if count else "")
-        tip = "1 message is open" if count == 1 else f"{count} messages are open" if count else "Show all messages"
-        self.all.setToolTip(tip)
-        self.all.setAccessibleName(tip)
+        tip = "1 message is open" if count == 1 else tr("{count} messages are open", count=count) if count else "Show all messages"
+        self.all.setToolTip(translated(tip))
+        self.all.setAccessibleName(translated(tip))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Elide the message to the new width."""
@@ -109,11 +110,11 @@ class JobStrip(QFrame):
 
     def _fit_message(self) -> None:
         room = max(80, self.message.width() - 24)
-        self.message.setText(self.message.fontMetrics().elidedText(self.words, Qt.TextElideMode.ElideRight, room))
+        self.message.setText(translated(self.message.fontMetrics().elidedText(self.words, Qt.TextElideMode.ElideRight, room)))
 
     def _on_cancel(self) -> None:
         self.cancel.setEnabled(False)
-        self.cancel.setText("Stopping…")
+        self.cancel.setText(tr("Stopping…"))
         self.cancelClicked.emit()
 
     def _redraw(self) -> None:

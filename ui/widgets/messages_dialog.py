@@ -8,6 +8,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QDialog, QHeaderView, QWidget
 
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.messages import Message, Messages
 from ui.widgets.basic import Button, column, label, row
@@ -27,7 +28,7 @@ class MessagesDialog(QDialog):
     def __init__(self, look: Look, messages: Messages, words_of: Callable[[str], str], parent: QWidget | None = None) -> None:
         """``words_of``: returns the words of an action by its id, empty if there is none."""
         super().__init__(parent)
-        self.setWindowTitle("Messages")
+        self.setWindowTitle(tr("Messages"))
         self.resize(960, 520)
         self._messages, self._words_of = messages, words_of
         self._rows: list[Message] = []
@@ -99,7 +100,7 @@ class MessagesDialog(QDialog):
         is_open = chosen is not None and self._messages.is_open(chosen)
         words = self._words_of(chosen.remedy) if chosen is not None and is_open and chosen.remedy else ""
         self.dismiss.setVisible(is_open)
-        self.remedy.setText(words)
+        self.remedy.setText(translated(words))
         self.remedy.setVisible(bool(words))
 
     def _do_remedy(self) -> None:

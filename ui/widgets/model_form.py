@@ -14,6 +14,7 @@ from PySide6.QtWidgets import QAbstractButton, QLabel, QPushButton, QWidget
 
 from measureapp.data.model import Model
 from ui.look.field_words import field_words, place_words, problem_words
+from ui.look.language.words import tr, translated
 from ui.widgets.basic import Form, clear, column, label, row
 from ui.widgets.field_editors import (
     CheckEditor,
@@ -54,14 +55,14 @@ class FieldRows(FieldEditor):
 
     def _add(self, form: Form, name: str, field: FieldInfo, editor: FieldEditor) -> None:
         words, _ = field_words(name)
-        named, note = QLabel(words), _note()
+        named, note = QLabel(translated(words)), _note()
         tip = (field.description or "").strip()
         for widget in (named, editor):
             widget.setToolTip(tip[:1].upper() + tip[1:])
         for inner in (editor, *editor.findChildren(QWidget)):
             if inner is editor or (inner.focusPolicy() != Qt.FocusPolicy.NoFocus and not inner.accessibleName()):
                 own = inner.text() if isinstance(inner, QAbstractButton) else ""
-                inner.setAccessibleName(f"{words}: {own}" if own else words)
+                inner.setAccessibleName(f"{words}: {own}" if own else translated(words))
         self.editors[name], self._notes[name] = editor, note
         cell = QWidget()
         cell.setLayout(column(editor, note, spacing=2))
@@ -86,10 +87,10 @@ class FieldRows(FieldEditor):
         """Show a problem below the field at ``place``, else below all fields."""
         name = str(place[0]) if place else ""
         if name not in self.editors:
-            self.note.setText(words if not name else f"{place_words(place)}: {words}")
+            self.note.setText(translated(words) if not name else f"{place_words(place)}: {words}")
             self.note.show()
         elif not self.editors[name].place_problem(place[1:], words):
-            self._notes[name].setText(words)
+            self._notes[name].setText(translated(words))
             self._notes[name].show()
         return True
 
@@ -155,7 +156,7 @@ class GroupEditor(FieldEditor):
         super().__init__()
         self._model, self._depth = model, depth
         self._rows: FieldRows | None = None
-        self.button = QPushButton(f"{CLOSED} Show")
+        self.button = QPushButton(tr("{closed} Show", closed=CLOSED))
         self.button.setCheckable(True)
         self.button.setAutoDefault(False)
         self.button.setProperty("role", "quiet")
@@ -200,7 +201,7 @@ class GroupEditor(FieldEditor):
 
     def _fold(self, unfolded: bool) -> None:
         self.rows.setVisible(unfolded)
-        self.button.setText(f"{OPEN} Hide" if unfolded else f"{CLOSED} Show")
+        self.button.setText(tr("{open} Hide", open=OPEN) if unfolded else tr("{closed} Show", closed=CLOSED))
 
 
 class ListEditor(FieldEditor):
@@ -211,9 +212,9 @@ class ListEditor(FieldEditor):
         self._model, self._depth = model, depth
         self.items: list[FieldRows] = []
         self._column = column(spacing=8)
-        self.button = QPushButton("Add")
+        self.button = QPushButton(tr("Add"))
         self.button.setAutoDefault(False)
-        self.button.setAccessibleName(f"Add: {field_words(name)[0]}")
+        self.button.setAccessibleName(tr("Add: {field_words}", field_words=field_words(name)[0]))
         self.button.clicked.connect(self._append)
         self.setLayout(column(self._column, row(self.button, 0), spacing=8))
 
@@ -247,7 +248,7 @@ class ListEditor(FieldEditor):
         item = FieldRows(self._model, depth=self._depth)
         item.set_raw(value)
         item.edited.connect(self.edited)
-        remove = QPushButton("Remove")
+        remove = QPushButton(tr("Remove"))
         remove.setAutoDefault(False)
         remove.clicked.connect(lambda: self._remove(item))
         framed = QWidget()

@@ -7,6 +7,7 @@ from pathlib import Path
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QDialog, QLineEdit, QWidget
 
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.widgets.basic import Button, Form, column, label, row
 from ui.widgets.path_field import PathField
@@ -22,12 +23,12 @@ class NewProjectDialog(QDialog):
     def __init__(self, look: Look, place: Path, rig: str, parent: QWidget | None = None) -> None:
         """``place``: folder in which the project is made; ``rig``: name of the rig that measures, empty: none."""
         super().__init__(parent)
-        self.setWindowTitle("New project")
+        self.setWindowTitle(tr("New project"))
         self.setMinimumWidth(560)
         self._rig = rig
         self.name, self.part = QLineEdit(), QLineEdit()
-        self.name.setPlaceholderText("Such as “Housing 4711”")
-        self.part.setPlaceholderText("Name of the part")
+        self.name.setPlaceholderText(tr("Such as “Housing 4711”"))
+        self.part.setPlaceholderText(tr("Name of the part"))
         self.place = PathField(look, "Choose where the project is made", "Folder of your projects", "projects")
         self.place.setValue(place)
         self.problem = label("", "problem", wrap=True)
@@ -56,18 +57,18 @@ class NewProjectDialog(QDialog):
         if not self._rig:
             return "A project belongs to a rig. Choose one on the page Rig first."
         if wrong or name.endswith("."):
-            return f"A name cannot contain {' '.join(wrong)}." if wrong else "A name cannot end with a dot."
+            return tr("A name cannot contain {list}.", list=" ".join(wrong)) if wrong else "A name cannot end with a dot."
         if (
             place is not None
             and name
             and (place / name).exists()
             and any((place / name).iterdir() if (place / name).is_dir() else ("file",))
         ):
-            return f"{place / name} exists already. Choose another name."
+            return tr("{value} exists already. Choose another name.", value=place / name)
         return ""
 
     def _check(self) -> None:
-        self.problem.setText(self._problem())
+        self.problem.setText(translated(self._problem()))
         self.create.setEnabled(self.folder() is not None)
 
     def _choose(self) -> None:

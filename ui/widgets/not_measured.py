@@ -6,6 +6,7 @@ from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QBrush, QColor, QPainter, QPaintEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
+from ui.look.language.words import translated
 from ui.look.look import Look
 from ui.viewport.colouring import HATCH_SHADE, UNKNOWN
 from ui.widgets.basic import label, row
@@ -45,5 +46,5 @@ class NotMeasuredLegend(QWidget):
 
     def say(self, words: str) -> None:
         """Set the text."""
-        self.words.setText(words)
+        self.words.setText(translated(words))
         self.setVisible(bool(words))

@@ -8,6 +8,7 @@ from math import isfinite
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QLineEdit, QWidget
 
+from ui.look.language.words import translated
 from ui.widgets.basic import label, row
 
 WIDTH = 68
@@ -27,9 +28,9 @@ class NumberFields(QWidget):
         for line, name in zip(self.lines, names, strict=True):
             line.setAlignment(Qt.AlignmentFlag.AlignRight)
             line.setMinimumWidth(WIDTH)
-            line.setAccessibleName(name)
-            line.setPlaceholderText(name)
-            line.setToolTip(name)
+            line.setAccessibleName(translated(name))
+            line.setPlaceholderText(translated(name))
+            line.setToolTip(translated(name))
             line.editingFinished.connect(self._take)
         self.setLayout(row(*self.lines, label(unit, "soft"), spacing=4))
 
@@ -51,7 +52,7 @@ class NumberFields(QWidget):
         """Show numbers; None: they differ, or there are none."""
         self._shown = tuple(numbers or ())
         for place, line in enumerate(self.lines):
-            line.setText(self._text(self._shown[place]) if self._shown else "")
+            line.setText(translated(self._text(self._shown[place])) if self._shown else "")
             self._mark(line, "")
 
     def _text(self, number: float) -> str:
@@ -70,7 +71,7 @@ class NumberFields(QWidget):
             self.valueChanged.emit(entered)
 
     def _mark(self, line: QLineEdit, problem: str) -> None:
-        line.setToolTip(problem or line.accessibleName())
+        line.setToolTip(translated(problem) or translated(line.accessibleName()))
         if line.property("invalid") != bool(problem):
             line.setProperty("invalid", bool(problem))
             line.style().unpolish(line)

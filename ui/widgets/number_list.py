@@ -8,6 +8,7 @@ from math import isfinite
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QLineEdit, QWidget
 
+from ui.look.language.words import tr, translated
 from ui.widgets.basic import label, row
 
 
@@ -21,8 +22,8 @@ class NumberList(QWidget):
         self._tip, self._most = tip, most
         self._shown: tuple[float, ...] = ()
         self.line = QLineEdit()
-        self.line.setAccessibleName(name)
-        self.line.setToolTip(tip)
+        self.line.setAccessibleName(translated(name))
+        self.line.setToolTip(translated(tip))
         self.line.editingFinished.connect(self._take)
         self.setLayout(row(self.line, label(unit, "soft"), spacing=4))
 
@@ -43,7 +44,7 @@ class NumberList(QWidget):
 
     def set_default(self, words: str) -> None:
         """Show what applies while the line is empty."""
-        self.line.setPlaceholderText(words)
+        self.line.setPlaceholderText(translated(words))
 
     def _take(self) -> None:
         entered = self.value()
@@ -53,7 +54,7 @@ class NumberList(QWidget):
             self.valueChanged.emit(entered)
 
     def _mark(self, *, is_invalid: bool) -> None:
-        self.line.setToolTip(f"This cannot be read. {self._tip}." if is_invalid else self._tip)
+        self.line.setToolTip(tr("This cannot be read. {tip}.", tip=self._tip) if is_invalid else translated(self._tip))
         if self.line.property("invalid") != is_invalid:
             self.line.setProperty("invalid", is_invalid)
             self.line.style().unpolish(self.line)

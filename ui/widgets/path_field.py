@@ -7,6 +7,7 @@ from pathlib import Path
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QLineEdit, QWidget
 
+from ui.look.language.words import translated
 from ui.look.look import Look
 from ui.settings.dialogs import choose_file, choose_folder
 from ui.widgets.basic import Button, row
@@ -22,8 +23,8 @@ class PathField(QWidget):
         super().__init__()
         self._title, self._purpose, self._files = title, purpose, files
         self.text = QLineEdit()
-        self.text.setPlaceholderText(placeholder)
-        self.text.setToolTip(placeholder)
+        self.text.setPlaceholderText(translated(placeholder))
+        self.text.setToolTip(translated(placeholder))
         self.text.textChanged.connect(lambda _text: self.valueChanged.emit(self.value()))
         self.browse = Button("Browse…", look, "open")
         self.browse.clicked.connect(self._choose)

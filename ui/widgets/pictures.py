@@ -6,6 +6,7 @@ import numpy as np
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QWidget
 
+from ui.look.language.words import tr
 from ui.look.look import Look
 from ui.look.wording import exposure, percent
 from ui.widgets.basic import clear, column
@@ -64,7 +65,7 @@ class Pictures(QWidget):
         saturation = self._saturations[camera]
         share = float(np.mean(pixels[::EVERY, ::EVERY] >= saturation))
         self._shown[camera] = (of, share)
-        saturated = f" · {percent(share, 1)} saturated" if share > LEAST_SHOWN else ""
+        saturated = tr(" · {share} saturated", share=percent(share, 1)) if share > LEAST_SHOWN else ""
         self.images[camera].show_image(marked_image(pixels, saturation), f"{camera} · {exposure(exposure_us)}{saturated}")
 
     @property

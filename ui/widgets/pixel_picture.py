@@ -7,6 +7,7 @@ from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt, Signal
 from PySide6.QtGui import QColor, QImage, QKeyEvent, QMouseEvent, QPainter, QPaintEvent, QPen, QWheelEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
+from ui.look.language.words import tr
 from ui.look.look import Look
 from ui.look.painting import picture_painter
 
@@ -37,7 +38,7 @@ class PixelPicture(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setCursor(Qt.CursorShape.CrossCursor)
-        self.setToolTip("Click a pixel to explain it. The wheel zooms, dragging pans, the arrow keys move by one pixel.")
+        self.setToolTip(tr("Click a pixel to explain it. The wheel zooms, dragging pans, the arrow keys move by one pixel."))
         look.changed.connect(self.update)
 
     @property

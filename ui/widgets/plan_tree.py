@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QItemSelection, QItemSelectionModel, QItemSelectionRange, QModelIndex, QSignalBlocker, Signal
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTreeView
 
+from ui.look.language.words import tr
 from ui.look.look import Look
 from ui.widgets.data_table import ROW_HEIGHT
 from ui.widgets.data_tree import INDENT, RowDelegate
@@ -27,7 +28,7 @@ class PlanTree(QTreeView):
 
     def __init__(self, look: Look) -> None:
         super().__init__()
-        self.setAccessibleName("Viewpoints")
+        self.setAccessibleName(tr("Viewpoints"))
         self.rows = PlanTreeModel(self)
         self.setModel(self.rows)
         self.setItemDelegate(RowDelegate(look, self))

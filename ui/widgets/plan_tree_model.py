@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from PySide6.QtCore import QAbstractItemModel, QModelIndex, QObject, QPersistentModelIndex, Qt, Signal
 from PySide6.QtGui import QFont
 
+from ui.look.language.words import tr
 from ui.look.wording import exposure, quantity, several
 from ui.widgets.data_table import SIGN_ROLE
 
@@ -196,7 +197,7 @@ class PlanTreeModel(QAbstractItemModel):
         states = [self._states.get(viewpoint.id, UNCHECKED) for viewpoint in self._of_group(index.row())]
         failing = [state for state in states if state.sign == "fail"]
         if failing:
-            return RowState("fail", f"{several(len(failing), 'viewpoint')} cannot be scanned. {failing[0].tip}")
+            return RowState("fail", tr("{count} cannot be scanned. {tip}", count=several(len(failing), "viewpoint"), tip=failing[0].tip))
         return next((state for state in states if state.sign != "pass"), states[0])
 
     def _text(self, index: Index) -> str:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from PySide6.QtCore import Qt, Signal, SignalInstance
 from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QScrollArea, QVBoxLayout, QWidget
 
+from ui.look.language.words import translated
 from ui.look.look import Look
 from ui.widgets.basic import Button, clear, column, label, row
 
@@ -83,7 +84,7 @@ class PropertiesPanel(QFrame):
     def show_properties(self, properties: Properties) -> None:
         """Show these properties."""
         self.shown = properties
-        self.title.setText(properties.title)
+        self.title.setText(translated(properties.title))
         clear(self._rows)
         if properties.note:
             self._rows.addWidget(label(properties.note, "soft", wrap=True))
@@ -119,7 +120,7 @@ def _grid(group: Group) -> QGridLayout:
         if not name:
             grid.addWidget(label(value, wrap=True), place, 0, 1, 2)
             continue
-        shown = QLabel(value)
+        shown = QLabel(translated(value))
         shown.setTextFormat(Qt.TextFormat.PlainText)  # names come from files
         shown.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignTop)
         shown.setWordWrap(True)

@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping
 from PySide6.QtCore import Slot
 from PySide6.QtWidgets import QHBoxLayout, QPushButton, QWidget
 
+from ui.look.language.words import translated
 from ui.look.look import Look
 from ui.widgets.basic import Button, card, column, label
 
@@ -27,7 +28,7 @@ class QuestionBar(QWidget):
     def ask(self, words: str, answers: Mapping[str, Callable[[], object]], back: str = "Cancel") -> None:
         """Show a question with its answers, each by what it does; ``back`` leaves everything as it is."""
         self.withdraw()
-        self.words.setText(words)
+        self.words.setText(translated(words))
         self._answers.addStretch(1)
         for text, act in (*answers.items(), (back, lambda: None)):
             button = Button(text, self._look)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import QButtonGroup, QFrame, QToolButton, QWidget
 
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.widgets.basic import column
 
@@ -34,15 +35,15 @@ class Rail(QFrame):
 
     def _entry(self, name: str, word: str, place: int) -> QToolButton:
         made = QToolButton()
-        made.setText(word)
+        made.setText(translated(word))
         made.setProperty("role", "rail")
         made.setCheckable(True)
         made.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextUnderIcon)
         made.setIconSize(QSize(24, 24))
         made.setFixedSize(72, 64)
         made.setCursor(Qt.CursorShape.PointingHandCursor)
-        made.setToolTip(f"{word} (Ctrl+{place + 1})")
-        made.setShortcut(f"Ctrl+{place + 1}")
+        made.setToolTip(tr("{word} (Ctrl+{value})", word=word, value=place + 1))
+        made.setShortcut(tr("Ctrl+{value}", value=place + 1))
         made.clicked.connect(lambda: self.chosen.emit(name))
         self._group.addButton(made)
         return made

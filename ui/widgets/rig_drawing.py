@@ -8,6 +8,7 @@ from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import QWidget
 
+from ui.look.language.words import tr
 from ui.look.look import Look
 from ui.widgets.canvas import Canvas
 
@@ -73,7 +74,7 @@ class RigDrawing(QWidget):
         canvas.pen("faint", 1.2)
         canvas.fill("sunken")
         canvas.box(-140, low - 100, 140, high + 100)
-        canvas.text(0, low - 100, f"Guide {high - low:.0f} mm", offset=(28, 14), clear=True)
+        canvas.text(0, low - 100, tr("Guide {value:.0f} mm", value=high - low), offset=(28, 14), clear=True)
         canvas.pen("faint", 1.5)
         canvas.fill("raised")
         canvas.circle(x, y, radius)
@@ -81,7 +82,7 @@ class RigDrawing(QWidget):
         canvas.circle(x, y, radius * 0.62)
         canvas.line((x - 40, y), (x + 40, y))
         canvas.line((x, y - 40), (x, y + 40))
-        canvas.text(x, y - radius, f"Table ⌀ {2 * radius:.0f} mm", offset=(0, 14), clear=True)
+        canvas.text(x, y - radius, tr("Table ⌀ {value:.0f} mm", value=2 * radius), offset=(0, 14), clear=True)
         _robot_top(canvas, stand, x - rig.standoff_mm * 0.85, y)
 
 

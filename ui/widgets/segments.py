@@ -8,6 +8,8 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QPushButton, QWidget
 
+from ui.look.language.words import translated
+
 
 class Segments(QWidget):
     """Chooses one of a few named options: value(), setValue(name), valueChanged."""
@@ -19,7 +21,7 @@ class Segments(QWidget):
     ) -> None:
         """``name``: accessible name of the choice; ``tips``: tooltips of options."""
         super().__init__(parent)
-        self.setAccessibleName(name)
+        self.setAccessibleName(translated(name))
         layout = QHBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         layout.setSpacing(0)
@@ -27,10 +29,10 @@ class Segments(QWidget):
         self._buttons: dict[str, QPushButton] = {}
         last = len(options) - 1
         for place, (key, text) in enumerate(options.items()):
-            made = QPushButton(text)
+            made = QPushButton(translated(text))
             made.setCheckable(True)
-            made.setAccessibleName(f"{name}: {text}" if name else text)
-            made.setToolTip((tips or {}).get(key, ""))
+            made.setAccessibleName(f"{name}: {text}" if name else translated(text))
+            made.setToolTip(translated((tips or {}).get(key, "")))
             made.setAutoDefault(False)
             made.setProperty("role", "segment")
             made.setProperty("place", "first" if place == 0 else "last" if place == last else "middle")

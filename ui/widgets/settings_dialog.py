@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QDialog, QWidget
 
+from ui.look.language.words import tr
 from ui.look.look import Look
 from ui.settings.settings import Settings
 from ui.widgets.basic import Button, Form, column, label, row
@@ -17,7 +18,7 @@ class SettingsDialog(QDialog):
 
     def __init__(self, look: Look, settings: Settings, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setWindowTitle("Settings")
+        self.setWindowTitle(tr("Settings"))
         self.setMinimumWidth(560)
         self._settings = settings
         self.theme = Segments(THEMES, name="Theme")
@@ -26,7 +27,7 @@ class SettingsDialog(QDialog):
         form = Form()
         form.add("Theme", self.theme)
         form.add("Window", row(self.forget, self.forgotten, 0))
-        kept = label(f"Kept in {settings.file}.", "small", wrap=True)
+        kept = label(tr("Kept in {file}.", file=settings.file), "small", wrap=True)
         close = Button("Close", look, "", "primary", "Close the settings")
         self.setLayout(column(label("Settings", "title"), form, kept, row(0, close), margin=24, spacing=16))
         self.theme.valueChanged.connect(lambda value: settings.set_text("theme", value))
@@ -42,4 +43,4 @@ class SettingsDialog(QDialog):
 
     def _forget(self) -> None:
         self._settings.forget_layout()
-        self.forgotten.setText("Forgotten.")
+        self.forgotten.setText(tr("Forgotten."))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QFrame
 
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.widgets.basic import Button, column, label, row
 
@@ -38,13 +39,13 @@ class TourBar(QFrame):
 
     def say(self, count: str, heading: str, words: str, *, next_words: str, can_go_back: bool, last: bool) -> None:
         """Show one step."""
-        self.count.setText(count)
-        self.heading.setText(heading)
-        self.words.setText(words)
-        self.next.setText(next_words)
-        self.next.setAccessibleName(next_words)
+        self.count.setText(translated(count))
+        self.heading.setText(translated(heading))
+        self.words.setText(translated(words))
+        self.next.setText(translated(next_words))
+        self.next.setAccessibleName(translated(next_words))
         self.back.setVisible(can_go_back)
-        self.end.setText("End the tour" if count else "Not now")
+        self.end.setText(tr("End the tour") if count else tr("Not now"))
         self.end.setVisible(not last)
         self.show()
         self.next.setFocus()

@@ -6,6 +6,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QButtonGroup, QDialog, QRadioButton, QWidget
 
 from measureapp.data.length_unit import LengthUnit
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.look.wording import quantity
 from ui.widgets.basic import Button, column, label, row
@@ -25,16 +26,16 @@ class UnitDialog(QDialog):
     ) -> None:
         """``what``: "points", "nominal" or "mesh"; ``span``: longest side of its bounding box in file units, if known."""
         super().__init__(parent)
-        self.setWindowTitle("Unit of lengths")
+        self.setWindowTitle(tr("Unit of lengths"))
         self.units, self._group = {}, QButtonGroup(self)
         for unit in LengthUnit:
-            made = QRadioButton(_words(unit, span))
+            made = QRadioButton(translated(_words(unit, span)))
             made.setAccessibleName(made.text())
             self._group.addButton(made)
             self.units[unit] = made
         self.units[likely].setChecked(True)
-        question = label(f"In which unit {'are' if what == 'points' else 'is'} the {KIND[what]}?", "heading")
-        evidence = label(f"{finding}: probably {likely.words}.", wrap=True)
+        question = label(tr("In which unit {words} the {kind}?", words="are" if what == "points" else "is", kind=KIND[what]), "heading")
+        evidence = label(tr("{finding}: probably {words}.", finding=finding, words=likely.words), wrap=True)
         self.accept_button = Button("Use this unit", look, "", "primary")
         self.accept_button.clicked.connect(self._accept)
         self.accept_button.setDefault(True)
@@ -60,5 +61,11 @@ def _words(unit: LengthUnit, span: float | None) -> str:
     """Return the label of a unit, with the resulting size of the part."""
     words = unit.words[0].upper() + unit.words[1:]
     return (
-        words if span is None else f"{words} – the longest side is {quantity(span * unit.in_mm, 'mm', 1 if span * unit.in_mm < 1e4 else 0)}"
+        words
+        if span is None
+        else tr(
+            "{words} – the longest side is {quantity}",
+            words=words,
+            quantity=quantity(span * unit.in_mm, "mm", 1 if span * unit.in_mm < 1e4 else 0),
+        )
     )

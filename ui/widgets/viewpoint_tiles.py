@@ -9,6 +9,7 @@ from PySide6.QtCore import QRectF, QSize, Qt, Signal
 from PySide6.QtGui import QMouseEvent, QPainter, QPaintEvent, QPen, QResizeEvent
 from PySide6.QtWidgets import QScrollArea, QSizePolicy, QWidget
 
+from ui.look.language.words import tr
 from ui.look.look import Look
 from ui.look.painting import set_letters, write_elided
 
@@ -69,7 +70,7 @@ class ViewpointTiles(QWidget):
         policy.setHeightForWidth(True)
         self.setSizePolicy(policy)
         self.setCursor(Qt.CursorShape.PointingHandCursor)
-        self.setToolTip("Click a viewpoint to show its images")
+        self.setToolTip(tr("Click a viewpoint to show its images"))
         look.changed.connect(self.update)
 
     def show_tiles(self, tiles: Sequence[Tile]) -> None:

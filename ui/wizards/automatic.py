@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QDialog, QProgressBar, QWidget
 
 from measureapp.errors import MeasureError
 from ui.controllers.rig_calibrating import RigCalibratingController
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.look.wording import keep_units, several
 from ui.session import Session
@@ -44,7 +45,7 @@ class AutomaticCalibration(QDialog):
 
     def __init__(self, look: Look, session: Session, calibrating: RigCalibratingController, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setWindowTitle("Calibrate automatically")
+        self.setWindowTitle(tr("Calibrate automatically"))
         self.setModal(False)
         self.setMinimumSize(*SMALLEST)
         self._session, self._calibrating = session, calibrating
@@ -102,7 +103,7 @@ class AutomaticCalibration(QDialog):
         if not self._calibrating.is_running:
             self.folder.setValue(self._calibrating.suggested_folder())
             self.found.show_items(PREPARE)
-            self.state.setText("No rig is chosen: choose one on the page Rig." if rig is None else f"{rig.name}.")
+            self.state.setText(tr("No rig is chosen: choose one on the page Rig.") if rig is None else f"{rig.name}.")
         self._show_running()
         self.show()
         self.raise_()
@@ -121,7 +122,7 @@ class AutomaticCalibration(QDialog):
         if known is not None:
             self.board.setValue(known)
         self.board.setEnabled(known is None)
-        self.board_note.setText("A new project is made." if known is None else "The board of this project.")
+        self.board_note.setText(tr("A new project is made.") if known is None else tr("The board of this project."))
         self._show_running()
 
     def _show_running(self) -> None:
@@ -141,23 +142,23 @@ class AutomaticCalibration(QDialog):
 
     def _show_ended(self) -> None:
         if not self._has_outcome:
-            self.state.setText("Stopped. Views taken so far are kept; Start continues.")
+            self.state.setText(tr("Stopped. Views taken so far are kept; Start continues."))
         self._show_running()
 
     def _show_progress(self, share: float, note: str) -> None:
         self.bar.setValue(round(1000 * share))
         if note:
-            self.state.setText(note)
+            self.state.setText(translated(note))
 
     def _show_failed(self, error: MeasureError) -> None:
         self._has_outcome = True
         self.found.show_items((Item("problem", error.message, error.hint),))
-        self.state.setText("Not calibrated. Views taken so far are kept; Start continues.")
+        self.state.setText(tr("Not calibrated. Views taken so far are kept; Start continues."))
 
     def _show_calibrated(self, calibrated: CalibratedRig) -> None:
         self._has_outcome = True
         self.found.show_items(items_of(calibrated))
-        self.state.setText("Calibrated and stored in the project.")
+        self.state.setText(tr("Calibrated and stored in the project."))
         self._show_board()
 
     def _take_images(self) -> None:
@@ -177,11 +178,18 @@ def items_of(calibrated: CalibratedRig) -> tuple[Item, ...]:
     verdict = solved.verdict
     found = [Item(LEVELS[verdict.level], keep_units(verdict.sentence), f"{verdict.reason} {verdict.remedy}".strip())]
     found += [Item("warning", reason) for reason in verdict.reasons]
-    found += [Item("warning", f"Not determined: {what}.") for what in solved.solution.not_observable]
-    found += [Item("warning", f"{one.viewpoint_id} failed: {one.reason}", "Start again takes it again.") for one in calibrated.failed]
+    found += [Item("warning", tr("Not determined: {what}.", what=what)) for what in solved.solution.not_observable]
+    found += [
+        Item(
+            "warning",
+            tr("{viewpoint_id} failed: {reason}", viewpoint_id=one.viewpoint_id, reason=one.reason),
+            "Start again takes it again.",
+        )
+        for one in calibrated.failed
+    ]
     if calibrated.unseen:
         names = ", ".join(calibrated.unseen)
         reason = next(iter(calibrated.unseen.values()))
-        found.append(Item("warning", f"No camera detects the board from {names}.", reason))
+        found.append(Item("warning", tr("No camera detects the board from {names}.", names=names), reason))
     taken, kept = len(calibrated.taken), len(calibrated.kept)
-    return (*found, Item("note", f"{several(taken, 'view')} taken, {kept} stored before."))
+    return (*found, Item("note", tr("{count} taken, {kept} stored before.", count=several(taken, "view"), kept=kept)))

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QPushButton, QWidget
 from measureapp.calibrate.cameras.projector_sightings import PROJECTOR, device_title
 from ui.controllers.collecting import CollectingController
 from ui.controllers.collecting_nouns import CollectedView
+from ui.look.language.words import tr
 from ui.look.look import Look
 from ui.look.wording import quantity, sentence_case, several
 from ui.widgets.basic import Button, clear, column, label, row
@@ -115,7 +116,7 @@ class CollectPage(QWidget):
         self._offer_cameras(collecting.cameras)
         self.strip.show_thumbnails([self._thumbnail(view) for view in collecting.views])
         out = sum(view.verdict in {"fail", "not measured"} for view in collecting.views)
-        self.count.setText(several(len(collecting.views), "view") + (f", {out} not used" if out else ""))
+        self.count.setText(several(len(collecting.views), "view") + (tr(", {out} not used", out=out) if out else ""))
         self.undo.setEnabled(collecting.can_undo)
         self.redo.setEnabled(collecting.can_redo)
         self._show_guidance()
@@ -182,7 +183,7 @@ class CollectPage(QWidget):
 
     def _draw(self, pixels: np.ndarray | None, overlay: Overlay, caption: str) -> None:
         if pixels is None:
-            self.picture.clear(f"{caption}\nThere is no image of this view.")
+            self.picture.clear(tr("{caption}\nThere is no image of this view.", caption=caption))
         else:
             self.picture.show_image(grey_image(pixels), (pixels.shape[1], pixels.shape[0]), overlay, caption)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtWidgets import QFrame, QLabel, QProgressBar, QPushButton, QWidget
 
+from ui.look.language.words import translated
 from ui.look.look import Look
 from ui.look.wording import sentence_case
 from ui.widgets.basic import Button, column, label, row
@@ -71,12 +72,12 @@ class Footer(QWidget):
     def offer(self, primary: str, second: str, third: str, missing: str = "") -> None:
         """Offer these buttons; empty words: not offered. ``missing`` is what the filled one waits for."""
         self.words = (primary, second, third)
-        self.missing.setText(missing)
+        self.missing.setText(translated(missing))
         self.missing.setVisible(bool(missing))
         for button, words in zip((self.primary, self.second, self.third), self.words, strict=True):
             usable = bool(words) and not (missing and button is self.primary)
             self._keep_focus(button, usable)
-            button.setText(words)
+            button.setText(translated(words))
             button.setVisible(bool(words))
             button.setEnabled(usable)
 
@@ -90,7 +91,7 @@ class Footer(QWidget):
         self._running.setVisible(collecting or evaluating)
         self.stop.setVisible(collecting)
         if evaluating:
-            self.note.setText(WAITING)
+            self.note.setText(translated(WAITING))
         if not (collecting or evaluating):
             self.bar.setValue(0)
             self.note.setText("")
@@ -98,4 +99,4 @@ class Footer(QWidget):
     def show_progress(self, fraction: float, note: str) -> None:
         """Show how far it is."""
         self.bar.setValue(round(1000 * fraction))
-        self.note.setText(sentence_case(note))
+        self.note.setText(translated(sentence_case(note)))

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QHBoxLayout, QLabel, QScrollArea, QWidget
 
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.widgets.basic import card, clear, column, label, row
 from ui.widgets.gauges import Gauges, Level
@@ -46,19 +47,21 @@ class GuidancePanel(QWidget):
     def show_guidance(self, lines: Sequence[str], levels: Sequence[Level]) -> None:
         """Show what is missing; without lines nothing is."""
         same, self.lines = tuple(lines) == self.lines and self._words.count() > 0, tuple(lines)
-        self.heading.setText("What is still missing" if self.lines else "Nothing is missing")
+        self.heading.setText(tr("What is still missing") if self.lines else tr("Nothing is missing"))
         shown = sorted(levels, key=lambda level: level.enough)[:MOST_GAUGES]
         self.gauges.show_levels([level for level in levels if level in shown])
         rest = len(levels) - len(shown)
-        self.rest.setText(f"{rest} more have enough" if rest and all(level.enough for level in levels if level not in shown) else "")
+        self.rest.setText(
+            tr("{rest} more have enough", rest=rest) if rest and all(level.enough for level in levels if level not in shown) else ""
+        )
         self.rest.setVisible(bool(self.rest.text()))
         if not same:
             self._redraw()
 
     def show_verdict(self, words: str, working: str) -> None:
         """Show the verdict on the views collected so far, and why there is none."""
-        self.so_far.setText(words)
-        self.working.setText(working)
+        self.so_far.setText(translated(words))
+        self.working.setText(translated(working))
         self.so_far.setVisible(bool(words))
         self.working.setVisible(bool(working))
         self.verdict.setVisible(bool(words or working))
@@ -70,7 +73,7 @@ class GuidancePanel(QWidget):
         for text in self.lines[:MOST_WORDS]:
             self._words.addLayout(self._line("info", "accent", text))
         if len(self.lines) > MOST_WORDS:
-            self._words.addWidget(label(f"and {len(self.lines) - MOST_WORDS} more", "small"))
+            self._words.addWidget(label(tr("and {value} more", value=len(self.lines) - MOST_WORDS), "small"))
         self._words.addStretch(1)
 
     def _line(self, sign: str, colour: str, text: str) -> QHBoxLayout:

@@ -6,6 +6,7 @@ from PySide6.QtCore import QSize, Qt
 from PySide6.QtWidgets import QLabel, QScrollArea, QWidget
 
 from ui.controllers.result import Result, ValueRow
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.look.wording import NOTHING, keep_units, quantity
 from ui.widgets.basic import Button, card, clear, column, label, row
@@ -67,7 +68,7 @@ class ResultPage(QWidget):
     def show_none(self, words: str) -> None:
         """Show the reason why there is no result."""
         self._result = None
-        self.none.setText(words)
+        self.none.setText(translated(words))
         self.none.show()
         self._whole.hide()
 
@@ -96,7 +97,7 @@ class ResultPage(QWidget):
         for words in result.reasons:
             self._facts.addWidget(_paragraph(words))
         for view, reason in result.rejected:
-            self._facts.addWidget(_paragraph(f"View {view} rejected: {reason}"))
+            self._facts.addWidget(_paragraph(tr("View {view} rejected: {reason}", view=view, reason=reason)))
         self.show_checked(result)
         self.comparison.setText(keep_units(result.comparison))
         self._compared.setVisible(bool(result.comparison))
@@ -104,7 +105,7 @@ class ResultPage(QWidget):
 
     def show_checking(self, share: float) -> None:
         """Show how far the check with views held back is."""
-        self.held_back.setText(f"Each view is predicted by a calibration without it: {quantity(100 * share, '%', 0)}")
+        self.held_back.setText(tr("Each view is predicted by a calibration without it: {quantity}", quantity=quantity(100 * share, "%", 0)))
         self._held_back.show()
         self.stop_check.show()
 
@@ -144,7 +145,7 @@ def _cells(row_: ValueRow) -> list[Cell]:
     error = None if row_.true is None else one.value - row_.true
     change = None if row_.previous is None else one.value - row_.previous
     far = error is not None and one.sigma > 0 and abs(error) > FAR * one.sigma
-    tip = "" if error is None or not one.sigma else f"{abs(error) / one.sigma:.1f} standard deviations"
+    tip = "" if error is None or not one.sigma else tr("{value:.1f} standard deviations", value=abs(error) / one.sigma)
     return [
         Cell(one.label, bold=True),
         number(quantity(one.value, one.unit, digits)),

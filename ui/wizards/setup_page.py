@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QSpinBox, QWidget
 
 from measureapp.data.board import BoardDescription
 from ui.controllers.collecting_nouns import RigSetup, Start, StoredSession
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.look.wording import several, when
 from ui.widgets.basic import Button, Form, card, column, label, row
@@ -104,8 +105,8 @@ class SetupPage(QWidget):
     def offer_rig(self, rig: RigSetup) -> None:
         """Show the rig that can take the images, and start with its board."""
         self._virtual = rig.virtual
-        self._rig_name.setText(rig.name)
-        self._rig_note.setText(VIRTUAL_HINT if rig.virtual else REAL_HINT)
+        self._rig_name.setText(translated(rig.name))
+        self._rig_note.setText(translated(VIRTUAL_HINT) if rig.virtual else translated(REAL_HINT))
         self._virtual_form.setVisible(rig.virtual and not rig.fixed)
         self.resolution.setValue(rig.resolution)
         self.seed.setValue(rig.seed)
@@ -116,7 +117,9 @@ class SetupPage(QWidget):
         self.kept.setVisible(kept is not None)
         if kept is not None:
             age = when(kept.saved)
-            self._kept_words.setText(f"{several(kept.views, 'view')} of an earlier session are kept{f' ({age})' if age else ''}.")
+            self._kept_words.setText(
+                tr("{count} of an earlier session are kept{words}.", count=several(kept.views, "view"), words=f" ({age})" if age else "")
+            )
 
     def value(self) -> Start:
         """Return the settings. Raises ValueError where the board's sizes contradict each other."""

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QDialog, QStackedWidget, QWidget
 from measureapp.calibrate.cameras.projector_sightings import PROJECTOR
 from ui.controllers.calibrating import CalibratingController
 from ui.controllers.result import Result
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.look.wording import several
 from ui.widgets.basic import column, label, row
@@ -38,7 +39,7 @@ class CalibrationWizard(QDialog):
 
     def __init__(self, look: Look, kind: Kind, calibrating: CalibratingController, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setWindowTitle(kind.words.title)
+        self.setWindowTitle(translated(kind.words.title))
         self.setModal(True)
         self.setMinimumSize(*SMALLEST)
         self.resize(*USUAL)
@@ -129,7 +130,7 @@ class CalibrationWizard(QDialog):
             problem if not begun else several(sum(name != PROJECTOR for name in collecting.cameras), "camera"),
         )
         state: StepState = "waiting" if not begun else "done" if collecting.solver.has_enough else "now"
-        words = f"{several(views, 'view')} in use" if begun else ""
+        words = tr("{count} in use", count=several(views, "view")) if begun else ""
         result: StepState = "waiting" if found is None else "done" if found.sign == "pass" else "problem"
         return [
             setup,
@@ -145,9 +146,9 @@ class CalibrationWizard(QDialog):
         if self.step == COLLECT:
             see = "See the result" if collecting.solver.is_solved and not collecting.is_collecting else ""
             if collecting.capture.viewpoints_left and not collecting.is_collecting:
-                return f"Take {several(len(collecting.capture.viewpoints_left), 'view')}", see, "Take one view"
+                return tr("Take {count}", count=several(len(collecting.capture.viewpoints_left), "view")), see, "Take one view"
             if collecting.capture.can_take_more and not collecting.is_collecting:
-                more = f"Take {MORE} more views"
+                more = tr("Take {more} more views", more=MORE)
                 return (see, more, "") if collecting.solver.is_good or collecting.capture.took_more else (more, see, "")
             if not (see or collecting.capture.rig is not None or collecting.is_collecting or collecting.solver.is_running):
                 return OTHER_IMAGES, "", ""

@@ -12,6 +12,7 @@ from PySide6.QtCore import QObject, QThread, Signal
 
 from measureapp.errors import MeasureError
 from measureapp.progress import Cancelled
+from ui.look.language.words import tr
 
 REPORT_INTERVAL_S = 0.05
 LOG = "measureapp.log"
@@ -52,7 +53,7 @@ class Job(QThread):
         except OSError as error:
             self.failed.emit(
                 MeasureError(
-                    f"{error.filename or 'A file'} cannot be used: {error.strerror or error}.",
+                    tr("{value} cannot be used: {value_2}.", value=error.filename or "A file", value_2=error.strerror or error),
                     "Check the path, the free space and the permissions.",
                 )
             )
@@ -88,6 +89,9 @@ class Job(QThread):
 def unexpected(error: BaseException, doing: str) -> MeasureError:
     """Return an internal error as a message for the user."""
     return MeasureError(
-        f"{doing} stopped by an internal error ({type(error).__name__}: {error}).",
-        f"Stored data is not affected; try again. If it happens again, send {LOG} in the folder MeasureApp of your home to support.",
+        tr("{doing} stopped by an internal error ({name}: {error}).", doing=doing, name=type(error).__name__, error=error),
+        tr(
+            "Stored data is not affected; try again. If it happens again, send {log} in the folder MeasureApp of your home to support.",
+            log=LOG,
+        ),
     )

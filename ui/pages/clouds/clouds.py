@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QHBoxLayout
 
 from measureapp.errors import InputError
 from ui.controllers.controllers import Controllers
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.look.wording import counted, millimetres, several
 from ui.pages.clicked_distance import DistanceTool
@@ -136,7 +137,7 @@ class CloudsPage(ViewportPage):
         can_undo = choices.can_undo or self.distance.can_undo or filtering.can_undo or self.scales.can_undo
         self.undo.setVisible(bool(self.session.views) and can_undo)
         steps = ((self.scales.can_undo, UNDO_SCALE), (self.distance.can_undo, UNDO_DISTANCE), (filtering.can_undo, UNDO_FILTER))
-        self.undo.setToolTip(next((words for possible, words in steps if possible), UNDO_CHOICE))
+        self.undo.setToolTip(translated(next((words for possible, words in steps if possible), UNDO_CHOICE)))
 
     def undo_last(self) -> None:
         """Undo the step that the button names."""
@@ -188,11 +189,11 @@ class CloudsPage(ViewportPage):
             self.stage.setValue("merged")
         self._seen_stitched = stitched is not None
         total = sum(len(view.cloud) for view in views)
-        words = f"{several(len(views), 'view')}, {counted(total)} points"
-        merged = "" if stitched is None else f"{words}; merged {counted(len(stitched))}"
-        left = "" if filtered is None else f", filtered {counted(len(filtered))}"
-        summary = f"{merged}{left}." if stitched is not None else f"{words}, kinematic positions."
-        self.state.setText(summary if views else "No views yet.")
+        words = tr("{count}, {total} points", count=several(len(views), "view"), total=counted(total))
+        merged = "" if stitched is None else tr("{words}; merged {counted}", words=words, counted=counted(len(stitched)))
+        left = "" if filtered is None else tr(", filtered {counted}", counted=counted(len(filtered)))
+        summary = f"{merged}{left}." if stitched is not None else tr("{words}, kinematic positions.", words=words)
+        self.state.setText(translated(summary) if views else tr("No views yet."))
         self.table.show_views(views, self.placements())
         self._select(max(0, self.table.currentIndex().row()))
         self.redraw()
@@ -239,7 +240,7 @@ class CloudsPage(ViewportPage):
 
     def _show_distances(self) -> None:
         """Show the measured distances, and what to click next."""
-        self.hint.setText(self.distance.hint)
+        self.hint.setText(translated(self.distance.hint))
         self._show_undo()
         if self.distance.is_on or self.distance.distances:
             self._point = None

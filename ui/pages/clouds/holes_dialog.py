@@ -9,6 +9,7 @@ from PySide6.QtGui import QCloseEvent, QColor
 from PySide6.QtWidgets import QDialog, QHeaderView, QProgressBar, QWidget
 
 from ui.controllers.holes import DrawnImage, Explanation, HolesController
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.look.wording import counted, exposure, percent, point_reason, quantity, sentence_case
 from ui.widgets.basic import Button, card, column, label, row
@@ -104,8 +105,8 @@ class HolesDialog(QDialog):
             self.viewpoint_id, self._explanation = viewpoint_id, None
             self.picture.clear()
             self.table.set_rows([])
-        self.setWindowTitle(f"Images and holes – {viewpoint_id}")
-        self.title.setText(f"Images and holes: {viewpoint_id}")
+        self.setWindowTitle(tr("Images and holes – {viewpoint_id}", viewpoint_id=viewpoint_id))
+        self.title.setText(tr("Images and holes: {viewpoint_id}", viewpoint_id=viewpoint_id))
         self.show()
         self.raise_()
         self._explain()
@@ -118,7 +119,7 @@ class HolesDialog(QDialog):
     def _explain(self) -> None:
         self._tell("", "", ASK if self._explanation is not None else PATIENCE, "")
         self._show_running(True)
-        self.state.setText(WAITING)
+        self.state.setText(translated(WAITING))
         self.holes.explain(self.viewpoint_id)
 
     def _show_running(self, running: bool) -> None:
@@ -131,12 +132,12 @@ class HolesDialog(QDialog):
     @Slot(float, str)
     def _show_progress(self, share: float, note: str) -> None:
         self.progress.setValue(round(1000 * share))
-        self.note.setText(sentence_case(note))
+        self.note.setText(translated(sentence_case(note)))
 
     @Slot(str)
     def _show_stopped(self, reason: str) -> None:
         self._show_running(False)
-        self.state.setText("This view has not been analysed yet.")
+        self.state.setText(tr("This view has not been analysed yet."))
         self._tell("", "Analysis failed" if reason else "Cancelled", reason or "Nothing was changed. Recompute to continue.", "")
 
     @Slot(object)
@@ -148,7 +149,7 @@ class HolesDialog(QDialog):
         if new:
             self._make_cameras(explanation.view.cameras)
         self._show_running(False)
-        self.state.setText(summary(explanation))
+        self.state.setText(translated(summary(explanation)))
         if self._wanted is not None and self._wanted[0] in explanation.view.cameras:
             camera, line, across = self._wanted
             self.cameras.setValue(camera)
@@ -182,7 +183,7 @@ class HolesDialog(QDialog):
             return
         self.picture.show_image(coloured_image(image.pixels))
         self.picture.choose(self.picture.chosen)
-        self.heading.setText(HEADINGS[image.kind])
+        self.heading.setText(translated(HEADINGS[image.kind]))
         self._reasons = []
         if image.kind in ("exposure", "snr"):
             self.table.set_rows([_legend_cells(entry.words, entry.colour, entry.share) for entry in image.legend])
@@ -207,7 +208,7 @@ class HolesDialog(QDialog):
         words = point_reason(reason)
         stage = words if reason in NO_LOSS else f"{STAGES[answer.found.stage]}: {words.lower()}"
         sentence = "" if reason == "point" else answer.found.sentence
-        self._tell(f"Row {line}, column {across}", stage, sentence, figures(answer))
+        self._tell(tr("Row {line}, column {across}", line=line, across=across), stage, sentence, figures(answer))
 
     @Slot(int, int)
     def _ask_for_reason(self, place: int, _column: int) -> None:
@@ -217,7 +218,7 @@ class HolesDialog(QDialog):
 
     def _tell(self, place: str, stage: str, answer: str, numbers: str) -> None:
         for shown, words in ((self.place, place), (self.stage, stage), (self.answer, answer), (self.figures, numbers)):
-            shown.setText(words)
+            shown.setText(translated(words))
             shown.setVisible(bool(words))
 
 
@@ -227,7 +228,7 @@ def summary(explanation: Explanation) -> str:
 
     measured = {name: sum(shares.get(reason, 0.0) for reason in NO_HOLES) for name, shares in explanation.shares.items()}
     said = ", ".join(f"{name} {percent(share)}" for name, share in measured.items())
-    return f"{counted(len(explanation.view.made.cloud))} points. Pixels with measured surface: {said}."
+    return tr("{counted} points. Pixels with measured surface: {said}.", counted=counted(len(explanation.view.made.cloud)), said=said)
 
 
 def figures(answer: PixelAnswer) -> str:
@@ -239,8 +240,8 @@ def _number(one: Number) -> str:
     if one.unit == "µs":
         return exposure(round(one.value))
     digits = DIGITS.get(one.what, 1)
-    limit = "" if one.least is None else f", at least {one.least:g}"
-    limit += "" if one.most is None else f", at most {one.most:g}"
+    limit = "" if one.least is None else tr(", at least {least:g}", least=one.least)
+    limit += "" if one.most is None else tr(", at most {most:g}", most=one.most)
     return quantity(one.value, one.unit, digits) + limit
 
 

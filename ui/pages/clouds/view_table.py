@@ -9,6 +9,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QHeaderView
 
+from ui.look.language.words import tr
 from ui.look.look import Look
 from ui.look.wording import NOTHING, counted, millimetres
 from ui.pages.clouds.view_words import REFUSED, view_verdict
@@ -33,8 +34,8 @@ class ViewTable(DataTable):
         self._look = look
         self._views: Sequence[ViewResult] = ()
         self.hidden: set[str] = set()
-        self.setAccessibleName("Views")
-        self.setAccessibleDescription("The space bar shows or hides the selected view.")
+        self.setAccessibleName(tr("Views"))
+        self.setAccessibleDescription(tr("The space bar shows or hides the selected view."))
         self.horizontalHeader().setSectionResizeMode(EYE_COLUMN, QHeaderView.ResizeMode.Fixed)
         self.setColumnWidth(EYE_COLUMN, EYE_WIDTH)
         self.cellClicked.connect(self._toggle)

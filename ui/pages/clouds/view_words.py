@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from ui.look.language.words import tr
 from ui.look.wording import counted, millimetres, percent, point_reason, quantity, sentence
 from ui.widgets.properties_panel import Group, Properties
 
@@ -24,7 +25,7 @@ def view_verdict(view: ViewResult, placement: ViewPlacement | None) -> tuple[str
         return "not measured", "Excluded", "Excluded manually."
     if not quality.accepted:
         why = sentence(quality.reason)
-        return ("not proven", "Manual", f"Used by manual choice. {why}") if used else ("fail", "Poor", why)
+        return ("not proven", "Manual", tr("Used by manual choice. {why}", why=why)) if used else ("fail", "Poor", why)
     if placement is not None and not used:
         return "fail", "Excluded", sentence(placement.verdict.rpartition(": ")[0] or placement.verdict)
     if placement is not None and placement.verdict.endswith(ACCEPTED_BY_HAND):
@@ -41,7 +42,7 @@ def choice_for(placement: ViewPlacement | None) -> tuple[str, ViewChoice]:
 
 def decoding_group(view: ViewResult) -> Group:
     """Return the decoded share of the images."""
-    rows = [(f"Camera {camera}", percent(figures["decoded_ratio"])) for camera, figures in view.decode.items()]
+    rows = [(tr("Camera {camera}", camera=camera), percent(figures["decoded_ratio"])) for camera, figures in view.decode.items()]
     conflicts = sum(int(figures["order_conflicts"]) for figures in view.decode.values())
     noise = [float(figures["phase_sigma_median"]) for figures in view.decode.values() if figures["phase_sigma_median"]]
     rows.append(("Order conflicts", counted(conflicts)))

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QFrame, QVBoxLayout, QWidget
 from measureapp.errors import MeasureError
 from ui.controllers.creating import CreatingController
 from ui.controllers.programming import ProgrammingController
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.look.wording import millimetres, sentence, sentence_case
 from ui.widgets.basic import Button, CalmComboBox, clear, column, label, row
@@ -48,7 +49,7 @@ class FreedomLamps(QWidget):
     def show_fixed(self, count: int) -> None:
         """Fill this number of lamps."""
         self.fixed = count
-        self.setAccessibleName(f"{count} of 6 degrees of freedom fixed")
+        self.setAccessibleName(tr("{count} of 6 degrees of freedom fixed", count=count))
         self.update()
 
     def paintEvent(self, _event: QPaintEvent) -> None:
@@ -77,7 +78,7 @@ class AlignmentPanel(QFrame):
         self.elements = QVBoxLayout()
         self.elements.setSpacing(4)
         self.choice = CalmComboBox()
-        self.choice.setAccessibleName(ADD)
+        self.choice.setAccessibleName(translated(ADD))
         self.choice.activated.connect(self._choose)
         self.pick = Button("Pick faces", look, "grow", "quiet", "Click faces of the CAD model as elements, in their order; Esc ends")
         self.pick.setCheckable(True)
@@ -119,9 +120,11 @@ class AlignmentPanel(QFrame):
     def show_inspection(self, inspection: Inspection) -> None:
         """State the residuals of the alignment in use."""
         alignment = inspection.alignment
-        words = [f"In use: {alignment.name}, {millimetres(alignment.rms_mm)} rms."]
-        words += [f"{sentence_case(name)}: residual {millimetres(off)}." for name, off in alignment.residuals_mm.items()]
-        words += [sentence(f"not determined: {motion}") for motion in alignment.undetermined]
+        words = [tr("In use: {name}, {rms_mm} rms.", name=alignment.name, rms_mm=millimetres(alignment.rms_mm))]
+        words += [
+            tr("{name}: residual {off}.", name=sentence_case(name), off=millimetres(off)) for name, off in alignment.residuals_mm.items()
+        ]
+        words += [sentence(tr("not determined: {motion}", motion=motion)) for motion in alignment.undetermined]
         self.result.setText(" ".join((*words, *alignment.notes)))
 
     def _reset(self) -> None:
@@ -165,7 +168,7 @@ class AlignmentPanel(QFrame):
         if state is None:
             return
         uses = method in ROLES
-        self.how.setText(HOW[method])
+        self.how.setText(translated(HOW[method]))
         freedom, problem = freedom_of(state.program, method, self._names)
         self._show_elements(method, freedom)
         self._offer(state.program)
@@ -173,8 +176,8 @@ class AlignmentPanel(QFrame):
             widget.setVisible(uses)
         fixed = LAMPS if freedom is None and not uses else 0 if freedom is None else freedom.fixed
         self.lamps.show_fixed(fixed)
-        left = "" if freedom is None or not freedom.free else f"; free: {', '.join(freedom.free)}"
-        self.count.setText(problem or f"{fixed}/6{left}")
+        left = "" if freedom is None or not freedom.free else tr("; free: {list}", list=", ".join(freedom.free))
+        self.count.setText(translated(problem) or f"{fixed}/6{left}")
         complete = len(self._names) >= LEAST[method] or not uses
         self.apply.setEnabled(complete and not problem and self._programming.can_change)
 
@@ -184,7 +187,7 @@ class AlignmentPanel(QFrame):
         for role, name in zip(ROLES.get(method, ()), self._names, strict=False):
             step = steps.get(name)
             words = "" if step is None else step.problem or f"fixes {step.fixed}"
-            remove = Button("", self._look, "remove", "quiet", f"Remove {name}")
+            remove = Button("", self._look, "remove", "quiet", tr("Remove {name}", name=name))
             remove.clicked.connect(lambda _checked=False, name=name: self._remove(name))
             self.elements.addLayout(row(label(role, "strong"), label(sentence_case(name)), 0, label(words, "soft"), remove, spacing=8))
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from measureapp.errors import InputError
 from ui.controllers.program_rows import DimensionRow
+from ui.look.language.words import tr
 from ui.look.wording import sentence
 from ui.pages.inspection.dimension_model import CellEdit, Column
 
@@ -61,7 +62,11 @@ def apply_edit(programming: ProgrammingController, rows: Sequence[DimensionRow],
         return one_after_the_other(changes)(program)
 
     what = {Column.NAME: "Name", Column.NOMINAL: "Nominal", Column.TOLERANCE: "Tolerance"}[edit.column]
-    words = f"{what} of {chosen[0].name} changed." if len(chosen) == 1 else f"{what} of {len(chosen)} dimensions changed."
+    words = (
+        tr("{what} of {name} changed.", what=what, name=chosen[0].name)
+        if len(chosen) == 1
+        else tr("{what} of {count} dimensions changed.", what=what, count=len(chosen))
+    )
     return programming.edit(change, words)
 
 

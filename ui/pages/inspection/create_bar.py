@@ -9,6 +9,7 @@ from PySide6.QtGui import QShortcut
 from PySide6.QtWidgets import QFrame, QMenu
 
 from ui.controllers.creating import CreatingController
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.look.wording import millimetres, quantity, sentence_case
 from ui.pages.inspection.feature_table import FeatureTable
@@ -48,7 +49,7 @@ class CreateBar(QFrame):
         self.pick.setCheckable(True)
         self.words = label(HOW, "small", wrap=True)
         self.choice = CalmComboBox()
-        self.choice.setAccessibleName("Proposed dimension")
+        self.choice.setAccessibleName(tr("Proposed dimension"))
         self.choice.setMinimumContentsLength(10)
         self.add = Button("Add dimension", look, "add", "normal", "Add the proposed dimension to the program and measure it (Enter)")
         self.construct = Button("Construct", look, "", "quiet", "Construct a feature from those selected")
@@ -70,7 +71,9 @@ class CreateBar(QFrame):
         self._proposals = self._creating.proposals(names)
         self.choice.clear()
         self.choice.addItems([proposal_words(one) for one in self._proposals])
-        self.words.setText(HOW if not names else ", ".join(sentence_case(name) for name in names) if self._proposals else NONE_FITS)
+        self.words.setText(
+            translated(HOW) if not names else ", ".join(sentence_case(name) for name in names) if self._proposals else translated(NONE_FITS)
+        )
         for widget in (self.choice, self.add):
             widget.setVisible(bool(self._proposals))
         shapes = self._creating.constructions(names)
@@ -104,6 +107,6 @@ def proposal_words(proposal: Proposal) -> str:
     entry = proposal.dimensions[0]
     kind = sentence_case(proposal.kind)
     if "nominal" not in entry:
-        return f"{kind}, width {millimetres(float(entry.get('upper_tolerance', 0.1)))}"
+        return tr("{kind}, width {millimetres}", kind=kind, millimetres=millimetres(float(entry.get("upper_tolerance", 0.1))))
     unit = "°" if proposal.kind in ("angle", "cone_angle") else "mm"
     return f"{kind} {quantity(float(entry['nominal']), unit)}"

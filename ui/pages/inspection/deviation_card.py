@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QCheckBox, QDoubleSpinBox, QFrame
 
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.look.wording import counted, millimetres, percent
 from ui.pages.inspection.deviation_display import DeviationDisplay
@@ -41,8 +42,8 @@ class DeviationCard(QFrame):
         self.unmeasured = NotMeasuredLegend(look)
         self.on = Segments(CARRIERS, name="Colours")
         self.on.valueChanged.connect(display.set_carrier)
-        self.smooth = QCheckBox(SMOOTH)
-        self.smooth.setToolTip(SMOOTH_TIP)
+        self.smooth = QCheckBox(translated(SMOOTH))
+        self.smooth.setToolTip(translated(SMOOTH_TIP))
         self.smooth.setChecked(display.smooth)
         self.smooth.toggled.connect(display.set_smooth)
         self.tolerance = QDoubleSpinBox()
@@ -51,8 +52,8 @@ class DeviationCard(QFrame):
         self.tolerance.setSingleStep(0.01)
         self.tolerance.setSuffix(" mm")
         self.tolerance.setFixedWidth(120)
-        self.tolerance.setAccessibleName(TOLERANCE)
-        self.tolerance.setToolTip(TOLERANCE)
+        self.tolerance.setAccessibleName(translated(TOLERANCE))
+        self.tolerance.setToolTip(translated(TOLERANCE))
         self.tolerance.valueChanged.connect(display.set_tolerance)
         self.store = Button("Store", look, "", "quiet", STORE_TIP)
         self.store.clicked.connect(self.storeAsked)
@@ -91,14 +92,28 @@ class DeviationCard(QFrame):
             if statistics is None
             else (statistics.mean_mm, statistics.rms_mm, statistics.p95_mm)
         )
-        self.words.setText(f"Mean {millimetres(mean, signed=True)}, rms {millimetres(rms)}; 95 % within {millimetres(p95)}.")
-        self.unmeasured.say(f"Not measured: {percent(found.unmeasured_share)} of the nominal's surface")
+        self.words.setText(
+            tr(
+                "Mean {mean}, rms {rms}; 95 % within {p95}.",
+                mean=millimetres(mean, signed=True),
+                rms=millimetres(rms),
+                p95=millimetres(p95),
+            )
+        )
+        self.unmeasured.say(
+            tr("Not measured: {unmeasured_share} of the nominal's surface", unmeasured_share=percent(found.unmeasured_share))
+        )
         if statistics is not None:
-            self.extremes.setText(_extremes(comparison))
+            self.extremes.setText(translated(_extremes(comparison)))
             missing = statistics.no_data
             self.unmeasured.say(
-                f"Not measured: {percent(missing.total)} of the nominal's surface "
-                f"(not seen {percent(missing.not_seen)}, filled {percent(missing.filled)}, too far {percent(missing.too_far)})"
+                tr(
+                    "Not measured: {total} of the nominal's surface (not seen {not_seen}, filled {filled}, too far {too_far})",
+                    total=percent(missing.total),
+                    not_seen=percent(missing.not_seen),
+                    filled=percent(missing.filled),
+                    too_far=percent(missing.too_far),
+                )
             )
         self._show_display()
 
@@ -110,7 +125,14 @@ class DeviationCard(QFrame):
         self._show_legend(legend)
         self.store.setEnabled(self._can_store and not self._display.is_stored)
         inside, below, above = self._display.shares()
-        self.bands.setText(f"{percent(inside)} within the tolerance band, {percent(below)} below, {percent(above)} above.")
+        self.bands.setText(
+            tr(
+                "{inside} within the tolerance band, {below} below, {above} above.",
+                inside=percent(inside),
+                below=percent(below),
+                above=percent(above),
+            )
+        )
 
     def _show_legend(self, legend: Legend) -> None:
         assert self._comparison is not None
@@ -130,5 +152,9 @@ def _extremes(comparison: Comparison) -> str:
         if one is not None
     ]
     words = ", ".join(found) + ", each confirmed by its neighbours." if found else "No extreme that its neighbours confirm."
-    lost = f" {counted(statistics.lost)} points lie farther than {millimetres(statistics.search_mm, 1)} from the nominal."
+    lost = tr(
+        " {lost} points lie farther than {search_mm} from the nominal.",
+        lost=counted(statistics.lost),
+        search_mm=millimetres(statistics.search_mm, 1),
+    )
     return words + (lost if statistics.lost else "")

@@ -10,6 +10,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 
 from measureapp.data.deviation_scale import DeviationScale
 from measureapp.inspection.surface.colour_scale import ColourScale
+from ui.look.language.words import tr
 from ui.look.wording import millimetres
 from ui.viewport.overlay.legend import Fractions, Histogram, Legend
 
@@ -128,7 +129,7 @@ class DeviationDisplay(QObject):
         if self.on == "cad" and comparison.map is not None:
             return "Mean of the points nearby"
         if self.smooth and comparison.smoothed is not None:
-            return f"Smoothed, radius {millimetres(comparison.smoothed.radius_mm, 1)}"
+            return tr("Smoothed, radius {radius_mm}", radius_mm=millimetres(comparison.smoothed.radius_mm, 1))
         return "Each point"
 
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QWidget
 
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.widgets.basic import Button, column, label, row
 
@@ -78,14 +79,14 @@ class DimensionBar(QWidget):
         for name, kind in KINDS.items():
             self.kind.addItem(kind.words, name)
         for box, words in ((self.kind, "Kind of dimension"), (self.first, "First feature"), (self.second, "Second feature or datum")):
-            box.setAccessibleName(words)
-            box.setToolTip(f"{words}. {HOW}." if box is not self.kind else words)
+            box.setAccessibleName(translated(words))
+            box.setToolTip(f"{words}. {HOW}." if box is not self.kind else translated(words))
             box.setMinimumContentsLength(5)
             box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         self.joined, self.plus_minus = label("to", "soft"), label("±", "soft")
         self.nominal, self.tolerance = _number("Nominal value"), _number("Symmetric tolerance")
         self.nominal.setRange(UNSET, LIMIT)
-        self.nominal.setSpecialValueText("Nominal")
+        self.nominal.setSpecialValueText(tr("Nominal"))
         self.nominal.setValue(UNSET)
         self.tolerance.setRange(0.001, LIMIT)
         self.tolerance.setValue(0.1)
@@ -135,11 +136,11 @@ class DimensionBar(QWidget):
 
     def _show_kind(self) -> None:
         kind = self._kind
-        self.joined.setText(kind.joined)
+        self.joined.setText(translated(kind.joined))
         for widget in (self.joined, self.second):
             widget.setVisible(bool(kind.joined))
         self.nominal.setVisible(not kind.is_zone)
-        self.plus_minus.setText("Width of the zone" if kind.is_zone else "±")
+        self.plus_minus.setText(tr("Width of the zone") if kind.is_zone else "±")
         for number in (self.nominal, self.tolerance):
             number.setSuffix(kind.unit)
         self._next_is_second = False
@@ -151,7 +152,7 @@ class DimensionBar(QWidget):
         has_nominal = kind.is_zone or self.nominal.value() > UNSET
         self.add.setEnabled(has_features and has_nominal)
         missing = "Too few features: grow some first" if not has_features else "" if has_nominal else "Enter the nominal value"
-        self.add.setToolTip(missing or "Add it to the inspection program and measure it")
+        self.add.setToolTip(translated(missing) or tr("Add it to the inspection program and measure it"))
 
 
 def _number(words: str) -> QDoubleSpinBox:
@@ -159,6 +160,6 @@ def _number(words: str) -> QDoubleSpinBox:
     made.setDecimals(3)
     made.setFixedWidth(128)
     made.setProperty("plain", True)
-    made.setAccessibleName(words)
-    made.setToolTip(words)
+    made.setAccessibleName(translated(words))
+    made.setToolTip(translated(words))
     return made

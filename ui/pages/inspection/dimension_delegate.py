@@ -8,6 +8,7 @@ from PySide6.QtCore import QAbstractItemModel, QModelIndex, QPersistentModelInde
 from PySide6.QtGui import QPainter, QPen
 from PySide6.QtWidgets import QLineEdit, QStyle, QStyleOptionViewItem, QWidget
 
+from ui.look.language.words import translated
 from ui.look.look import Look
 from ui.pages.inspection.cell_edits import problem_of
 from ui.pages.inspection.dimension_model import ROW_ROLE, STATUS_ROLE, Column
@@ -48,7 +49,7 @@ class DimensionDelegate(SignDelegate):
         def check(text: str) -> None:
             problem = problem_of(row, column, text)
             editor.setProperty("invalid", bool(problem))
-            editor.setToolTip(problem)
+            editor.setToolTip(translated(problem))
             editor.style().unpolish(editor)
             editor.style().polish(editor)
 
@@ -59,7 +60,7 @@ class DimensionDelegate(SignDelegate):
         """Show the value as it can be typed, all of it selected."""
         assert isinstance(editor, QLineEdit)
         if not editor.isModified():
-            editor.setText(index.data(Qt.ItemDataRole.EditRole))
+            editor.setText(translated(index.data(Qt.ItemDataRole.EditRole)))
             editor.selectAll()
 
     def setModelData(self, editor: QWidget, _model: QAbstractItemModel, index: QModelIndex | QPersistentModelIndex) -> None:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from measureapp.data.dimension import CONTRIBUTION_DIGITS
+from ui.look.language.words import tr
 from ui.look.wording import counted, millimetres, percent, quantity, sentence, sentence_case, several
 from ui.widgets.properties_panel import Group, Properties
 
@@ -35,7 +36,7 @@ def is_blade(feature: Feature) -> bool:
 
 def feature_words(feature: Feature, role: str = "") -> str:
     """Return one line about a feature: name, shape, number of points and form deviation."""
-    form = "" if is_blade(feature) else f", form {millimetres(feature.form_error_mm)}"
+    form = "" if is_blade(feature) else tr(", form {form_error_mm}", form_error_mm=millimetres(feature.form_error_mm))
     found = f"{several(feature.points, 'point')}{form}" if feature.points else "constructed"
     return f"{role}{sentence_case(feature.name)}: {shape_words(feature)}, {found}"
 
@@ -87,8 +88,8 @@ def alignment_group(alignment: Alignment) -> Group:
         ("Residual (rms)", millimetres(alignment.rms_mm)),
         ("Overlap", percent(alignment.overlap, 0)),
     ]
-    rows += [(f"Residual at {name}", millimetres(off)) for name, off in alignment.residuals_mm.items()]
-    rows += [("", sentence(f"not determined: {motion}")) for motion in alignment.undetermined]
+    rows += [(tr("Residual at {name}", name=name), millimetres(off)) for name, off in alignment.residuals_mm.items()]
+    rows += [("", sentence(tr("not determined: {motion}", motion=motion))) for motion in alignment.undetermined]
     return Group("Alignment", (*rows, *(("", note) for note in alignment.notes)))
 
 

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QStackedWidget, QWidget
 
 from ui.controllers.controllers import Controllers
 from ui.controllers.program_rows import DimensionRow
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.pages.inspection.alignment_panel import AlignmentPanel
 from ui.pages.inspection.cell_edits import apply_edit
@@ -117,12 +118,12 @@ class DimensionSide(QWidget):
         self.features.show_features(inspection.features)
         self.alignment.show_inspection(inspection)
         self.unaligned.show_program()
-        self.rule.setText(f"Lengths in mm, U for k = 2, verdicts by {rule_name()}.")
-        self.rule.setToolTip(decision_rule())
+        self.rule.setText(tr("Lengths in mm, U for k = 2, verdicts by {rule_name}.", rule_name=rule_name()))
+        self.rule.setToolTip(translated(decision_rule()))
 
     def show_checks(self, consistency: Consistency) -> None:
         """Show below the verdict what the checks of the error model leave unexplained, with its likely cause; each check as a tip."""
-        self.checks.setText(consistency.sentence)
+        self.checks.setText(translated(consistency.sentence))
         self.checks.setToolTip("\n".join(f"{check.name.capitalize()}: {check.sentence}." for check in consistency.checks))
         self.checks.setVisible(consistency.worst is not None)
 

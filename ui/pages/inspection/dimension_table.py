@@ -10,6 +10,7 @@ from PySide6.QtGui import QAction, QGuiApplication, QKeyEvent, QKeySequence, QMo
 from PySide6.QtWidgets import QAbstractItemDelegate, QAbstractItemView, QHeaderView, QMenu, QTableView, QWidget
 
 from ui.controllers.program_rows import DimensionRow
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.pages.inspection.dimension_delegate import DimensionDelegate
 from ui.pages.inspection.dimension_filter import PROGRAM_ORDER, DimensionFilter
@@ -45,8 +46,8 @@ class DimensionTable(QTableView):
         self.setShowGrid(False)
         self.setWordWrap(False)
         self.setVerticalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
-        self.setAccessibleName("Dimensions")
-        self.setAccessibleDescription("F2 edits a cell, Enter zooms to the features of the row.")
+        self.setAccessibleName(tr("Dimensions"))
+        self.setAccessibleDescription(tr("F2 edits a cell, Enter zooms to the features of the row."))
         self.verticalHeader().hide()
         self.verticalHeader().setDefaultSectionSize(ROW_HEIGHT)
         self._set_up_header()
@@ -208,11 +209,11 @@ class DimensionTable(QTableView):
         """Return the menu of the header: order and columns."""
         menu = QMenu(self)
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        menu.addAction("Worst verdict first", self.sort_worst_first)
-        menu.addAction("Order of the report", self.sort_by_program)
+        menu.addAction(tr("Worst verdict first"), self.sort_worst_first)
+        menu.addAction(tr("Order of the report"), self.sort_by_program)
         menu.addSeparator()
         for column in (one for one in COPIED if one not in (Column.NAME, Column.VERDICT)):
-            action = QAction(HEADERS[column], menu, checkable=True, checked=not self.isColumnHidden(column))
+            action = QAction(translated(HEADERS[column]), menu, checkable=True, checked=not self.isColumnHidden(column))
             action.toggled.connect(lambda shown, column=column: self.setColumnHidden(column, not shown))
             menu.addAction(action)
         return menu

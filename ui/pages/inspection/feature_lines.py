@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ui.look.language.words import tr
 from ui.look.theme import Theme
 from ui.look.wording import quantity
 from ui.pages.inspection.dimension_rows import dimension_words, features_of, unit_of
@@ -70,7 +71,7 @@ def dimension_labels(
             continue
         words = f"{dimension_words(dimension.name)} {quantity(dimension.measured, unit_of(dimension), 3)}   {dimension.verdict}"
         if sections is not None and dimension.name in sections.profiles:
-            words += f"   magnified x {Whiskers.of(sections.profiles[dimension.name]).gain}"
+            words += tr("   magnified x {gain}", gain=Whiskers.of(sections.profiles[dimension.name]).gain)
         place = np.array([feature.point_mm for feature in (mine[:1] if len(mine) > 2 else mine)]).mean(axis=0)
         labels.append(Label(_drawable(words), place, verdict_rgb(theme, dimension), rgb(theme, "surface")))
     return labels

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QItemSelectionModel, Signal
 from PySide6.QtWidgets import QAbstractItemView
 
+from ui.look.language.words import tr
 from ui.look.look import Look
 from ui.look.wording import NOTHING, counted, quantity, sentence_case
 from ui.pages.inspection.dimension_rows import shape_words
@@ -27,8 +28,8 @@ class FeatureTable(DataTable):
     def __init__(self, look: Look) -> None:
         super().__init__(look, HEADERS, numeric=(2, 3, 4), stretch=0)
         self.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
-        self.setAccessibleName("Features")
-        self.setAccessibleDescription("Hold Ctrl to select several features.")
+        self.setAccessibleName(tr("Features"))
+        self.setAccessibleDescription(tr("Hold Ctrl to select several features."))
         self._features: tuple[Feature, ...] = ()
         self._order: list[str] = []
         self._awaited: list[str] = []  # selected, but not measured yet
@@ -78,7 +79,7 @@ def _cells(feature: Feature) -> list[Cell]:
     measured = feature.points > 0
     return [
         Cell(sentence_case(feature.name)),
-        Cell(shape_words(feature) if measured else f"{shape_words(feature)}, constructed"),
+        Cell(shape_words(feature) if measured else tr("{shape_words}, constructed", shape_words=shape_words(feature))),
         number(size),
         number(quantity(feature.form_error_mm, "") if measured else NOTHING),
         number(counted(feature.points) if measured else NOTHING),

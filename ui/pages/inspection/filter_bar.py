@@ -9,6 +9,7 @@ from PySide6.QtCore import QSize, Signal
 from PySide6.QtWidgets import QLineEdit, QPushButton, QWidget
 
 from ui.controllers.program_rows import DimensionRow
+from ui.look.language.words import tr
 from ui.look.look import Look
 from ui.pages.inspection.dimension_filter import STALE
 from ui.widgets.basic import row
@@ -42,9 +43,9 @@ class FilterBar(QWidget):
             made.toggled.connect(self.changed)
             self.buttons[name] = made
         self.search = QLineEdit()
-        self.search.setPlaceholderText("Search")
-        self.search.setAccessibleName("Search dimensions by name or kind")
-        self.search.setToolTip("Show dimensions whose name or kind contains these words (Ctrl+F)")
+        self.search.setPlaceholderText(tr("Search"))
+        self.search.setAccessibleName(tr("Search dimensions by name or kind"))
+        self.search.setToolTip(tr("Show dimensions whose name or kind contains these words (Ctrl+F)"))
         self.search.setClearButtonEnabled(True)
         self.search.setMinimumWidth(SEARCH_WIDTH // 2)
         self.search.setMaximumWidth(SEARCH_WIDTH)
@@ -68,7 +69,7 @@ class FilterBar(QWidget):
         for name, made in self.buttons.items():
             made.setText(str(counts[name]))
             made.setAccessibleName(CHIPS[name].format(count=counts[name]))
-            made.setToolTip(f"{CHIPS[name].format(count=counts[name])}: show only these")
+            made.setToolTip(tr("{format}: show only these", format=CHIPS[name].format(count=counts[name])))
             if not counts[name]:
                 made.setChecked(False)
             made.setVisible(counts[name] > 0)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ui.look.language.words import tr
 from ui.look.wording import millimetres, quantity
 from ui.pages.inspection.control_frames import control_frame
 from ui.pages.inspection.dimension_rows import dimension_words, features_of, tolerance, unit_of
@@ -43,7 +44,7 @@ def dimension_flags(
         unit, key = unit_of(dimension), f"{DIMENSION}{dimension.name}"
         more = []
         if sections is not None and dimension.name in sections.profiles:
-            more.append(f"Whiskers × {Whiskers.of(sections.profiles[dimension.name]).gain}")
+            more.append(tr("Whiskers × {gain}", gain=Whiskers.of(sections.profiles[dimension.name]).gain))
         limits = (dimension.lower_tolerance, dimension.upper_tolerance)
         frame = control_frame(dimension, (entries or {}).get(dimension.name), known)
         is_stated = limits[1] is None or (frame is not None and dimension.upper_tolerance == frame.width)
@@ -53,7 +54,7 @@ def dimension_flags(
                 anchor_of(mine[0]),
                 dimension_words(dimension.name),
                 quantity(dimension.measured, unit),
-                "" if is_stated else f"Tolerance {tolerance(*limits, unit)}",
+                "" if is_stated else tr("Tolerance {tolerance}", tolerance=tolerance(*limits, unit)),
                 "" if dimension.uncertainty is None else f"U {quantity(dimension.round_uncertainty(), unit)}",
                 str(dimension.verdict),
                 tuple(more),

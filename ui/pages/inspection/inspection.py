@@ -10,6 +10,7 @@ from PySide6.QtGui import QGuiApplication, QKeySequence, QShortcut, QShowEvent
 from PySide6.QtWidgets import QHBoxLayout
 
 from ui.controllers.controllers import Controllers
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.look.wording import millimetres, percent, sentence_case, several
 from ui.pages.clicked_distance import ClickedPoint
@@ -159,12 +160,19 @@ class InspectionPage(ViewportPage):
         self.side.show_inspection(inspection)
         self._show_undo()
         if inspection is None:
-            self.state.setText("No inspection yet.")
+            self.state.setText(tr("No inspection yet."))
             return
         if (measurement := self.session.measurement) is not None:
             self.side.show_checks(measurement.consistency)
         alignment = inspection.alignment
-        self.state.setText(f"{sentence_case(inspection.program)}. Aligned by {alignment.name}, {millimetres(alignment.rms_mm)} rms.")
+        self.state.setText(
+            tr(
+                "{program}. Aligned by {name}, {rms_mm} rms.",
+                program=sentence_case(inspection.program),
+                name=alignment.name,
+                rms_mm=millimetres(alignment.rms_mm),
+            )
+        )
         self.program.show_inspection(inspection)
         self._select()
         if self.isVisible():
@@ -200,7 +208,7 @@ class InspectionPage(ViewportPage):
         self.content.is_deviation = self.shape.value() == "deviation"
         self.content.show()
         filled = filled_in(self.session, self.shape.value())
-        self.filled.say(f"{FILLED}: {percent(filled)} of the surface" if filled else "")
+        self.filled.say(tr("{filled}: {filled_2} of the surface", filled=FILLED, filled_2=percent(filled)) if filled else "")
         return part_composer(self.session, self.shape.value(), self.look.theme.shade, self.display)
 
     def _show_display(self) -> None:
@@ -287,12 +295,14 @@ class InspectionPage(ViewportPage):
     def act(self) -> None:
         """Copy the program lines of the last grown feature to the clipboard."""
         if self.grow.last is not None:
-            QGuiApplication.clipboard().setText(self.grow.last.entry)
-            self.session.tell(f"Lines of {self.grow.last.feature.name} copied.", "Paste them into an inspection program.", "done")
+            QGuiApplication.clipboard().setText(translated(self.grow.last.entry))
+            self.session.tell(
+                tr("Lines of {name} copied.", name=self.grow.last.feature.name), "Paste them into an inspection program.", "done"
+            )
 
     def _show_distances(self) -> None:
         """Show the measured distances, and what to click next."""
-        self.hint.setText(self.distance.hint)
+        self.hint.setText(translated(self.distance.hint))
         self._show_undo()
         if self.distance.is_on and not self._has_points:
             self.shape.setValue("points")  # surfaces have no measured points to click

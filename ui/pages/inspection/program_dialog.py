@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QDialog, QPlainTextEdit, QWidget
 
 from measureapp.errors import InputError
 from ui.controllers.programming import ProgrammingController
+from ui.look.language.words import tr
 from ui.look.look import Look
 from ui.widgets.basic import Button, column, label, row
 
@@ -20,11 +21,11 @@ class ProgramDialog(QDialog):
 
     def __init__(self, look: Look, programming: ProgrammingController, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setWindowTitle("Inspection program")
+        self.setWindowTitle(tr("Inspection program"))
         self._programming = programming
         self.text = QPlainTextEdit()
         self.text.setFont(QFontDatabase.systemFont(QFontDatabase.SystemFont.FixedFont))
-        self.text.setAccessibleName("Inspection program")
+        self.text.setAccessibleName(tr("Inspection program"))
         self.text.setTabChangesFocus(True)
         self.problem = label("", wrap=True)
         self.measure = Button("Measure again", look, "again", "primary", "Check the program and measure what has changed")

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QMenu
 
 from ui.controllers.program_rows import DimensionRow
 from ui.controllers.programming import ProgrammingController
+from ui.look.language.words import tr
 from ui.look.wording import several
 from ui.pages.inspection.cell_edits import apply_edit, one_after_the_other
 from ui.pages.inspection.dimension_model import CellEdit, Column
@@ -112,9 +113,9 @@ class RowActions(QObject):
             if act == self.restore_nominal:
                 action.setEnabled(can and any(not row.is_zone and not row.is_linked for row in self.chosen))
         menu.addSeparator()
-        copied = menu.addAction("Copy rows", self._table.copy)
+        copied = menu.addAction(tr("Copy rows"), self._table.copy)
         copied.setShortcut(QKeySequence(QKeySequence.StandardKey.Copy))
-        closer = menu.addAction("Zoom to its features", self._table.closerAsked.emit)
+        closer = menu.addAction(tr("Zoom to its features"), self._table.closerAsked.emit)
         closer.setShortcut(QKeySequence(Qt.Key.Key_Return))
 
     def _nodes(self) -> list[Node]:

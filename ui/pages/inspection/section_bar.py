@@ -9,6 +9,7 @@ import numpy as np
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QSlider, QWidget
 
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.look.wording import millimetres
 from ui.pages.inspection.section_lines import Whiskers
@@ -48,8 +49,8 @@ class SectionBar(QWidget):
         self.axis = Segments({"z": "z", "x": "x", "y": "y"}, name="Section normal to")
         self.axis.valueChanged.connect(self._change)
         self.slider = QSlider(Qt.Orientation.Horizontal)
-        self.slider.setAccessibleName("Position of the section along the axis")
-        self.slider.setToolTip("Position of the section along the axis")
+        self.slider.setAccessibleName(tr("Position of the section along the axis"))
+        self.slider.setToolTip(tr("Position of the section along the axis"))
         self.slider.setRange(0, STEPS)
         self.slider.setValue(STEPS // 2)
         self.slider.valueChanged.connect(self._change)
@@ -83,7 +84,7 @@ class SectionBar(QWidget):
 
     def say(self, words: str) -> None:
         """Show a text about the section beside the slider."""
-        self.words.setText(words)
+        self.words.setText(translated(words))
 
     def _show(self) -> None:
         self.setVisible(self.button.isChecked())
@@ -107,8 +108,12 @@ def cut_lines(comparison: Comparison, plane: CutPlane) -> tuple[list[LineLayer],
             where, comparison.deviation, comparison.surface, CuttingPlane.through(plane.place_mm * axis, axis), HALF_WIDTH_MM
         )
     except InspectionError:
-        return [], f"{where}: no intersection"
+        return [], tr("{where}: no intersection", where=where)
     whiskers = Whiskers.of(found)
     drawn = LineLayer(found.nominal, NOMINAL, 2.0)
-    words = f"{where}, deviations × {whiskers.gain}" if len(found.deviations_mm) else f"{where}: not measured"
+    words = (
+        tr("{where}, deviations × {gain}", where=where, gain=whiskers.gain)
+        if len(found.deviations_mm)
+        else tr("{where}: not measured", where=where)
+    )
     return [layer for layer in (drawn, *whiskers.layers()) if layer.lines], words

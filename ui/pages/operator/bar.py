@@ -8,6 +8,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QApplication, QFrame
 
 from ui.controllers.operator_nouns import Step
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.pages.operator.big import BigButton, big_label
 from ui.session import Session
@@ -52,12 +53,12 @@ class OperatorBar(QFrame):
         for name, shown in self._steps.items():
             shown.setProperty("op", "strong" if name == step else "soft")
             shown.style().polish(shown)
-        self.part.setText(part)
+        self.part.setText(translated(part))
         self.home.setEnabled(step not in ("home", "run"))
 
     def _show_rig(self) -> None:
         rig, cell = self._session.rig, self._session.cell
-        self.rig.setText("No rig" if rig is None else "Rig stopped" if cell.stopped else rig.name)
+        self.rig.setText(tr("No rig") if rig is None else tr("Rig stopped") if cell.stopped else translated(rig.name))
 
 
 class CallBar(QFrame):

@@ -8,6 +8,7 @@ from PySide6.QtCore import QElapsedTimer, QRectF, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QColor, QKeyEvent, QPainter, QPaintEvent
 from PySide6.QtWidgets import QFrame, QLabel, QLayout, QPushButton, QSizePolicy, QWidget
 
+from ui.look.language.words import translated
 from ui.look.look import Look
 from ui.widgets.basic import column
 
@@ -21,7 +22,7 @@ BigText = Literal["body", "soft", "strong", "heading", "title", "step", "value",
 
 def big_label(text: str = "", role: BigText = "body", *, wrap: bool = False) -> QLabel:
     """Return a label in one of the sizes of operator mode."""
-    made = QLabel(text)
+    made = QLabel(translated(text))
     made.setProperty("op", role)
     made.setWordWrap(wrap)
     made.setTextFormat(Qt.TextFormat.PlainText)
@@ -48,7 +49,7 @@ class BigButton(QPushButton):
         self._look, self._icon, self._role = look, icon, role
         self._since = QElapsedTimer()
         self.setProperty("op", role)
-        self.setAccessibleName(text)
+        self.setAccessibleName(translated(text))
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAutoDefault(True)  # Enter presses the button that has the focus
         self.setIconSize(QSize(ICON_PX, ICON_PX))

@@ -10,6 +10,7 @@ from PySide6.QtGui import QImage, QPixmap, QResizeEvent
 from PySide6.QtWidgets import QGridLayout, QLabel, QScroller, QSizePolicy, QVBoxLayout, QWidget
 
 from ui.controllers.operator_nouns import ProgramCard, verdict_of
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.look.wording import rough_duration
 from ui.pages.operator.big import BigButton, big_label
@@ -35,7 +36,7 @@ class CardButton(BigButton):
         self.card = card
         self.setFixedSize(*CARD_PX)
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
-        self.setAccessibleName(card.name)
+        self.setAccessibleName(translated(card.name))
         layout = QVBoxLayout(self)
         layout.setContentsMargins(16, 16, 16, 12)
         layout.setSpacing(4)
@@ -57,11 +58,11 @@ class CardButton(BigButton):
             picture.setPixmap(_fitted(card.program.picture, self.devicePixelRatioF()))
         words: list[QWidget] = [picture, big_label(facts.name, "heading")]
         drawing = facts.identification.drawing
-        released = f"Release {facts.revision}" if facts.revision else ""
+        released = tr("Release {revision}", revision=facts.revision) if facts.revision else ""
         numbers = " · ".join(filter(None, (facts.part_number, drawing and _drawing(drawing, facts.identification.revision), released)))
         words.append(big_label(numbers, "soft"))
         words.append(self._last(look))
-        words.append(big_label("" if card.seconds is None else f"About {rough_duration(card.seconds)}", "soft"))
+        words.append(big_label("" if card.seconds is None else tr("About {seconds}", seconds=rough_duration(card.seconds)), "soft"))
         return words
 
     def _last(self, look: Look) -> QWidget:

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QGridLayout, QLabel, QScroller, QWidget
 
 from measureapp.data.verdicts import worst_first
 from ui.controllers.controllers import Controllers
+from ui.look.language.words import translated
 from ui.look.look import Look
 from ui.look.wording import quantity
 from ui.pages.inspection.dimension_rows import dimension_words, tolerance, unit_of
@@ -69,7 +70,7 @@ class DetailsScreen(ReadScreen):
     def show_dimensions(self, title: str, dimensions: Sequence[Dimension]) -> None:
         """Show these dimensions."""
         clear(self._grid)
-        self.title.setText(title)
+        self.title.setText(translated(title))
         for place, name in enumerate(HEADERS):
             self._grid.addWidget(big_label(name, "soft"), 0, place)
         ordered = worst_first(dimensions)[:MOST_ROWS]

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QLineEdit, QWidget
 
 from ui.controllers.operator import OperatorController
 from ui.controllers.operator_nouns import ProgramCard
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.look.wording import several
 from ui.pages.operator.big import big_label
@@ -28,8 +29,8 @@ class HomeScreen(QWidget):
         super().__init__()
         self._controller = controller
         self.search = QLineEdit()
-        self.search.setPlaceholderText("Scan the code, or type the name or number of the part")
-        self.search.setAccessibleName("Search for a part")
+        self.search.setPlaceholderText(tr("Scan the code, or type the name or number of the part"))
+        self.search.setAccessibleName(tr("Search for a part"))
         self.search.setClearButtonEnabled(True)
         self.grid = CardGrid(look)
         self.note = big_label("Reading the part programs…", "soft", wrap=True)
@@ -62,7 +63,9 @@ class HomeScreen(QWidget):
         held = len(shelf.unreleased)
         none = EMPTY.format(folder=shelf.settings.programs_folder) if not shelf.cards and not held else ""
         missed = "" if found or not self.search.text().strip() else NOTHING_FOUND.format(words=self.search.text().strip())
-        self.note.setText(none or " ".join(filter(None, (missed, HELD.format(count=several(held, "part program")) if held else ""))))
+        self.note.setText(
+            translated(none) or " ".join(filter(None, (missed, HELD.format(count=several(held, "part program")) if held else "")))
+        )
         self.note.setVisible(bool(self.note.text()))
 
     def _take_only(self) -> None:

@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QGridLayout, QLabel, QLineEdit, QWidget
 
 from ui.controllers.operator import OperatorController
 from ui.controllers.operator_nouns import Entered, counted_run, verdict_of
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.pages.operator.big import BigButton, big_card, big_label
 from ui.pages.operator.cards import when_words
@@ -37,7 +38,7 @@ class IdentifyScreen(QWidget):
         form.setVerticalSpacing(4)
         for place, (name, field) in enumerate(self.fields.items()):
             field.setMaxLength(LONGEST)
-            field.setAccessibleName(NAMES[name])
+            field.setAccessibleName(translated(NAMES[name]))
             field.textChanged.connect(self._show)
             field.textEdited.connect(self.edited)
             field.returnPressed.connect(self._enter)
@@ -78,7 +79,7 @@ class IdentifyScreen(QWidget):
     def _take(self) -> None:
         entered = self._controller.entered
         for name, field in self.fields.items():
-            field.setText(getattr(entered, name))
+            field.setText(translated(getattr(entered, name)))
         self._show()
 
     def _missing(self) -> list[str]:
@@ -91,7 +92,7 @@ class IdentifyScreen(QWidget):
         if facts is None:
             return
         for name, words in NAMES.items():
-            self._names[name].setText(f"{words} *" if name in facts.required else words)
+            self._names[name].setText(f"{words} *" if name in facts.required else translated(words))
         missing = self._missing()
         runs = self._controller.runs_of(self.value().serial)
         self.known.setVisible(bool(runs))
@@ -104,11 +105,13 @@ class IdentifyScreen(QWidget):
                 "counted": verdict_of(counted).upper(),
             }
             words = AGAIN.format(**again) if counted is last else AGAIN_COUNTED.format(**again)
-            self.before.setText(words)
-        self.next.setText("Measure again" if runs else "Next")
+            self.before.setText(translated(words))
+        self.next.setText(tr("Measure again") if runs else tr("Next"))
         unreasoned = bool(runs) and not self.reasons.value()
         self.next.setEnabled(not missing and not unreasoned)
-        self.missing.setText("Fill in the fields marked *." if missing else "State why this part is measured again." if unreasoned else "")
+        self.missing.setText(
+            tr("Fill in the fields marked *.") if missing else tr("State why this part is measured again.") if unreasoned else ""
+        )
 
     def _enter(self) -> None:
         """Go to the next empty field that is required, else on."""

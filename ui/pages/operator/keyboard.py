@@ -6,6 +6,7 @@ from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QGuiApplication, QKeyEvent, QMouseEvent, QPointerEvent, QPointingDevice
 from PySide6.QtWidgets import QApplication, QFrame, QLineEdit, QSizePolicy, QWidget
 
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.pages.operator.big import BigButton
 from ui.widgets.basic import column, row
@@ -27,11 +28,11 @@ class TouchKeyboard(QFrame):
         self.keys: dict[str, BigButton] = {}
         lines = [row(*(self._key(letter, letter, look) for letter in letters), spacing=GAP_PX) for letters in ROWS]
         lines[0].addWidget(self._key(ERASE, ERASE, look))
-        self.keys[ERASE].setAccessibleName("Delete the last letter")
+        self.keys[ERASE].setAccessibleName(tr("Delete the last letter"))
         shift = self._key(SHIFT, SHIFT, look)
         shift.setCheckable(True)
         shift.setChecked(True)
-        shift.setAccessibleName("Capital letters")
+        shift.setAccessibleName(tr("Capital letters"))
         shift.toggled.connect(self._show_case)
         lines[3].insertWidget(0, shift)
         lines[3].addWidget(self._key(SPACE, "Space", look), 2)
@@ -71,7 +72,7 @@ class TouchKeyboard(QFrame):
     def _show_case(self, capital: bool) -> None:
         for key, button in self.keys.items():
             if key.isalpha():
-                button.setText(key if capital else key.lower())
+                button.setText(translated(key) if capital else translated(key.lower()))
 
 
 class KeyboardCaller(QObject):

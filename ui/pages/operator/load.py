@@ -7,6 +7,7 @@ from PySide6.QtGui import QImage, QPixmap, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QLabel, QSizePolicy, QWidget
 
 from ui.controllers.operator import OperatorController
+from ui.look.language.words import translated
 from ui.look.look import Look
 from ui.pages.operator.big import BigButton, HoldButton, big_card, big_label
 from ui.widgets.basic import column, row
@@ -67,8 +68,8 @@ class LoadScreen(QWidget):
         facts, card = self._controller.facts, self._controller.chosen
         entered = self._controller.entered
         if facts is not None and card is not None and card.program is not None:
-            self.text.setText(facts.remarks or NO_TEXT)
-            self.part.setText(f"{facts.name} · {entered.serial}" if entered.serial else facts.name)
+            self.text.setText(translated(facts.remarks) or translated(NO_TEXT))
+            self.part.setText(f"{facts.name} · {entered.serial}" if entered.serial else translated(facts.name))
             self._image = QImage() if card.program.picture is None else QImage.fromData(card.program.picture)
         self._fit()
         self._show()
@@ -93,7 +94,7 @@ class LoadScreen(QWidget):
         if not self.isVisible():
             return
         why = self._controller.why_not()
-        self.confirm.setText(CONFIRMED if self.confirm.done else CONFIRM)
+        self.confirm.setText(translated(CONFIRMED) if self.confirm.done else translated(CONFIRM))
         self.start.setEnabled(not why and self.confirm.done)
         self.why.setText("\n".join(why))
         self.why.setVisible(bool(why))

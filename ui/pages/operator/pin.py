@@ -7,6 +7,7 @@ from PySide6.QtGui import QHideEvent, QShowEvent
 from PySide6.QtWidgets import QGridLayout, QLineEdit, QWidget
 
 from ui.controllers.operator_roles import RoleController
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.pages.operator.big import BigButton, big_card, big_label
 from ui.widgets.basic import column, row
@@ -25,7 +26,7 @@ class PinScreen(QWidget):
         self._roles = roles
         self.field = QLineEdit()
         self.field.setEchoMode(QLineEdit.EchoMode.Password)
-        self.field.setAccessibleName("PIN or password of the engineer")
+        self.field.setAccessibleName(tr("PIN or password of the engineer"))
         self.field.setMaxLength(200)
         self.problem = big_label("", "error", wrap=True)
         pad = QGridLayout()
@@ -80,7 +81,7 @@ class PinScreen(QWidget):
     def _refuse(self, words: str) -> None:
         self.keys["OK"].setEnabled(True)
         self.field.clear()
-        self.problem.setText(words)
+        self.problem.setText(translated(words))
 
     def hideEvent(self, event: QHideEvent) -> None:
         """Keep no PIN in the field."""

@@ -6,6 +6,7 @@ from PySide6.QtWidgets import QLineEdit, QWidget
 
 from ui.controllers.operator_nouns import ProgramCard
 from ui.controllers.operator_shelf import ShelfController
+from ui.look.language.words import tr
 from ui.look.look import Look
 from ui.widgets.basic import Button, column, label, row
 from ui.widgets.data_table import Cell, DataTable
@@ -25,8 +26,8 @@ class Releases(QWidget):
         self.table.setMinimumHeight(HEIGHT)
         self.table.setSelectionMode(DataTable.SelectionMode.ExtendedSelection)
         self.by = QLineEdit()
-        self.by.setPlaceholderText("Your name, printed in every report")
-        self.by.setAccessibleName("Released by")
+        self.by.setPlaceholderText(tr("Your name, printed in every report"))
+        self.by.setAccessibleName(tr("Released by"))
         self.release = Button("Release", look, "", "normal", "Release the selected programs for operators, as their next revision")
         self.release.clicked.connect(self._release)
         line = row(self.by, self.release)
@@ -64,7 +65,7 @@ def _row(card: ProgramCard) -> tuple[Cell, ...]:
     assert card.program is not None
     facts = card.program.facts
     if card.is_released and facts.release is not None:
-        state = f"Released by {facts.release.by}, {facts.release.at[:10]}"
+        state = tr("Released by {by}, {at}", by=facts.release.by, at=facts.release.at[:10])
     else:
         state = "Changed since" if facts.revision else "Not released"
     return Cell(facts.name), Cell(str(facts.revision) if facts.revision else ""), Cell(state)

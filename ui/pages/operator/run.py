@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QProgressBar, QStackedWidget, QWidget
 
 from ui.controllers.controllers import Controllers
 from ui.controllers.operator_nouns import Fault
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.look.wording import duration, rough_duration
 from ui.pages.layers import PlacedClouds, placements_of, view_layer
@@ -50,7 +51,7 @@ class RunScreen(QWidget):
         self.bar = QProgressBar()
         self.bar.setRange(0, 1000)
         self.bar.setTextVisible(False)
-        self.bar.setAccessibleName("Progress of the measurement")
+        self.bar.setAccessibleName(tr("Progress of the measurement"))
         self.words, self.time = big_label("", "title", wrap=True), big_label("", "strong", wrap=True)
         self._panels = QStackedWidget()
         self._panels.addWidget(self._running(look))
@@ -157,10 +158,12 @@ class RunScreen(QWidget):
         self._show_progress()
 
     def _show_fault(self, fault: Fault) -> None:
-        self.cause.setText(fault.cause)
-        self.remedy.setText(fault.remedy)
-        self.kept.setText(KEPT.format(stored=fault.stored, planned=fault.planned) if fault.stored else NOTHING_KEPT)
-        self.press.setText(PRESS.format(following=fault.following) if fault.following else PRESS_PROCESS if fault.stored else "")
+        self.cause.setText(translated(fault.cause))
+        self.remedy.setText(translated(fault.remedy))
+        self.kept.setText(KEPT.format(stored=fault.stored, planned=fault.planned) if fault.stored else translated(NOTHING_KEPT))
+        self.press.setText(
+            PRESS.format(following=fault.following) if fault.following else translated(PRESS_PROCESS) if fault.stored else ""
+        )
         self.resume.setVisible(bool(fault.stored))
         self.resume.restore()
 
@@ -170,10 +173,12 @@ class RunScreen(QWidget):
         fault, run = self._controllers.operator.fault, self._session.run
         elapsed = self._controllers.operator.run.elapsed_s
         if fault is not None:
-            self.words.setText("The measurement has ended early")
+            self.words.setText(tr("The measurement has ended early"))
             self.time.setText("")
             return
-        self.words.setText("Paused" if run.state == "paused" else "Pausing…" if run.state == "pausing" else self._step_words())
+        self.words.setText(
+            tr("Paused") if run.state == "paused" else tr("Pausing…") if run.state == "pausing" else translated(self._step_words())
+        )
         self.bar.setValue(round(1000 * self._share))
         left = self._time.left(self._share, elapsed)
         words = {"elapsed": duration(elapsed), "left": "" if left is None else rough_duration(left)}

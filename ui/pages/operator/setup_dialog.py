@@ -10,6 +10,7 @@ from measureapp.errors import MeasureError
 from measureapp.project.operator_settings import OperatorSettings, operator_file, read_operator_settings
 from ui.controllers.operator import OperatorController
 from ui.controllers.operator_roles import RoleController
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.pages.operator.releases import Releases
 from ui.widgets.basic import Button, Form, column, label, row
@@ -26,7 +27,7 @@ class OperatorSetupDialog(QDialog):
 
     def __init__(self, look: Look, operator: OperatorController, roles: RoleController, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setWindowTitle("Operator mode")
+        self.setWindowTitle(tr("Operator mode"))
         self.setFixedWidth(WIDTH)
         self._operator, self._roles = operator, roles
         self._settings = OperatorSettings()
@@ -79,7 +80,7 @@ class OperatorSetupDialog(QDialog):
         self._operator.stock.reload()
         self.pin.clear()
         self.again.clear()
-        self.state.setText(PIN_SET if self._roles.has_pin else NO_PIN)
+        self.state.setText(translated(PIN_SET) if self._roles.has_pin else translated(NO_PIN))
         super().open()
 
     def value(self) -> OperatorSettings:
@@ -102,7 +103,7 @@ class OperatorSetupDialog(QDialog):
             return
         pin = self.pin.text()
         if pin != self.again.text():
-            self.problem.setText("The two PINs differ.")
+            self.problem.setText(tr("The two PINs differ."))
             return
         self._operator.stock.store_settings(settings)
         self._roles.set_idle_minutes(settings.idle_minutes)

@@ -8,6 +8,7 @@ from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtWidgets import QFrame, QLabel
 
 from ui.controllers.operator_nouns import ShiftCount
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.look.wording import percent, several
 from ui.pages.operator.big import BigButton, big_label
@@ -45,12 +46,16 @@ class ShiftStrip(QFrame):
     def show_shift(self, count: ShiftCount, since: datetime) -> None:
         """Show the numbers of a shift that began at ``since``."""
         self._shown = count, since
-        self.since.setText(f"Since {since:%H:%M}: {several(count.parts, 'part')}")
+        self.since.setText(tr("Since {since:%H:%M}: {count}", since=since, count=several(count.parts, "part")))
         numbers = {"pass": count.passed, "fail": count.failed, "not proven": count.open}
         names = {"pass": "{n} pass", "fail": "{n} fail", "not proven": "{n} not proven"}
         for name, shown in self.counts.items():
             shown.setText(names[name].format(n=numbers[name]))
-        self.yields.setText("" if count.first_pass_yield is None else f"First-pass yield {percent(count.first_pass_yield, 0)}")
+        self.yields.setText(
+            ""
+            if count.first_pass_yield is None
+            else tr("First-pass yield {first_pass_yield}", first_pass_yield=percent(count.first_pass_yield, 0))
+        )
         self.setAccessibleName(", ".join([self.since.text(), *(shown.text() for shown in self.counts.values()), self.yields.text()]))
         self._redraw()
 
@@ -61,5 +66,5 @@ class ShiftStrip(QFrame):
         for verdict in () if self._shown is None else self._shown[0].last:
             dot = QLabel()
             dot.setPixmap(self._look.icon(verdict, "verdict_" + verdict.replace(" ", "_")).pixmap(QSize(DOT_PX, DOT_PX)))
-            dot.setAccessibleName(verdict)
+            dot.setAccessibleName(translated(verdict))
             self._dots.addWidget(dot)

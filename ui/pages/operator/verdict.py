@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QFrame, QLabel, QWidget
 from measureapp.data.verdicts import part_verdict
 from ui.controllers.controllers import Controllers
 from ui.look.icons import IconSet
+from ui.look.language.words import translated
 from ui.look.look import Look
 from ui.look.verdict_words import summary_words
 from ui.pages.operator.big import BigButton, big_card, big_label
@@ -52,9 +53,9 @@ class VerdictBand(QFrame):
         )
         self.word.setStyleSheet(f"color: {letters}; font-size: {WORD_PX}px; font-weight: 800;")
         self.sign.setPixmap(self._icons.icon(verdict, verdict).pixmap(QSize(SIGN_PX, SIGN_PX)))
-        self.word.setText(verdict.upper())
-        self.part.setText(part)
-        self.summary.setText(summary)
+        self.word.setText(translated(verdict.upper()))
+        self.part.setText(translated(part))
+        self.summary.setText(translated(summary))
         self.setAccessibleName(f"{verdict.upper()}. {part}. {summary}")
 
 
@@ -170,5 +171,5 @@ class VerdictScreen(QWidget):
             words = "Report filed: {name}".format(**name) if filed.report is not None else ""
             if filed.run is not None and not self._operator.counts():
                 words += "\nThe first run of this part counts."
-        self.filed.setText(words)
+        self.filed.setText(translated(words))
         self.filed.setVisible(bool(words))

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QFrame, QStackedWidget, QWidget
 
 from ui.controllers.controllers import Controllers
 from ui.controllers.operator_nouns import verdict_of
+from ui.look.language.words import translated
 from ui.look.look import Look
 from ui.pages.operator.bar import CallBar, OperatorBar
 from ui.pages.operator.big import big_label
@@ -139,7 +140,7 @@ class OperatorWorkspace(QWidget):
 
     def say(self, words: str, level: str = "info") -> None:
         """Show a sentence below the bar; an empty one hides it."""
-        self._words.setText(words)  # type: ignore[attr-defined]
+        self._words.setText(translated(words))  # type: ignore[attr-defined]
         self._frame.setProperty("level", level)
         self._words.setProperty("op", "error" if level == "error" else "strong")
         for widget in (self._frame, self._words):

@@ -6,6 +6,7 @@ from PySide6.QtCore import Signal, Slot
 from PySide6.QtWidgets import QDialog, QDoubleSpinBox, QSpinBox, QWidget
 
 from ui.controllers.planning import PlanningController
+from ui.look.language.words import tr
 from ui.look.look import Look
 from ui.widgets.basic import Button, Form, column, label, row
 from ui.widgets.segments import Segments
@@ -26,7 +27,7 @@ class GenerateDialog(QDialog):
 
     def __init__(self, look: Look, planning: PlanningController, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setWindowTitle("Generate a plan")
+        self.setWindowTitle(tr("Generate a plan"))
         self._planning = planning
         self.part = label("", wrap=True)
         self.choose = Button("Choose…", look, "file")
@@ -70,7 +71,9 @@ class GenerateDialog(QDialog):
     @Slot()
     def _show(self) -> None:
         prepared = self._planning.part.prepared
-        self.part.setText("Choose the nominal of the part." if prepared is None else f"{prepared.path.parent.name}/{prepared.path.name}")
+        self.part.setText(
+            tr("Choose the nominal of the part.") if prepared is None else f"{prepared.path.parent.name}/{prepared.path.name}"
+        )
         self.start.setEnabled(prepared is not None)
         by_count = self.by.value() == "count"
         self._form.setRowVisible(self.coverage, not by_count)

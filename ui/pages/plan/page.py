@@ -10,6 +10,7 @@ from PySide6.QtGui import QHideEvent, QKeySequence, QResizeEvent, QShortcut, QSh
 from PySide6.QtWidgets import QSplitter, QWidget
 
 from ui.controllers.controllers import Controllers
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.look.wording import duration, percent, quantity, several, storage
 from ui.pages.plan import preview
@@ -151,7 +152,9 @@ class PlanPage(ViewportPage):
     @Slot()
     def _show_actions(self) -> None:
         self.use.setEnabled(not self.planning.is_used and not self.session.busy_with)
-        self.use.setToolTip("The scan uses this plan" if self.planning.is_used else "Scan with this plan; it is stored in the open project")
+        self.use.setToolTip(
+            tr("The scan uses this plan") if self.planning.is_used else tr("Scan with this plan; it is stored in the open project")
+        )
         self.generate.setEnabled(not self.session.busy_with)
         self.tools.show_state()
 
@@ -177,12 +180,12 @@ class PlanPage(ViewportPage):
     def _show_prediction(self) -> None:
         plan, found = self.planning.plan, self._prediction()
         if plan is None:
-            self.state.setText("No scan plan.")
+            self.state.setText(tr("No scan plan."))
             return
         words = [several(len(plan), "viewpoint")]
         if found is not None and found.plan is plan:
             count = len(found.check.sentences())
-            words.append(f"about {duration(found.check.time_s)}, {storage(found.check.bytes)}")
+            words.append(tr("about {time_s}, {bytes}", time_s=duration(found.check.time_s), bytes=storage(found.check.bytes)))
             words.append(f"{several(count, 'problem')}" if count else "nothing prevents the scan")
             sentences = found.check.sentences()
             self.tree.show_states(
@@ -226,7 +229,13 @@ class PlanPage(ViewportPage):
         else:
             row_number = -1 if viewpoint is None else found.row(viewpoint.id)
             share = 0.0 if row_number < 0 else found.coverage.share(found.coverage.seen[row_number])
-            self.legend.show_swatches(((preview.OFTEN, f"Measured {percent(share)}"), (None, f"Not measured {percent(1 - share)}")), "")
+            self.legend.show_swatches(
+                (
+                    (preview.OFTEN, tr("Measured {share}", share=percent(share))),
+                    (None, tr("Not measured {percent}", percent=percent(1 - share))),
+                ),
+                "",
+            )
 
     def showEvent(self, event: QShowEvent) -> None:
         """Check the plan from now on."""
@@ -274,7 +283,7 @@ class PlanPage(ViewportPage):
     @Slot()
     def _show_hint(self) -> None:
         has_part = self.planning.part.prepared is not None
-        self.hint.setText("" if not self.on_part.isChecked() else CLICK_HINT if has_part else "Choose the part first.")
+        self.hint.setText("" if not self.on_part.isChecked() else translated(CLICK_HINT) if has_part else tr("Choose the part first."))
 
     @Slot(object, object)
     def _click_part(self, origin: np.ndarray, direction: np.ndarray) -> None:
@@ -297,17 +306,19 @@ class PlanPage(ViewportPage):
         from measureapp.planning import edit
 
         if cell == NAME:
-            if self.planning.edit(f"Rename {name}", lambda plan: edit.rename(plan, name, text), (text,)):
+            if self.planning.edit(tr("Rename {name}", name=name), lambda plan: edit.rename(plan, name, text), (text,)):
                 return
         else:
             value = _number(text)
             if value is None:
                 self.session.tell(
-                    f"{text!r} is not a number.", f"Enter the {'guide in mm' if cell == GUIDE else 'table in degrees'}.", "warning"
+                    tr("{text!r} is not a number.", text=text),
+                    tr("Enter the {words}.", words="guide in mm" if cell == GUIDE else "table in degrees"),
+                    "warning",
                 )
             else:
                 axis = "guide_mm" if cell == GUIDE else "table_deg"
-                self.planning.edit(f"Set {quantity(value, '')}", lambda plan: edit.change(plan, (name,), **{axis: value}))
+                self.planning.edit(tr("Set {value}", value=quantity(value, "")), lambda plan: edit.change(plan, (name,), **{axis: value}))
 
     @Slot()
     def ask_generate(self) -> None:

@@ -7,6 +7,7 @@ from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QInputDialog, QWidget
 
 from ui.controllers.planning import PlanningController
+from ui.look.language.words import tr
 from ui.look.look import Look
 from ui.widgets.basic import Button, row
 from ui.widgets.plan_tree import PlanTree
@@ -68,8 +69,8 @@ class PlanTools(QWidget):
         self.order.setEnabled(plan is not None and len(plan) > 2)
         self.undo.setEnabled(stack.canUndo())
         self.redo.setEnabled(stack.canRedo())
-        self.undo.setToolTip(f"Undo: {stack.undoText()}" if stack.canUndo() else "Nothing to undo")
-        self.redo.setToolTip(f"Redo: {stack.redoText()}" if stack.canRedo() else "Nothing to redo")
+        self.undo.setToolTip(tr("Undo: {undotext}", undotext=stack.undoText()) if stack.canUndo() else tr("Nothing to undo"))
+        self.redo.setToolTip(tr("Redo: {redotext}", redotext=stack.redoText()) if stack.canRedo() else tr("Nothing to redo"))
 
     def _remove(self) -> None:
         from measureapp.planning import edit
@@ -92,7 +93,7 @@ class PlanTools(QWidget):
     def _ask_repeat(self) -> None:
         start = ", ".join(f"{360 * step // EVENLY}" for step in range(EVENLY))
         self.asking = QInputDialog(self)
-        self.asking.setWindowTitle("Repeat at table angles")
+        self.asking.setWindowTitle(tr("Repeat at table angles"))
         self.asking.setLabelText(ASK_ANGLES)
         self.asking.setTextValue(start)
         self.asking.textValueSelected.connect(self.repeat_at)
@@ -108,7 +109,7 @@ class PlanTools(QWidget):
         try:
             angles = [float(part) for part in text.split(",") if part.strip()]
         except ValueError:
-            self._planning.say(f"{text!r} is not a list of angles.", "Write numbers separated by commas.")
+            self._planning.say(tr("{text!r} is not a list of angles.", text=text), "Write numbers separated by commas.")
             return
         plan = self._planning.plan
         if plan is not None and names:

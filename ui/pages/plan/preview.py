@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
+from ui.look.language.words import tr
 from ui.look.theme import Theme
 from ui.look.wording import percent
 from ui.pages.layers import rgb
@@ -197,4 +198,4 @@ def coverage_legend(coverage: PlanCoverage) -> tuple[tuple[Swatch, ...], str]:
     swatches = tuple(
         (colour, f"{word} {percent(share)}") for colour, word, share in zip(colours, words, (*shares, 1.0 - sum(shares)), strict=True)
     )
-    return swatches, f"Predicted coverage {percent(coverage.predicted)}"
+    return swatches, tr("Predicted coverage {predicted}", predicted=percent(coverage.predicted))

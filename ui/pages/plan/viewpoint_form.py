@@ -9,6 +9,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QLineEdit, QWidget
 
 from measureapp.errors import MeasureError
+from ui.look.language.words import tr, translated
 from ui.look.wording import several
 from ui.pages.plan.plan_aims import PlanAims
 from ui.widgets.basic import CalmComboBox, Form, column, label, row
@@ -79,9 +80,9 @@ class ViewpointForm(QWidget):
 
     def _plan_page(self) -> QWidget:
         self.plan_name = QLineEdit()
-        self.plan_name.setAccessibleName("Name of the plan")
+        self.plan_name.setAccessibleName(tr("Name of the plan"))
         self.patterns = CalmComboBox()
-        self.patterns.setAccessibleName("Patterns of the plan")
+        self.patterns.setAccessibleName(tr("Patterns of the plan"))
         self.patterns.setSizeAdjustPolicy(CalmComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         self.plan_exposures = NumberList("Exposures of the plan", "From long to short, in ms, separated by commas", "ms")
         self.plan_settle = NumberList("Waiting time of the plan", "Wait before images are taken, in s; empty: that of the rig", "s", most=1)
@@ -139,7 +140,7 @@ class ViewpointForm(QWidget):
             return
         from ui.look.pattern_words import PATTERN_WORDS
 
-        self.plan_name.setText(plan.name)
+        self.plan_name.setText(translated(plan.name))
         self.plan_exposures.setValue([exposure_us / 1000 for exposure_us in plan.bracket.exposures_us])
         self.plan_settle.setValue(None if plan.settle_s is None else [plan.settle_s])
         self.exposures.set_default(", ".join(f"{exposure_us / 1000:g}" for exposure_us in plan.bracket.exposures_us))
@@ -162,7 +163,7 @@ class ViewpointForm(QWidget):
     def _show_note(self) -> None:
         count = len(self._viewpoints)
         words = "" if count == 1 else "Select a viewpoint to change it." if not count else f"{several(count, 'row')} selected."
-        self.note.setText(words)
+        self.note.setText(translated(words))
         self.note.setVisible(bool(words) and self.section.value() != "plan")
 
     # steps
@@ -172,7 +173,9 @@ class ViewpointForm(QWidget):
         from measureapp.planning import edit
 
         names = self._names
-        self._planning.edit(f"Set the {'guide' if axis == 'guide_mm' else 'table'}", lambda plan: edit.change(plan, names, **{axis: value}))
+        self._planning.edit(
+            tr("Set the {words}", words="guide" if axis == "guide_mm" else "table"), lambda plan: edit.change(plan, names, **{axis: value})
+        )
 
     def _aim(self) -> None:
         target, direction, distance = self.target.value(), self.direction.value(), self.distance.value()

@@ -9,6 +9,7 @@ from PySide6.QtCore import Slot
 from PySide6.QtWidgets import QCheckBox, QDialog, QListWidget, QListWidgetItem, QSpinBox, QWidget
 
 from ui.controllers.repeats import RepeatsController
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.look.wording import several
 from ui.pages.repeats.rows import HEADERS, NUMERIC, rows_of
@@ -39,20 +40,20 @@ class RepeatsDialog(QDialog):
 
     def __init__(self, look: Look, session: Session, repeats: RepeatsController, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setWindowTitle("Repeated measurements")
+        self.setWindowTitle(tr("Repeated measurements"))
         self.setMinimumSize(*SMALLEST)
         self._session, self._repeats = session, repeats
         self.study: RepeatStudy | None = None
         self.projects = QListWidget()
-        self.projects.setAccessibleName("Projects")
+        self.projects.setAccessibleName(tr("Projects"))
         self.add = Button("Add…", look, "add", tip="Add the project of one measurement")
         self.remove = Button("Remove", look, "remove", "quiet", "Take the chosen project from the list; nothing is deleted")
-        self.one_part = QCheckBox("One part under several names")
+        self.one_part = QCheckBox(tr("One part under several names"))
         self.count = QSpinBox()
         self.count.setRange(1, MOST)
         self.count.setValue(2)
         self.count.lineEdit().setTextMargins(6, 0, 0, 0)
-        self.reclamp = QCheckBox("Clamp again before each")
+        self.reclamp = QCheckBox(tr("Clamp again before each"))
         self.again = Button("Measure again", look, "again", tip=AGAIN)
         self.go_on = Button("Continue", look, "run", "primary", "The part is clamped; begin the measurement")
         self.end = Button("End", look, "", "quiet", "Measure no further; what was measured is kept")
@@ -156,7 +157,14 @@ class RepeatsDialog(QDialog):
     def _show_study(self, study: RepeatStudy) -> None:
         self.study = study
         self.table.set_rows(rows_of(study))
-        self.words.setText(f"{several(len(study.measurements), 'measurement')} by the program {study.program}. {' '.join(study.sentences)}")
+        self.words.setText(
+            tr(
+                "{count} by the program {program}. {list}",
+                count=several(len(study.measurements), "measurement"),
+                program=study.program,
+                list=" ".join(study.sentences),
+            )
+        )
         self._show()
 
     @Slot(object)
@@ -172,7 +180,7 @@ class RepeatsDialog(QDialog):
         waits = self._repeats.is_waiting
         self.remove.setEnabled(bool(self.projects.selectedItems()))
         self.compare.setEnabled(not busy and len(self.folders()) > 1)
-        self.compare.setToolTip("Evaluate mean and spread" if len(self.folders()) > 1 else ASK)
+        self.compare.setToolTip(tr("Evaluate mean and spread") if len(self.folders()) > 1 else translated(ASK))
         self.save.setEnabled(not busy and self.study is not None)
         can = self._repeats.source is not None and series is None and not busy
         self.again.setVisible(series is None)
@@ -183,7 +191,9 @@ class RepeatsDialog(QDialog):
             editor.setEnabled(can)
         if series is None:
             self.series.setText(
-                AGAIN if self._repeats.source is not None else "Open a calibrated project with a plan to measure its part again."
+                translated(AGAIN)
+                if self._repeats.source is not None
+                else tr("Open a calibrated project with a plan to measure its part again.")
             )
         else:
             self.series.setText((CLAMP if waits else RUNS).format(number=series.number, count=series.count))

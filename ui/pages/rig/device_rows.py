@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from ui.look.language.words import tr
 from ui.look.wording import exposure, millimetres, quantity, sentence_case
 from ui.widgets.data_table import Cell, verdict_cell
 from ui.widgets.properties_panel import Group, Properties
@@ -24,7 +25,7 @@ def device_rows(rig: RigDescription, cell: CellState, drivers: Sequence[DriverRo
     plugins = rig.drivers
     return [
         [
-            Cell(f"Camera {name}" if kind == "camera" else kind, bold=True),
+            Cell(tr("Camera {name}", name=name) if kind == "camera" else kind, bold=True),
             Cell(model),
             _state_cell(states.get(name), nominal),
             _driver_cell(plugins[name], drivers),
@@ -36,14 +37,29 @@ def device_rows(rig: RigDescription, cell: CellState, drivers: Sequence[DriverRo
 def _described(rig: RigDescription) -> list[tuple[str, str, str, str]]:
     """Return name, kind, model and nominal values of every device."""
     low, high = rig.guide.limits_mm
-    stroke = f"{quantity(low, '', 0)} … {quantity(high, '', 0)} mm · repeatability {millimetres(rig.guide.repeatability_mm)}"
-    reach = f"Reach {rig.robot.max_reach_mm:.0f} mm · repeatability {millimetres(rig.robot.repeatability_mm)}"
+    stroke = tr(
+        "{low} … {high} mm · repeatability {repeatability_mm}",
+        low=quantity(low, "", 0),
+        high=quantity(high, "", 0),
+        repeatability_mm=millimetres(rig.guide.repeatability_mm),
+    )
+    reach = tr(
+        "Reach {max_reach_mm:.0f} mm · repeatability {repeatability_mm}",
+        max_reach_mm=rig.robot.max_reach_mm,
+        repeatability_mm=millimetres(rig.robot.repeatability_mm),
+    )
     cameras = [
         (
             camera.name,
             "camera",
             camera.model,
-            f"{camera.width_px} × {camera.height_px} px · {camera.focal_mm:g} mm lens · {camera.bit_depth} bit",
+            tr(
+                "{width_px} × {height_px} px · {focal_mm:g} mm lens · {bit_depth} bit",
+                width_px=camera.width_px,
+                height_px=camera.height_px,
+                focal_mm=camera.focal_mm,
+                bit_depth=camera.bit_depth,
+            ),
         )
         for camera in rig.cameras
     ]
@@ -52,7 +68,16 @@ def _described(rig: RigDescription) -> list[tuple[str, str, str, str]]:
         ("projector", "Projector", rig.projector.model, f"{rig.projector.width_px} × {rig.projector.height_px} px"),
         ("robot", "Robot", rig.robot.model, reach),
         ("guide", "Linear guide", rig.guide.model, stroke),
-        ("table", "Rotary table", rig.table.model, f"⌀ {rig.table.diameter_mm:.0f} mm · accuracy {rig.table.accuracy_arcsec:g}″"),
+        (
+            "table",
+            "Rotary table",
+            rig.table.model,
+            tr(
+                "⌀ {diameter_mm:.0f} mm · accuracy {accuracy_arcsec:g}″",
+                diameter_mm=rig.table.diameter_mm,
+                accuracy_arcsec=rig.table.accuracy_arcsec,
+            ),
+        ),
     ]
 
 
@@ -71,7 +96,7 @@ def _driver_cell(plugin: str, drivers: Sequence[DriverRow]) -> Cell:
         return Cell(sentence_case(plugin))
     if found.problem:
         return verdict_cell("fail", sentence_case(found.name), found.problem)
-    return verdict_cell("pass", sentence_case(found.name), f"Version {found.version}")
+    return verdict_cell("pass", sentence_case(found.name), tr("Version {version}", version=found.version))
 
 
 def rig_properties(rig: RigDescription, drivers: Sequence[DriverRow]) -> Properties:

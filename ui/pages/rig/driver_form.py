@@ -10,6 +10,7 @@ from PySide6.QtGui import QStandardItem, QStandardItemModel
 
 from measureapp.data.rig import RECORDED
 from measureapp.devices.plugin_loader import PluginKind, PluginOffer
+from ui.look.language.words import tr, translated
 from ui.pages.rig.rig_draft import loaded
 from ui.widgets.basic import CalmComboBox, Form, clear, column, label
 from ui.widgets.field_editors import FieldEditor, TableEditor
@@ -27,7 +28,7 @@ class DriverForm(FieldEditor):
         self._drives, self._offers = kind, offers
         self._remembered = {choice["driver"]: choice["settings"]}  # of drivers chosen before
         self.box = CalmComboBox()
-        self.box.setAccessibleName("Driver")
+        self.box.setAccessibleName(tr("Driver"))
         self.box.setMinimumContentsLength(24)
         self.box.setSizeAdjustPolicy(CalmComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         self._list(choice["driver"])
@@ -53,7 +54,7 @@ class DriverForm(FieldEditor):
         """Show a problem below the driver or below the setting at ``place``."""
         inner = place[1:] if place[:1] == ("settings",) else ()
         if not (inner and self.settings is not None and self.settings.place_problem(inner, words)):
-            self._problem.setText(words)
+            self._problem.setText(translated(words))
             self._problem.show()
         return True
 
@@ -73,9 +74,9 @@ class DriverForm(FieldEditor):
         items = self.box.model()
         assert isinstance(items, QStandardItemModel)
         for name, (words, problem) in entries.items():
-            item = QStandardItem(f"{words} – not loaded" if problem else words)
+            item = QStandardItem(tr("{words} – not loaded", words=words) if problem else words)
             item.setData(name, Qt.ItemDataRole.UserRole)
-            item.setToolTip(problem)
+            item.setToolTip(translated(problem))
             item.setEnabled(not problem or name == chosen)
             items.appendRow(item)
         self.box.setCurrentIndex(self.box.findData(chosen))
@@ -102,7 +103,7 @@ class DriverForm(FieldEditor):
         self.note.setText(f"{problem} {NO_MODEL}".strip() if known is None else "")
         self._problem.hide()
         if known is not None:
-            self.note.setText(_unknown(values, known.settings.model_fields))
+            self.note.setText(translated(_unknown(values, known.settings.model_fields)))
         self.note.setVisible(bool(self.note.text()) and self.driver not in ("", RECORDED))
         if self.driver in ("", RECORDED):
             return None
@@ -114,4 +115,4 @@ class DriverForm(FieldEditor):
 def _unknown(values: Any, fields: Any) -> str:
     """Return which settings the driver does not know; they are not saved again."""
     strangers = sorted(set(values) - set(fields)) if isinstance(values, dict) else []
-    return f"The driver has no setting {', '.join(strangers)}; it is removed when you save." if strangers else ""
+    return tr("The driver has no setting {list}; it is removed when you save.", list=", ".join(strangers)) if strangers else ""

@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QWidget
 
 from measureapp.devices.plugin_loader import PluginOffer, PluginRow
 from measureapp.resources import user_plugin_folder
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.look.wording import sentence_case
 from ui.widgets.basic import Button, card, column, label, row
@@ -61,9 +62,11 @@ class DriversList(QWidget):
 
     def _show_row(self, _place: int) -> None:
         row = self.selected()
-        self.name.setText(row.name if row is not None else "")
-        self.reason.setText("" if row is None else row.problem or "Loaded.")
-        self.place.setText("" if row is None else f"{row.hint if row.allowed else ''} Folder: {row.folder}".strip())
+        self.name.setText(translated(row.name) if row is not None else "")
+        self.reason.setText("" if row is None else translated(row.problem) or tr("Loaded."))
+        self.place.setText(
+            "" if row is None else tr("{words} Folder: {folder}", words=row.hint if row.allowed else "", folder=row.folder).strip()
+        )
         self.allow.setVisible(row is not None and not row.allowed)
 
     def _ask(self) -> None:

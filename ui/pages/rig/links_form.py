@@ -9,6 +9,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import QLineEdit, QWidget
 
 from measureapp.devices.plugin_loader import LoadedDriver
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.widgets.basic import Button, Form, card, clear, column, label, row
 from ui.widgets.field_editors import FieldEditor, TableEditor
@@ -42,7 +43,7 @@ class LinksForm(FieldEditor):
         if "" in names:
             return "Enter a name for each link."
         twice = next((name for name in names if names.count(name) > 1), "")
-        return f"Two links have the name {twice}." if twice else ""
+        return tr("Two links have the name {twice}.", twice=twice) if twice else ""
 
     def set_raw(self, value: Any) -> None:
         """Show tables by name."""
@@ -56,7 +57,7 @@ class LinksForm(FieldEditor):
         for name, settings in self._rows:
             if place and name.text().strip() == place[0] and settings.place_problem(place[1:], words):
                 return True
-        self._problem.setText(words)
+        self._problem.setText(translated(words))
         self._problem.show()
         return True
 
@@ -74,11 +75,11 @@ class LinksForm(FieldEditor):
 
     def _show(self, name: str, table: Any) -> None:
         line = QLineEdit(name)
-        line.setAccessibleName("Name of the link")
+        line.setAccessibleName(tr("Name of the link"))
         known = self._models.get(name)
         settings = TableEditor() if known is None or known.link is None else FieldRows(known.link)
         settings.set_raw(table)
-        remove = Button("Remove", self._look, "remove", tip=f"Remove the link {name}")
+        remove = Button("Remove", self._look, "remove", tip=tr("Remove the link {name}", name=name))
         entry = (line, settings)
         remove.clicked.connect(lambda: self._remove(entry))
         form = Form()

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QComboBox, QFrame, QStackedWidget, QWidget
 from measureapp.resources import resource
 from ui.controllers.controllers import Controllers
 from ui.controllers.demo import MeshQuestion
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.look.wording import exposure, several
 from ui.pages.page import Page
@@ -58,7 +59,7 @@ class RigPage(Page):
         rig = self.controllers.rig
         self.rigs = QComboBox()
         self.rigs.setMinimumWidth(208)
-        self.rigs.setToolTip("The rig to work with: one that comes with the program, or a description of your own (TOML)")
+        self.rigs.setToolTip(tr("The rig to work with: one that comes with the program, or a description of your own (TOML)"))
         for path in sorted(resource("rigs").glob("*.toml")):
             self.rigs.addItem(tomllib.loads(path.read_text(encoding="utf-8"))["name"], path.stem)
         self.rigs.addItem(OWN_RIG, "")
@@ -88,7 +89,7 @@ class RigPage(Page):
         self.side.addWidget(scrolled(self._move_card()))
         self.stopped = self._stopped_banner()
         self.exposures = QComboBox()
-        self.exposures.setToolTip("Exposure of the live images")
+        self.exposures.setToolTip(tr("Exposure of the live images"))
         self.exposures.currentIndexChanged.connect(self._choose_exposure)
         picture = card(row(self.views, 0, self.exposures), self.pictures, margin=8)
         main = column(self.stopped, picture, self.devices, spacing=16)
@@ -169,7 +170,7 @@ class RigPage(Page):
 
     @Slot(object)
     def _ask_unit(self, asked: MeshQuestion) -> None:
-        finding = f"{asked.path.name} has a size of {asked.span:.4g}"
+        finding = tr("{name} has a size of {span:.4g}", name=asked.path.name, span=asked.span)
         dialog = self.unit_dialog = UnitDialog(self.look, "mesh", finding, asked.likely, asked.span, self)
         dialog.chosen.connect(lambda unit: self.form.show_mesh(asked.path, unit))
         dialog.finished.connect(dialog.deleteLater)
@@ -211,7 +212,7 @@ class RigPage(Page):
         self.exposures.setVisible(self.views.value() == "live")
         if (not cell.connected or cell.stopped) and self.views.value() == "live":
             self.views.setValue("cell")
-        self.state.setText(self._state_words())
+        self.state.setText(translated(self._state_words()))
         self.devices.set_rows(device_rows(rig, cell, self.session.drivers))
         self.devices.setMaximumHeight(self.devices.fitted_height())
         self.pad.show_readback(cell.readback)
@@ -219,19 +220,25 @@ class RigPage(Page):
         self.pad.setEnabled(movable)
         self.home.setVisible(movable)
         self.unmovable.setVisible(not movable)
-        self.unmovable.setText("Reset the stop before anything moves." if cell.stopped else "Connect the rig to move its axes.")
+        self.unmovable.setText(tr("Reset the stop before anything moves.") if cell.stopped else tr("Connect the rig to move its axes."))
         self.stopped.setVisible(bool(cell.stopped))
-        self.stop_reason.setText(f"The rig is stopped: {cell.stopped} Remove the cause, check that nothing is in the way, then reset.")
+        self.stop_reason.setText(
+            tr("The rig is stopped: {stopped} Remove the cause, check that nothing is in the way, then reset.", stopped=cell.stopped)
+        )
 
     def _state_words(self) -> str:
         rig, cell = self.session.rig, self.session.cell
         assert rig is not None
         if cell.connected:
             unready = sum(not device.status.ready for device in cell.devices)
-            return f"{rig.name}, connected. " + (f"{several(unready, 'device')} not ready." if unready else "All devices are ready.")
+            return tr("{name}, connected. ", name=rig.name) + (
+                tr("{count} not ready.", count=several(unready, "device")) if unready else "All devices are ready."
+            )
         problems = [driver for driver in self.session.drivers if driver.problem and driver.allowed]
-        words = f"{rig.name}. {several(len(rig.cameras), 'camera')}, projector, robot, guide and table; not connected."
-        return words + (f" {several(len(problems), 'driver')} could not be loaded." if problems else "")
+        words = tr(
+            "{name}. {count}, projector, robot, guide and table; not connected.", name=rig.name, count=several(len(rig.cameras), "camera")
+        )
+        return words + (tr(" {count} could not be loaded.", count=several(len(problems), "driver")) if problems else "")
 
     def _name_rig(self) -> None:
         """Show the rig of the session in the list of rigs; one that is not listed by its name."""

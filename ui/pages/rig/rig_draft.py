@@ -13,6 +13,7 @@ from measureapp.data.rig import OTHER_DEVICES, RECORDED, RigDescription
 from measureapp.devices.connect import KINDS
 from measureapp.devices.plugin_loader import LoadedDriver, PluginKind, PluginOffer
 from ui.look.field_words import place_words, problem_words
+from ui.look.language.words import tr
 from ui.widgets.field_editors import table_problem
 
 Part = Literal["fields", "driver", "link"]
@@ -136,7 +137,7 @@ class RigDraft:
             return Problem(section, "driver", ("settings", *found["loc"]), problem_words(found))
         name = self._link_of(driver, choice)
         if name and name not in self.links:
-            return Problem(section, "driver", ("settings", "link"), f"There is no link {name}. Add it under Links.")
+            return Problem(section, "driver", ("settings", "link"), tr("There is no link {name}. Add it under Links.", name=name))
         return None
 
     def _link_problem(self) -> Problem | None:

@@ -14,6 +14,7 @@ from measureapp.data.rig import OTHER_DEVICES, CameraDescription, RigDescription
 from measureapp.devices.plugin_loader import PluginOffer, PluginRow
 from measureapp.errors import MeasureError
 from measureapp.project.rig_file import has_comments
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.look.wording import sentence_case
 from ui.pages.rig.driver_form import DriverForm
@@ -54,14 +55,14 @@ class RigEditor(QDialog):
     ) -> None:
         """``file``: where the description comes from, if it belongs to the user."""
         super().__init__(parent)
-        self.setWindowTitle(f"Edit rig: {rig.name}")
+        self.setWindowTitle(tr("Edit rig: {name}", name=rig.name))
         self._look, self._file = look, file
         self.draft = RigDraft.of(rig, offers)
         self.parts: dict[str, dict[str, FieldEditor]] = {}  # of the sections shown so far
         self.question = QuestionBar(look)
         self.list, self.stack = QListWidget(), QStackedWidget()
         self.list.setFixedWidth(LIST_WIDTH)
-        self.list.setAccessibleName("Sections")
+        self.list.setAccessibleName(tr("Sections"))
         self.list.setIconSize(QSize(ICON, ICON))
         blank = QPixmap(ICON, ICON)
         blank.fill(Qt.GlobalColor.transparent)
@@ -70,7 +71,7 @@ class RigEditor(QDialog):
         cameras = [camera.name for camera in rig.cameras]
         self.sections = (RIG, MOTION, RULES, *cameras, *OTHER_DEVICES, LINKS, DRIVERS)
         for name in self.sections:
-            self.list.addItem(TITLES.get(name) or DEVICES.get(name) or f"Camera {name}")
+            self.list.addItem(TITLES.get(name) or DEVICES.get(name) or tr("Camera {name}", name=name))
             self.list.item(self.list.count() - 1).setSizeHint(QSize(0, LINE_HEIGHT))
             self._scrolls[name] = _scroll()
             self.stack.addWidget(self._scrolls[name])
@@ -89,7 +90,7 @@ class RigEditor(QDialog):
         self.cancel.clicked.connect(self._leave)
         self.save_as = Button("Save as…", self._look, "", "normal" if self._file is not None else "primary", "Save to another file")
         self.save_as.clicked.connect(self._choose_file)
-        self.save = Button("Save", self._look, "", "primary", f"Save to {self._file}")
+        self.save = Button("Save", self._look, "", "primary", tr("Save to {file}", file=self._file))
         self.save.setVisible(self._file is not None)
         self.save.clicked.connect(lambda: self._save_to(self._file))
         body = row(self.list, self.stack, spacing=16)
@@ -151,7 +152,7 @@ class RigEditor(QDialog):
 
     def show_refusal(self, words: str) -> None:
         """State why the description was not saved."""
-        self.problem_words.setText(words)
+        self.problem_words.setText(translated(words))
 
     def _choose(self, place: int) -> None:
         name = self.sections[place]

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QDialog, QWidget
 
+from ui.look.language.words import tr
 from ui.look.look import Look
 from ui.look.wording import percent, rough_duration
 from ui.widgets.basic import Button, column, label, row
@@ -27,7 +28,7 @@ class MissingDialog(QDialog):
 
     def __init__(self, look: Look, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setWindowTitle("What is missing")
+        self.setWindowTitle(tr("What is missing"))
         self.setMinimumSize(*SMALLEST)
         self.list = Checklist(look)
         self.scan = Button(
@@ -50,17 +51,25 @@ class MissingDialog(QDialog):
 
 def items_of(found: ClosedLoop) -> tuple[Item, ...]:
     """Return measured fraction, holes by cause, and proposals."""
-    measured = f"{percent(found.sufficient)} of the surface is measured, of {percent(found.accessible)} that does not touch the support."
-    items = [Item("note", measured, f"Median standard deviation {found.median_sigma_mm:.4f} mm.")]
-    items += [Item("warning", f"{percent(share)} is missing: {words}.") for words, share in found.shares().items() if share >= LEAST_SHOWN]
+    measured = tr(
+        "{sufficient} of the surface is measured, of {accessible} that does not touch the support.",
+        sufficient=percent(found.sufficient),
+        accessible=percent(found.accessible),
+    )
+    items = [Item("note", measured, tr("Median standard deviation {median_sigma_mm:.4f} mm.", median_sigma_mm=found.median_sigma_mm))]
+    items += [
+        Item("warning", tr("{share} is missing: {words}.", share=percent(share), words=words))
+        for words, share in found.shares().items()
+        if share >= LEAST_SHOWN
+    ]
     if not found.proposals:
         return (*items, NOTHING_PAYS)
     items += [
         Item(
             "good",
-            f"{one.viewpoint.id}: + {percent(one.share)} in {rough_duration(one.seconds)}.",
+            tr("{id}: + {share} in {seconds}.", id=one.viewpoint.id, share=percent(one.share), seconds=rough_duration(one.seconds)),
             f"{one.reason[:1].upper()}{one.reason[1:]}.",
         )
         for one in found.proposals
     ]
-    return (*items, Item("note", f"With all of them {percent(found.expected)} are expected."))
+    return (*items, Item("note", tr("With all of them {expected} are expected.", expected=percent(found.expected))))

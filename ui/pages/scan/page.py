@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QStackedWidget, QWidget
 from ui.controllers.controllers import Controllers
 from ui.controllers.scan_choices import CheckedScan, ScanChoices, suggested_choices
 from ui.controllers.stored_sessions import project_on_disk
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.look.wording import counted, percent, rough_duration, several
 from ui.pages.layers import PlacedClouds, placements_of, view_layer
@@ -194,7 +195,13 @@ class ScanPage(ViewportPage):
         self.go_on.setVisible(idle_run and bool(missing))
         self.next_step.setVisible(idle_run and bool(self.session.views) and not missing)
         kept = len(points) - len(missing)
-        self.go_on.setToolTip(f"{several(kept, 'viewpoint is', 'viewpoints are')} stored and kept, {len(missing)} missing are taken")
+        self.go_on.setToolTip(
+            tr(
+                "{count} stored and kept, {count_2} missing are taken",
+                count=several(kept, "viewpoint is", "viewpoints are"),
+                count_2=len(missing),
+            )
+        )
         self._show_tiles()
         self._show_bar()
         self._show_summary()
@@ -203,9 +210,9 @@ class ScanPage(ViewportPage):
         points = self.session.viewpoints
         states = [state.status for state in points.values()]
         if not states or self._places.currentIndex() == 0:
-            self.state.setText("Choose project, plan and exposures." if self._wants_setup else "No viewpoint scanned.")
+            self.state.setText(tr("Choose project, plan and exposures.") if self._wants_setup else tr("No viewpoint scanned."))
         else:
-            self.state.setText(state_words(states))
+            self.state.setText(translated(state_words(states)))
         decoded = {view.viewpoint_id: decoded_share(view) for view in self.session.views}
         self.tiles.show_tiles([Tile(state.id, state.status, state.note, decoded.get(state.id, "")) for state in points.values()])
 
@@ -218,7 +225,7 @@ class ScanPage(ViewportPage):
         words = (
             (left_words(self.controllers.scanning.left()) if taking else COMPUTING)
             if running
-            else f"{chosen.id} is chosen."
+            else tr("{id} is chosen.", id=chosen.id)
             if chosen is not None
             else ""
         )
@@ -268,7 +275,7 @@ class ScanPage(ViewportPage):
     def show_images(self, events: tuple[ImageTaken, ...]) -> None:
         """Show these images, each in the place of its camera."""
         for event in events:
-            self.pictures_title.setText(f"Images of {event.viewpoint_id}")
+            self.pictures_title.setText(tr("Images of {viewpoint_id}", viewpoint_id=event.viewpoint_id))
             self.pictures.show_image(event.camera, event.pixels, event.exposure_us, event.viewpoint_id)
 
     def composer(self) -> Composer | None:
@@ -291,17 +298,21 @@ def left_words(left: TimeLeft | None) -> str:
     """Return how long a run still takes."""
     if left is None or not left.bound_s:
         return "Choose a viewpoint to see its images, to skip it or to take it again."
-    return f"About {rough_duration(left.expected_s)} left, at most {rough_duration(left.bound_s)}; then the clouds are stitched."
+    return tr(
+        "About {expected_s} left, at most {bound_s}; then the clouds are stitched.",
+        expected_s=rough_duration(left.expected_s),
+        bound_s=rough_duration(left.bound_s),
+    )
 
 
 def state_words(states: list[str]) -> str:
     """Return how far a scan is, from the states of its viewpoints."""
     done, failed, skipped = states.count("processed"), states.count("failed"), states.count("skipped")
     stored = done + states.count("stored")
-    words = f"{done} of {several(len(states), 'viewpoint')} processed"
-    words += f", {stored} stored" if stored > done else ""
-    words += f", {failed} failed" if failed else ""
-    return words + (f", {skipped} skipped." if skipped else ".")
+    words = tr("{done} of {count} processed", done=done, count=several(len(states), "viewpoint"))
+    words += tr(", {stored} stored", stored=stored) if stored > done else ""
+    words += tr(", {failed} failed", failed=failed) if failed else ""
+    return words + (tr(", {skipped} skipped.", skipped=skipped) if skipped else ".")
 
 
 def decoded_share(view: ViewResult) -> str:
@@ -310,4 +321,4 @@ def decoded_share(view: ViewResult) -> str:
     if not shares:
         return ""
     least, most = percent(shares[0], 0), percent(shares[-1], 0)
-    return f"{most} decoded" if least == most else f"{least.split(chr(160))[0]}–{most} decoded"
+    return f"{most} decoded" if least == most else tr("{split}–{most} decoded", split=least.split(chr(160))[0], most=most)

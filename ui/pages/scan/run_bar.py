@@ -5,6 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QWidget
 
+from ui.look.language.words import translated
 from ui.look.look import Look
 from ui.session import RunNow
 from ui.widgets.basic import Button, label, row
@@ -48,4 +49,6 @@ class RunBar(QWidget):
         self.retake.setVisible(can_retake)
         paused = f"{run.cause} {run.remedy}".strip() or "Paused."
         pausing = run.cause or "Pausing: the rig comes to a safe stop…"
-        self.words.setText(pausing if run.state == "pausing" else paused if run.state == "paused" else words)
+        self.words.setText(
+            translated(pausing) if run.state == "pausing" else translated(paused) if run.state == "paused" else translated(words)
+        )

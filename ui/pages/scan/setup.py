@@ -9,6 +9,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QLineEdit, QWidget
 
 from ui.controllers.scan_choices import CheckedScan, ScanChoices
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.look.wording import rough_duration, several, storage
 from ui.session import Session
@@ -53,7 +54,7 @@ class ScanSetup(QWidget):
         self._session = session
         self.folder = PathField(look, "Folder of the project", "New folder, or an existing project", "projects")
         self.part = QLineEdit()
-        self.part.setPlaceholderText("Name of the part")
+        self.part.setPlaceholderText(tr("Name of the part"))
         self.nominal = PathField(look, "Nominal of the part", "None: no comparison with CAD", "nominals", files=NOMINALS)
         self.program = PathField(look, "Inspection program", "None: no dimensions", "programs", files=PROGRAMS)
         self.calibrated = PathField(look, "Project with a calibration of this rig", "Project whose calibration is used", "projects")
@@ -67,7 +68,7 @@ class ScanSetup(QWidget):
         self.seconds.setDecimals(1)
         self.seconds.setValue(ScanChoices().seconds)
         self.seconds.setSuffix("\u00a0s")
-        self.seconds.setToolTip("Time for the exposures of one viewpoint")
+        self.seconds.setToolTip(tr("Time for the exposures of one viewpoint"))
         self.raw = QComboBox()
         for policy, (words, tip) in RAW.items():
             self.raw.addItem(words, policy)
@@ -135,7 +136,7 @@ class ScanSetup(QWidget):
             (self.plan, choices.plan_file),
         ):
             field.setValue(path)
-        self.part.setText(choices.part)
+        self.part.setText(translated(choices.part))
         self.exposures.setCurrentIndex(self.exposures.findData(choices.exposures))
         self.seconds.setValue(choices.seconds)
         self.raw.setCurrentIndex(list(RAW).index(choices.raw))
@@ -151,20 +152,24 @@ class ScanSetup(QWidget):
         session, chosen = self._session, self.value()
         rig = session.rig
         state = "connected" if session.cell.connected else "connected by Check or Start"
-        self.rig.setText("Choose one on the page Rig." if rig is None else f"{rig.name}, {state}")
+        self.rig.setText(tr("Choose one on the page Rig.") if rig is None else f"{rig.name}, {state}")
         plan = session.plan
         self.plan.text.setPlaceholderText(
-            "None yet: choose a file, or make one on the page Plan" if plan is None else f"{plan.name}, {several(len(plan), 'viewpoint')}"
+            tr("None yet: choose a file, or make one on the page Plan")
+            if plan is None
+            else f"{plan.name}, {several(len(plan), 'viewpoint')}"
         )
         self._form.setRowVisible(self.part, not chosen.is_existing)
         for editor in (self.nominal, self.program):
             self._form.setRowVisible(editor, not chosen.has_documents)
         self._form.setRowVisible(self.seconds, chosen.exposures != "plan")
-        self.what.setText(_project_words(chosen))
+        self.what.setText(translated(_project_words(chosen)))
         ready = rig is not None and chosen.folder is not None and (plan is not None or chosen.plan_file is not None)
         self.start.setEnabled(ready and not session.busy_with)
         self.check.setEnabled(ready and not session.busy_with)
-        self.start.setToolTip("Check, then scan if nothing prevents it" if ready else "Choose a rig, a project folder and a plan first")
+        self.start.setToolTip(
+            tr("Check, then scan if nothing prevents it") if ready else tr("Choose a rig, a project folder and a plan first")
+        )
 
     def show_checked(self, checked: CheckedScan) -> None:
         """Show what was found."""
@@ -173,7 +178,7 @@ class ScanSetup(QWidget):
 
 def _project_words(chosen: ScanChoices) -> str:
     if chosen.folder is None:
-        return f"For example {Path.home() / 'MeasureApp' / NEW_FOLDER}."
+        return tr("For example {value}.", value=Path.home() / "MeasureApp" / NEW_FOLDER)
     return "Existing project: stored viewpoints are kept, missing ones are taken." if chosen.is_existing else "A new project is made here."
 
 
@@ -185,8 +190,14 @@ def items_of(checked: CheckedScan) -> tuple[Item, ...]:
         if not checked.problems:
             found.append(Item("good", "Nothing prevents the scan."))
         left = checked.planned - checked.stored
-        time = "" if checked.found.images_s is None else f", at least {rough_duration(checked.found.images_s)} for the images"
+        time = (
+            ""
+            if checked.found.images_s is None
+            else tr(", at least {images_s} for the images", images_s=rough_duration(checked.found.images_s))
+        )
         found.append(Item("note", f"{several(left, 'viewpoint')}, {storage(checked.found.bytes)}{time}."))
         if checked.stored:
-            found.append(Item("note", f"{several(checked.stored, 'viewpoint is', 'viewpoints are')} stored already and kept."))
+            found.append(
+                Item("note", tr("{count} stored already and kept.", count=several(checked.stored, "viewpoint is", "viewpoints are")))
+            )
     return (*found, *BEFORE)

@@ -9,6 +9,7 @@ from PySide6.QtSvgWidgets import QSvgWidget
 from PySide6.QtWidgets import QComboBox, QDialog, QLineEdit, QWidget
 
 from ui.controllers.series import ReadSeries, SeriesController
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.pages.series.rows import HEADERS, NUMERIC, rows_of, summary
 from ui.session import Session
@@ -31,21 +32,21 @@ class SeriesDialog(QDialog):
 
     def __init__(self, look: Look, session: Session, series: SeriesController, parent: QWidget | None = None) -> None:
         super().__init__(parent)
-        self.setWindowTitle("Series of parts")
+        self.setWindowTitle(tr("Series of parts"))
         self.setMinimumSize(*SMALLEST)
         self._session, self._series = session, series
         self.found: ReadSeries | None = None
         self.programs = QComboBox()
-        self.programs.setAccessibleName("Program")
+        self.programs.setAccessibleName(tr("Program"))
         self.words = label(NONE_YET, "body", wrap=True)
         self.table = DataTable(look, list(HEADERS), numeric=NUMERIC, stretch=0)
         self.chart = QSvgWidget()
         self.chart.setFixedHeight(CHART_HEIGHT)
         self.chart.renderer().setAspectRatioMode(Qt.AspectRatioMode.KeepAspectRatio)
-        self.chart.setAccessibleName("Run chart: values in order of measurement, with limits and mean; moving ranges below")
+        self.chart.setAccessibleName(tr("Run chart: values in order of measurement, with limits and mean; moving ranges below"))
         self.remark = label("", "soft", wrap=True)
         self.reason = QLineEdit()
-        self.reason.setPlaceholderText(REASON)
+        self.reason.setPlaceholderText(translated(REASON))
         self.file = Button("Add this measurement", look, "add", tip="Add the open measurement to the series of its program")
         self.save = Button("Save the report…", look, "export", tip="PDF with run charts, table (CSV) and JSON")
         self.close_button = Button("Close", look)
@@ -93,7 +94,7 @@ class SeriesDialog(QDialog):
     def _show_series(self, found: ReadSeries) -> None:
         self.found = found
         self.programs.setCurrentIndex(self.programs.findText(found.program, Qt.MatchFlag.MatchExactly))
-        self.words.setText(summary(found))
+        self.words.setText(translated(summary(found)))
         self.table.set_rows(rows_of(found.trends))
         self._show_chart(0)
         self._show_buttons()
@@ -106,7 +107,7 @@ class SeriesDialog(QDialog):
         known = self.found is not None and 0 <= place < len(self.found.charts)
         self.chart.load(QByteArray(self.found.charts[place] if self.found is not None and known else b""))
         trend = self.found.trends[place] if self.found is not None and known else None
-        self.remark.setText("" if trend is None else f"{trend.name}: {trend.remark}" if trend.remark else trend.name)
+        self.remark.setText("" if trend is None else f"{trend.name}: {trend.remark}" if trend.remark else translated(trend.name))
 
     def _show_buttons(self) -> None:
         busy = bool(self._session.busy_with)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from ui.look.language.words import tr
 from ui.look.wording import quantity, several
 from ui.widgets.data_table import Cell, number
 
@@ -26,7 +27,7 @@ def summary(found: ReadSeries) -> str:
     """Return how many parts have which verdict, in a sentence."""
     verdicts = [str(run.verdict or "no verdict") for run in found.runs]
     counts = ", ".join(f"{verdicts.count(verdict)} {verdict}" for verdict in dict.fromkeys(verdicts))
-    return f"{several(len(found.runs), 'run')} by the program {found.program}: {counts}."
+    return tr("{count} by the program {program}: {counts}.", count=several(len(found.runs), "run"), program=found.program, counts=counts)
 
 
 def _row(trend: Trend) -> list[Cell]:
@@ -46,4 +47,7 @@ def _index(trend: Trend, place: int) -> Cell:
         return Cell(NOTHING, tip=trend.remark)
     found: Index = trend.indices[place]
     low, high = found.interval
-    return Cell(f"{found.name} {found.value:.2f} ({low:.2f} … {high:.2f})", tip=f"95 % interval; σ from {found.sigma_from}. {trend.remark}")
+    return Cell(
+        f"{found.name} {found.value:.2f} ({low:.2f} … {high:.2f})",
+        tip=tr("95 % interval; σ from {sigma_from}. {remark}", sigma_from=found.sigma_from, remark=trend.remark),
+    )

@@ -1,0 +1,136 @@
+"""Catalogues of translations: files of Qt Linguist, read as they are."""
+
+from __future__ import annotations
+
+import re
+import string
+from collections import defaultdict
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+from pathlib import Path
+from xml.etree import ElementTree
+
+from measureapp.errors import InputError
+
+LONGEST_VALUE = 400  # letters that a value of a recognised message may have
+LEAST_LETTERS = 6  # fixed letters of a template by which a message is recognised
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """One text and its translation; empty: not translated yet."""
+
+    source: str
+    translation: str = ""
+
+
+@dataclass
+class Catalogue:
+    """Translations into one language."""
+
+    language: str  # as in "zh_CN"
+    entries: dict[str, Entry] = field(default_factory=dict)
+    _patterns: dict[str, list[tuple[re.Pattern[str], str]]] | None = None  # by the longest fixed word
+
+    def translation(self, source: str) -> str | None:
+        """Return the translation of a text; None without one."""
+        entry = self.entries.get(source)
+        return entry.translation if entry is not None and entry.translation else None
+
+    def find_template(self, text: str) -> tuple[str, dict[str, str]] | None:
+        """Return the template that a text was made of, and its values as texts; the one with the most fixed letters."""
+        if self._patterns is None:
+            self._patterns = _patterns(self.entries.values())
+        best: tuple[int, str, dict[str, str]] | None = None
+        for word in dict.fromkeys(WORD.findall(text)):
+            for pattern, source in self._patterns.get(word, ()):
+                match = pattern.fullmatch(text)
+                fixed = len(PLACEHOLDER.sub("", source))
+                if match is not None and (best is None or fixed > best[0]):
+                    best = fixed, source, match.groupdict()
+        return None if best is None else best[1:]
+
+
+WORD = re.compile(r"[A-Za-z]{3,}")
+PLACEHOLDER = re.compile(r"(?<!\{)\{(\w+)[^{}]*\}(?!\})")
+
+
+def placeholders(text: str) -> list[str]:
+    """Return the names of the placeholders of a text, sorted. Raises ValueError where it cannot be formatted.
+
+    >>> placeholders("{count} of {total} views")
+    ['count', 'total']
+    """
+    return sorted(name for _, name, _, _ in string.Formatter().parse(text) if name is not None)
+
+
+def read_catalogue(path: Path) -> Catalogue:
+    """Read a file of Qt Linguist.
+
+    Raises
+    ------
+    InputError
+        The file is damaged, or a translation has other placeholders than its source.
+    """
+    try:
+        tree = ElementTree.parse(path).getroot()
+    except (OSError, ElementTree.ParseError) as error:
+        raise InputError(f"{path} is not a file of Qt Linguist: {error}.", "Install the program anew.") from error
+    found = Catalogue(tree.get("language", ""))
+    for message in tree.iter("message"):
+        source, translation = message.findtext("source", ""), message.findtext("translation", "")
+        if translation and _names(source) != _names(translation):
+            raise InputError(f"{path}: “{translation}” has other placeholders than “{source}”.", "Correct this translation.")
+        found.entries[source] = Entry(source, translation)
+    return found
+
+
+def write_catalogue(path: Path, language: str, entries: Iterable[tuple[str, Entry]]) -> None:
+    """Write a file of Qt Linguist from pairs of context and entry, in their order."""
+    contexts: dict[str, list[Entry]] = defaultdict(list)
+    for context, entry in entries:
+        contexts[context].append(entry)
+    root = ElementTree.Element("TS", version="2.1", language=language, sourcelanguage="en")
+    for name, own in contexts.items():
+        context = ElementTree.SubElement(root, "context")
+        ElementTree.SubElement(context, "name").text = name
+        for entry in own:
+            message = ElementTree.SubElement(context, "message")
+            ElementTree.SubElement(message, "source").text = entry.source
+            translation = ElementTree.SubElement(message, "translation")
+            translation.text = entry.translation or None
+            if not entry.translation:
+                translation.set("type", "unfinished")
+    ElementTree.indent(root, "  ")
+    text = ElementTree.tostring(root, encoding="unicode")
+    path.write_text(f'<?xml version="1.0" encoding="utf-8"?>\n<!DOCTYPE TS>\n{text}\n', encoding="utf-8")
+
+
+def _names(text: str) -> list[str] | None:
+    """Return the placeholders; None where the text is no template."""
+    try:
+        return placeholders(text)
+    except ValueError:
+        return None
+
+
+def _patterns(entries: Iterable[Entry]) -> dict[str, list[tuple[re.Pattern[str], str]]]:
+    """Return patterns of the translated templates by a fixed word that a text must contain to match."""
+    found: dict[str, list[tuple[re.Pattern[str], str]]] = defaultdict(list)
+    for entry in entries:
+        if not entry.translation or not _names(entry.source):
+            continue
+        pieces = PLACEHOLDER.split(entry.source)
+        words = [word for piece in pieces[::2] for word in WORD.findall(piece)]
+        if sum(map(len, words)) < LEAST_LETTERS:
+            continue  # such as "{a} of {b}": it would match too much
+        seen: set[str] = set()
+        text = ""
+        for place, piece in enumerate(pieces):
+            if place % 2 == 0:
+                text += re.escape(piece.replace("{{", "{").replace("}}", "}"))
+            else:
+                text += f"(?P={piece})" if piece in seen else f"(?P<{piece}>.{{0,{LONGEST_VALUE}}}?)"
+                seen.add(piece)
+        found[max(words, key=len)].append((re.compile(text, re.DOTALL), entry.source))
+    return found
