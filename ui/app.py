@@ -17,6 +17,7 @@ from PySide6.QtWidgets import QApplication
 
 from measureapp.errors import MeasureError
 from ui.controllers.controllers import Controllers
+from ui.look.language.language import Language
 from ui.look.look import Look
 from ui.look.paths import demo_folder
 from ui.look.theme import Shade, preferred_shade
@@ -36,6 +37,7 @@ class Application:
 
     settings: Settings
     look: Look
+    language: Language
     session: Session
     controllers: Controllers
     window: MainWindow
@@ -46,12 +48,15 @@ def build(application: QApplication) -> Application:
     settings = Settings(settings_file())
     look = Look(_shade(application, settings))
     look.apply_theme()
+    language = Language(look)
+    language.choose(settings.text("language"))
     session = Session(settings)
     controllers = Controllers(session)
     window = MainWindow(look, session, controllers, settings)
     settings.changed.connect(lambda name: look.set_shade(_shade(application, settings)) if name == "theme" else None)
+    settings.changed.connect(lambda name: language.choose(settings.text("language")) if name == "language" else None)
     session.appearanceChanged.connect(lambda: settings.set_text("role", session.role))
-    return Application(settings, look, session, controllers, window)
+    return Application(settings, look, language, session, controllers, window)
 
 
 def _shade(application: QApplication, settings: Settings) -> Shade:

@@ -173,6 +173,7 @@ def measurement(calibration: RigCalibration, inspection: Inspection) -> Measurem
 @pytest.fixture
 def application(qapp, qtbot, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Application:
     monkeypatch.setenv("HOME", str(tmp_path))
+    monkeypatch.setattr("ui.look.language.language.system_language", lambda: "en")
     built = build(qapp)
     built.look.set_shade("light")
     qtbot.addWidget(built.window)
@@ -182,6 +183,8 @@ def application(qapp, qtbot, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) ->
         runner.queue.wait(10_000)
     built.controllers.rig.close()
     built.window.close()
+    built.language.choose("en")
+    built.language.retranslation.finish()
 
 
 @pytest.fixture

@@ -99,7 +99,7 @@ def problem_words(problem: Mapping[str, Any]) -> str:
         return tr("Give at least {limits}.", limits=limits["min_length"])
     known = PROBLEMS.get(kind)
     if known:
-        return sentence(known.format(**limits))
+        return sentence(tr(known, **limits))
     return sentence(NAME.sub(lambda name: field_words(name.group())[0].lower(), str(problem["msg"]).removeprefix("Value error, ")))
 
 

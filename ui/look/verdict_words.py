@@ -30,5 +30,5 @@ def summary_words(verdicts: Sequence[str]) -> str:
         return tr("All {count} pass.", count=several(len(verdicts), "dimension")) if len(verdicts) > 1 else "The dimension passes."
     if set(verdicts) == {"no tolerance"}:
         return NO_TOLERANCE
-    counts = [words.format(n=list(verdicts).count(name)) for name, words in COUNTED.items() if name in verdicts]
+    counts = [tr(words, n=list(verdicts).count(name)) for name, words in COUNTED.items() if name in verdicts]
     return tr("{list}, of {count}.", list=", ".join(counts), count=several(len(verdicts), "dimension"))

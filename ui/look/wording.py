@@ -7,6 +7,8 @@ import re
 from datetime import datetime
 from pathlib import PurePath
 
+from ui.look.language.words import tr, translated
+
 NOTHING = "–"
 THIN = "\u2009"
 MINUS = "\u2212"
@@ -65,7 +67,7 @@ def counted(value: int) -> str:
 
 def several(value: int, one: str, many: str = "") -> str:
     """Format a count with its noun: ``1 view`` or ``8 views``."""
-    return f"{counted(value)} {one if value == 1 else many or one + 's'}"
+    return f"{counted(value)} {translated(one if value == 1 else many or one + 's')}"
 
 
 def duration(seconds: float) -> str:
@@ -115,12 +117,12 @@ def when(iso: str, now: datetime | None = None) -> str:
         return ""
     seconds = ((now or datetime.now(then.tzinfo)) - then).total_seconds()
     if seconds < 90:
-        return "just now"
+        return tr("just now")
     if seconds < 5400:
-        return f"{round(seconds / 60)} min ago"
+        return tr("{minutes} min ago", minutes=round(seconds / 60))
     if seconds < 129_600:
-        return f"{round(seconds / 3600)} h ago"
-    return f"{round(seconds / 86_400)} days ago"
+        return tr("{hours} h ago", hours=round(seconds / 3600))
+    return tr("{days} days ago", days=round(seconds / 86_400))
 
 
 def sentence(text: str) -> str:
@@ -144,4 +146,4 @@ def sentence_case(text: str) -> str:
 
 def point_reason(name: str) -> str:
     """Format the reason why a pixel has no point."""
-    return POINT_REASONS.get(name) or sentence_case(name)
+    return translated(POINT_REASONS.get(name) or sentence_case(name))

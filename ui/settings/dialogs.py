@@ -6,6 +6,7 @@ from pathlib import Path
 
 from PySide6.QtWidgets import QFileDialog, QWidget
 
+from ui.look.language.words import translated
 from ui.settings.settings import Settings
 
 
@@ -17,18 +18,18 @@ def choose_file(parent: QWidget, title: str, kinds: str, purpose: str, start: Pa
     purpose : such as "nominals", by which the folder is remembered
     start : file or folder to begin at; None: where the user was last for this purpose
     """
-    chosen, _ = QFileDialog.getOpenFileName(parent, title, str(start or _remembered(parent, purpose)), kinds)
+    chosen, _ = QFileDialog.getOpenFileName(parent, translated(title), str(start or _remembered(parent, purpose)), translated(kinds))
     return _kept(parent, chosen, purpose)
 
 
 def choose_folder(parent: QWidget, title: str, purpose: str, start: Path | None = None) -> Path | None:
     """Let the user choose a folder that exists; see `choose_file`."""
-    return _kept(parent, QFileDialog.getExistingDirectory(parent, title, str(start or _remembered(parent, purpose))), purpose)
+    return _kept(parent, QFileDialog.getExistingDirectory(parent, translated(title), str(start or _remembered(parent, purpose))), purpose)
 
 
 def choose_new(parent: QWidget, title: str, name: str, purpose: str, kinds: str = "", start: Path | None = None) -> Path | None:
     """Let the user name a file or folder that is to be written; see `choose_file`."""
-    chosen, _ = QFileDialog.getSaveFileName(parent, title, str(start or _remembered(parent, purpose) / name), kinds)
+    chosen, _ = QFileDialog.getSaveFileName(parent, translated(title), str(start or _remembered(parent, purpose) / name), translated(kinds))
     return _kept(parent, chosen, purpose)
 
 

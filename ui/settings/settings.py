@@ -12,6 +12,7 @@ from PySide6.QtCore import QObject, QSettings, Signal
 
 SCHEMA: Final = 2
 THEMES = ("system", "light", "dark")
+LANGUAGES = ("system", "en", "zh_CN")
 ROLES = ("operator", "engineer")
 
 
@@ -25,6 +26,7 @@ class Known:
 
 KNOWN: Final[dict[str, Known]] = {
     "theme": Known("system", THEMES),
+    "language": Known("system", LANGUAGES),
     "page": Known("rig"),
     "role": Known("engineer", ROLES),
     "tour": Known("new", ("new", "taken")),

@@ -187,4 +187,6 @@ class Outline(QWidget):
         painter.drawRoundedRect(box, theme.sizes["corner"], theme.sizes["corner"])
         set_letters(painter, theme.sizes["heading"], bold=True)
         painter.setPen(theme.colour("text"))
-        painter.drawText(box.adjusted(MARGIN, 0, -MARGIN, 0), int(Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap), self.words)
+        painter.drawText(
+            box.adjusted(MARGIN, 0, -MARGIN, 0), int(Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap), translated(self.words)
+        )

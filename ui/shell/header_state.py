@@ -62,7 +62,7 @@ class HeaderState(QObject):
         if unready:
             return tr("{count} not ready", count=several(len(unready), "device")), "verdict_fail", ", ".join(unready)
         if problems:
-            return f"{several(len(problems), 'driver')} failed", "verdict_fail", problems[0].problem
+            return tr("{drivers} failed", drivers=several(len(problems), "driver")), "verdict_fail", problems[0].problem
         words = "Virtual rig" if rig.driver == "virtual_rig" else rig.name
         colour = "verdict_pass" if cell.connected or rig.driver == "virtual_rig" else "soft"
         return words, colour, tr("{name}, connected", name=rig.name) if cell.connected else tr("{name}, not connected", name=rig.name)
@@ -77,4 +77,4 @@ class HeaderState(QObject):
             folder = folder.parent
         free = shutil.disk_usage(folder).free
         colour = "verdict_fail" if free < DISK_LOW_BYTES else "soft"
-        self._header.disk.show_state(f"{storage(free)} free", colour, tr("Free space at {folder}", folder=folder))
+        self._header.disk.show_state(tr("{size} free", size=storage(free)), colour, tr("Free space at {folder}", folder=folder))

@@ -45,13 +45,13 @@ class ElidedLabel(QLabel):
     def __init__(self, text: str, role: TextRole) -> None:
         super().__init__(text)
         self.setProperty("role", role)
-        self.words = text
+        self.words = translated(text)
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
 
     def set_words(self, words: str) -> None:
         """Set the text."""
-        self.words = words
-        self.setToolTip(translated(words))
+        self.words = translated(words)
+        self.setToolTip(self.words)
         self._fit()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
@@ -60,14 +60,14 @@ class ElidedLabel(QLabel):
         self._fit()
 
     def _fit(self) -> None:
-        self.setText(translated(self.fontMetrics().elidedText(self.words, Qt.TextElideMode.ElideRight, max(40, self.width() - 2))))
+        self.setText(self.fontMetrics().elidedText(self.words, Qt.TextElideMode.ElideRight, max(40, self.width() - 2)))
 
 
 class Button(QPushButton):
     """A push button with an icon that follows the theme."""
 
     def __init__(self, text: str, look: Look, icon: str = "", role: ButtonRole = "normal", tip: str = "") -> None:
-        super().__init__(f"\u2009{text}" if icon and text else text)
+        super().__init__(f"\u2009{translated(text)}" if icon and text else translated(text))
         self._look, self._icon, self._role, self._words, self._tip = look, icon, role, text, tip
         self.setAccessibleName(translated(text) or translated(tip))
         self.setProperty("role", role)
@@ -85,8 +85,9 @@ class Button(QPushButton):
 
     def set_compact(self, compact: bool) -> None:
         """Show the icon without text, with the text in the tooltip."""
-        self.setText("" if compact else f"\u2009{self._words}")
-        self.setToolTip(f"{self._words}: {self._tip[:1].lower()}{self._tip[1:]}" if compact else translated(self._tip))
+        self.setText("" if compact else f"\u2009{translated(self._words)}")
+        tip = translated(self._tip)
+        self.setToolTip(f"{translated(self._words)}: {tip[:1].lower()}{tip[1:]}" if compact else tip)
 
     def set_icon(self, name: str) -> None:
         """Set the icon."""

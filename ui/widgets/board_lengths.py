@@ -36,7 +36,7 @@ class BoardLengthsField(QWidget):
         super().__init__(parent)
         self.source = QComboBox()
         for value, words in WORDS.items():
-            self.source.addItem(words, value)
+            self.source.addItem(translated(words), value)
         self.source.setToolTip(translated(TIP))
         self.source.setAccessibleName(tr("Lengths"))
         self.temperature = QLineEdit()

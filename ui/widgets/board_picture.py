@@ -10,6 +10,7 @@ from PySide6.QtCore import QPointF, QRectF, QSize, QSizeF, Qt
 from PySide6.QtGui import QColor, QImage, QPainter, QPaintEvent, QPen, QPolygonF
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
+from ui.look.language.words import translated
 from ui.look.look import Look
 from ui.look.painting import picture_painter, set_letters, write_elided
 
@@ -66,7 +67,9 @@ class BoardPicture(QWidget):
         set_letters(painter, theme.sizes["small"])
         if self.is_empty:
             painter.setPen(theme.colour("soft"))
-            painter.drawText(self.rect().adjusted(32, 0, -32, 0), Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap, self.empty_words)
+            painter.drawText(
+                self.rect().adjusted(32, 0, -32, 0), Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap, translated(self.empty_words)
+            )
             return
         fitted = QSizeF(self._size).scaled(QSizeF(self.size()), Qt.AspectRatioMode.KeepAspectRatio)
         target = QRectF(QPointF(), fitted)

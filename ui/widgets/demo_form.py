@@ -33,15 +33,15 @@ class DemoForm(QWidget):
         super().__init__(parent)
         self._part = QComboBox()
         for name, words in PARTS.items():
-            self._part.addItem(words, name)
-        self._part.addItem(OWN_MESH, "")
+            self._part.addItem(translated(words), name)
+        self._part.addItem(translated(OWN_MESH), "")
         self._part.setToolTip(tr("A sample part, or your own closed mesh; its unit is requested unless it is clearly millimetres"))
         self._chosen = 0
         self._units: dict[str, LengthUnit] = {}  # of mesh files
         self._resolution = Segments({"quarter": "Quarter", "half": "Half", "full": "Full"})
         self._patterns, self._pattern_line = QComboBox(), label("", "small", wrap=True)
         for name, (title, line) in PATTERN_WORDS.items():
-            self._patterns.addItem(title, name)
+            self._patterns.addItem(translated(title), name)
             self._patterns.setItemData(self._patterns.count() - 1, line, Qt.ItemDataRole.ToolTipRole)
         self._patterns.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         self._patterns.setMinimumContentsLength(16)

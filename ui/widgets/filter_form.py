@@ -9,7 +9,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QSizePolicy, QSpinBox, QStackedWidget, QWidget
 
-from ui.look.language.words import tr, translated
+from ui.look.language.words import later, tr, translated
 from ui.look.look import Look
 from ui.widgets.basic import Button, column, label, row
 from ui.widgets.segments import Segments
@@ -26,7 +26,12 @@ TIPS = {
     "plane": "Keep the points on one side of a plane",
 }
 SIDES = {
-    f"{side} {axis}": tuple(sign * int(axis == other) for other in "xyz") for axis in "zxy" for side, sign in (("above", 1), ("below", -1))
+    later("above z"): (0, 0, 1),
+    later("below z"): (0, 0, -1),
+    later("above x"): (1, 0, 0),
+    later("below x"): (-1, 0, 0),
+    later("above y"): (0, 1, 0),
+    later("below y"): (0, -1, 0),
 }
 LIMIT_MM, FIELD_WIDTH, SIDE_WIDTH = 20_000.0, 80, 64
 ROOM_FOR_WORDS = 500  # px
@@ -48,7 +53,8 @@ class FilterForm(QWidget):
         for side in self.sides:
             side.setFixedWidth(SIDE_WIDTH)
         self.side, self.offset = QComboBox(), _length(0.0, -LIMIT_MM, LIMIT_MM, " mm")
-        self.side.addItems(list(SIDES))
+        for words in SIDES:
+            self.side.addItem(translated(words), words)
         for field, words in self._described_editors():
             field.setAccessibleName(translated(words))
             field.setToolTip(translated(words))
@@ -112,7 +118,7 @@ class FilterForm(QWidget):
             return Filter("islands", (self.area.value(),))
         if kind == "box":
             return Filter("box", tuple(side.value() for side in self.sides))
-        normal = SIDES[self.side.currentText()]
+        normal = SIDES[self.side.currentData()]
         return Filter("plane", (*normal, sum(normal) * self.offset.value()))
 
     def setValue(self, wanted: Filter) -> None:
@@ -130,7 +136,7 @@ class FilterForm(QWidget):
             for side, number in zip(self.sides, numbers, strict=True):
                 side.setValue(number)
         else:
-            self.side.setCurrentText(next(words for words, normal in SIDES.items() if normal == tuple(numbers[:3])))
+            self.side.setCurrentIndex(list(SIDES.values()).index(tuple(numbers[:3])))
             self.offset.setValue(sum(numbers[:3]) * numbers[3])
         self.kind.setValue(wanted.kind)
 

@@ -9,6 +9,7 @@ from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QPainter, QPaintEvent
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
+from ui.look.language.words import translated
 from ui.look.look import Look
 from ui.look.painting import set_letters
 
@@ -55,7 +56,7 @@ class Gauges(QWidget):
             top, right = place * LINE, self.width() - 28
             painter.setPen(theme.colour("text"))
             words = QRectF(0, top + 2, right, 18)
-            painter.drawText(words, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft, level.name)
+            painter.drawText(words, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft, translated(level.name))
             painter.setPen(theme.colour("soft"))
             painter.drawText(words, Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignRight, level.figure)
             painter.setPen(Qt.PenStyle.NoPen)

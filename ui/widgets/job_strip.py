@@ -85,7 +85,7 @@ class JobStrip(QFrame):
             self.note.setText(translated(note))
         elapsed = time.monotonic() - self._started
         if with_time and share > SETTLED_SHARE and elapsed > SETTLED_S:
-            self.time_left.setText(f"{duration(elapsed * (1 - share) / share)} left")
+            self.time_left.setText(tr("{time} left", time=duration(elapsed * (1 - share) / share)))
 
     def show_message(self, text: str, hint: str, level: str) -> None:
         """Show one message with its hint; empty: none."""

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from PySide6.QtCore import QAbstractItemModel, QModelIndex, QObject, QPersistentModelIndex, Qt, Signal
 from PySide6.QtGui import QFont
 
-from ui.look.language.words import tr
+from ui.look.language.words import tr, translated
 from ui.look.wording import exposure, quantity, several
 from ui.widgets.data_table import SIGN_ROLE
 
@@ -153,7 +153,7 @@ class PlanTreeModel(QAbstractItemModel):
         if orientation != Qt.Orientation.Horizontal:
             return None
         if role == Qt.ItemDataRole.DisplayRole:
-            return HEADERS[section]
+            return translated(HEADERS[section])
         return _side(section) if role == Qt.ItemDataRole.TextAlignmentRole else None
 
     def flags(self, index: Index) -> Qt.ItemFlag:
@@ -168,7 +168,7 @@ class PlanTreeModel(QAbstractItemModel):
     def data(self, index: Index, role: int = Qt.ItemDataRole.DisplayRole) -> Any:
         """Return what a cell shows."""
         if role == Qt.ItemDataRole.DisplayRole:
-            return self._text(index)
+            return translated(self._text(index))
         if role == Qt.ItemDataRole.EditRole:
             return self._edited_text(index)
         if role == Qt.ItemDataRole.TextAlignmentRole:
@@ -176,7 +176,7 @@ class PlanTreeModel(QAbstractItemModel):
         if role == SIGN_ROLE and index.column() == NAME:
             return self._state(index).sign
         if role == Qt.ItemDataRole.ToolTipRole:
-            return self._state(index).tip or self._text(index)
+            return translated(self._state(index).tip or self._text(index))
         if role == Qt.ItemDataRole.FontRole and index.column() == NAME and index.internalId() == TOP:
             font = QFont()
             font.setWeight(QFont.Weight.DemiBold)

@@ -8,7 +8,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QPushButton, QWidget
 
-from ui.look.language.words import translated
+from ui.look.language.words import tr, translated
 
 
 class Segments(QWidget):
@@ -31,7 +31,7 @@ class Segments(QWidget):
         for place, (key, text) in enumerate(options.items()):
             made = QPushButton(translated(text))
             made.setCheckable(True)
-            made.setAccessibleName(f"{name}: {text}" if name else translated(text))
+            made.setAccessibleName(tr("{name}: {text}", name=name, text=text) if name else translated(text))
             made.setToolTip(translated((tips or {}).get(key, "")))
             made.setAutoDefault(False)
             made.setProperty("role", "segment")

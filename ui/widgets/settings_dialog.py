@@ -10,11 +10,12 @@ from ui.settings.settings import Settings
 from ui.widgets.basic import Button, Form, column, label, row
 from ui.widgets.segments import Segments
 
+LANGUAGES = {"system": "Like the system", "en": "English", "zh_CN": "简体中文"}
 THEMES = {"system": "Like the system", "light": "Light", "dark": "Dark"}
 
 
 class SettingsDialog(QDialog):
-    """Theme, and sizes of the window."""
+    """Theme, language, and sizes of the window."""
 
     def __init__(self, look: Look, settings: Settings, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -22,21 +23,25 @@ class SettingsDialog(QDialog):
         self.setMinimumWidth(560)
         self._settings = settings
         self.theme = Segments(THEMES, name="Theme")
+        self.language = Segments(LANGUAGES, name="Language")
         self.forget = Button("Forget sizes", look, "again", "normal", "Give window and panels their first sizes at the next start")
         self.forgotten = label("", "small")
         form = Form()
         form.add("Theme", self.theme)
+        form.add("Language", self.language)
         form.add("Window", row(self.forget, self.forgotten, 0))
         kept = label(tr("Kept in {file}.", file=settings.file), "small", wrap=True)
         close = Button("Close", look, "", "primary", "Close the settings")
         self.setLayout(column(label("Settings", "title"), form, kept, row(0, close), margin=24, spacing=16))
         self.theme.valueChanged.connect(lambda value: settings.set_text("theme", value))
+        self.language.valueChanged.connect(lambda value: settings.set_text("language", value))
         self.forget.clicked.connect(self._forget)
         close.clicked.connect(self.accept)
 
     def begin(self) -> None:
         """Show the present settings."""
         self.theme.setValue(self._settings.text("theme"))
+        self.language.setValue(self._settings.text("language"))
         self.forgotten.setText("")
         self.show()
         self.raise_()

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QLocale, QObject, Signal
+from PySide6.QtCore import QLibraryInfo, QLocale, QObject, QTranslator, Signal
+from PySide6.QtGui import QFontDatabase
+from PySide6.QtWidgets import QApplication
 
 from measureapp.resources import resource
 from ui.look.language.catalogue import read_catalogue
+from ui.look.language.retranslating import Retranslation
 from ui.look.language.words import TRANSLATOR
 
 LANGUAGES = {"en": "English", "zh_CN": "简体中文"}  # each in its own words
 SYSTEM = "system"
+FONTS = {"zh_CN": ("NotoSansCJKsc-Regular.otf", "NotoSansCJKsc-Bold.otf")}
 
 
 def system_language() -> str:
@@ -19,20 +23,36 @@ def system_language() -> str:
 
 
 class Language(QObject):
-    """The chosen language; emits ``changed`` after all new texts are in it."""
+    """The chosen language; texts made after ``changed`` are in it, those on display follow a little at a time."""
 
     changed = Signal()
 
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.name = "en"
+        self._translator = QTranslator(self)  # of Qt's own texts, such as those of its file dialogs
+        self.retranslation = Retranslation(self)
 
     def choose(self, name: str) -> None:
         """Use a language by its name, or that of the system. Raises InputError where its catalogue is damaged."""
         wanted = system_language() if name == SYSTEM else name if name in LANGUAGES else "en"
         if wanted == self.name:
             return
-        TRANSLATOR.catalogue = None if wanted == "en" else read_catalogue(resource(f"languages/measureapp_{wanted}.ts"))
+        TRANSLATOR.use(None if wanted == "en" else read_catalogue(resource(f"languages/measureapp_{wanted}.ts")))
         self.name = wanted
         QLocale.setDefault(QLocale(wanted))
+        self._use_qt_texts()
+        self.retranslation.begin()
         self.changed.emit()
+
+    def _use_qt_texts(self) -> None:
+        application = QApplication.instance()
+        if not isinstance(application, QApplication):
+            return
+        application.removeTranslator(self._translator)
+        if self.name == "en":
+            return
+        if self._translator.load(f"qtbase_{self.name}", QLibraryInfo.path(QLibraryInfo.LibraryPath.TranslationsPath)):
+            application.installTranslator(self._translator)
+        for font in FONTS.get(self.name, ()):  # Qt takes letters that the window's font lacks from them
+            QFontDatabase.addApplicationFont(str(resource(f"fonts/{font}")))

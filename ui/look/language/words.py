@@ -2,55 +2,86 @@
 
 from __future__ import annotations
 
+import re
 from collections import OrderedDict
 from collections.abc import Mapping
+from dataclasses import dataclass
 
 from ui.look.language.catalogue import Catalogue
 
 KEPT = 20_000  # texts whose origin is remembered, so that they can be translated anew when the language changes
+SEPARATORS = [re.compile(f"({one})") for one in (r"\n", r"(?<=[.!?…]) ", " · ", ": ", ", ")]  # the coarsest first
+LETTERS = re.compile(r"[A-Za-z]{2}")
+
+
+@dataclass(frozen=True, slots=True)
+class Origin:
+    """What a displayed text was made of, and in which state of the translator."""
+
+    source: str
+    values: Mapping[str, object]
+    state: int
 
 
 class Translator:
     """The chosen catalogue, and where the texts on display came from."""
 
     def __init__(self) -> None:
-        self.catalogue: Catalogue | None = None  # None: English
-        self._issued: OrderedDict[str, tuple[str, Mapping[str, object]]] = OrderedDict()
+        self._catalogue: Catalogue | None = None
+        self._state = 0
+        self._issued: OrderedDict[str, Origin] = OrderedDict()
+
+    @property
+    def catalogue(self) -> Catalogue | None:
+        """The translations in use; None: English."""
+        return self._catalogue
+
+    def use(self, catalogue: Catalogue | None) -> None:
+        """Translate by another catalogue from now on."""
+        self._catalogue = catalogue
+        self._state += 1
 
     def translate(self, source: str, values: Mapping[str, object]) -> str:
-        """Translate a text and put its values in."""
-        if self.catalogue is None:
-            template, put = source, values
-        else:  # values may be words of the core, such as the reason of a refusal
-            template = self.catalogue.translation(source) or source
-            put = {name: self.translate_written(value) if isinstance(value, str) else value for name, value in values.items()}
+        """Translate a text and put its values in; values that are texts of the program are translated, too."""
+        template, put = source, values
+        if self._catalogue is not None:
+            template = self._catalogue.translation(source) or source
+        if self._state:
+            put = {name: self.renewed(value) if isinstance(value, str) else value for name, value in values.items()}
         made = template.format(**put) if values else template
         if made:
-            self._issued[made] = source, values
+            self._issued[made] = Origin(source, values, self._state)
             self._issued.move_to_end(made)
             if len(self._issued) > KEPT:
                 self._issued.popitem(last=False)
         return made
 
-    def translate_written(self, text: str) -> str:
-        """Translate a text that was written without `tr`: a constant, or a message of the core with its values put in."""
-        if self.catalogue is None or not text or text in self._issued:
-            return text
-        if self.catalogue.translation(text) is not None:
-            return self.translate(text, {})
-        found = self.catalogue.find_template(text)
-        if found is None:
-            return text
-        source, values = found
-        return self.translate(source, values)
-
     def renewed(self, text: str) -> str:
-        """Return a displayed text in the language chosen now; texts of unknown origin stay."""
+        """Return a text in the language chosen now: one displayed before, a constant, or a message of the core with its values put in.
+
+        Texts of unknown origin, such as names that people gave, stay as they are.
+        """
         origin = self._issued.get(text)
-        if origin is None:
-            return self.translate_written(text)
-        source, values = origin
-        return self.translate(source, {name: self.renewed(value) if isinstance(value, str) else value for name, value in values.items()})
+        if origin is not None:
+            return text if origin.state == self._state else self.translate(origin.source, origin.values)
+        catalogue = self._catalogue
+        if catalogue is None or LETTERS.search(text) is None:
+            return text
+        if catalogue.translation(text) is not None:
+            return self.translate(text, {})
+        found = catalogue.find_template(text)
+        return self._in_pieces(text) if found is None else self.translate(*found)
+
+    def _in_pieces(self, text: str) -> str:
+        """Translate the sentences and items of a text one by one; where none is known it stays."""
+        pieces = next((found for one in SEPARATORS if len(found := one.split(text)) > 1), [text])
+        if len(pieces) == 1 or all(self.renewed(piece) == piece for piece in pieces[::2]):
+            if text[-1] in "….:" and self.renewed(text[:-1]) != text[:-1]:  # such as a button that opens a dialog
+                return self.translate("{words}" + text[-1], {"words": text[:-1]})
+            return text
+        values = {f"v{place}": piece for place, piece in enumerate(pieces[::2])}
+        source = "".join(f"{{v{place // 2}}}" if place % 2 == 0 else piece for place, piece in enumerate(pieces))
+        return self.translate(source, values)
 
 
 TRANSLATOR = Translator()
@@ -62,10 +93,10 @@ def tr(source: str, /, **values: object) -> str:
 
 
 def later(source: str) -> str:
-    """Mark the text of a constant for translation; it is translated where it is displayed."""
+    """Mark a text of one word for translation, which would otherwise be taken for a name; it is translated where it is displayed."""
     return source
 
 
 def translated(text: str) -> str:
     """Translate a constant, or a message of the core, for display; texts that are translated already stay."""
-    return TRANSLATOR.translate_written(text)
+    return TRANSLATOR.renewed(text)

@@ -77,7 +77,7 @@ class DimensionBar(QWidget):
         self.button.toggled.connect(self.setVisible)
         self.kind, self.first, self.second = QComboBox(), QComboBox(), QComboBox()
         for name, kind in KINDS.items():
-            self.kind.addItem(kind.words, name)
+            self.kind.addItem(translated(kind.words), name)
         for box, words in ((self.kind, "Kind of dimension"), (self.first, "First feature"), (self.second, "Second feature or datum")):
             box.setAccessibleName(translated(words))
             box.setToolTip(f"{words}. {HOW}." if box is not self.kind else translated(words))

@@ -11,6 +11,7 @@ from PySide6.QtCore import QAbstractTableModel, QObject, Qt
 from PySide6.QtGui import QFont
 
 from ui.controllers.program_rows import STATUS_WORDS, DimensionRow
+from ui.look.language.words import translated
 from ui.look.wording import NOTHING, quantity
 from ui.pages.inspection.dimension_rows import dimension_words, tolerance
 from ui.widgets.data_table import SIGN_ROLE, VERDICT_WORDS, Index
@@ -190,9 +191,9 @@ class DimensionModel(QAbstractTableModel):
             return None
         column = Column(section)
         if role == Qt.ItemDataRole.DisplayRole:
-            return HEADERS[column]
+            return translated(HEADERS[column])
         if role == Qt.ItemDataRole.ToolTipRole:
-            return HEADER_TIPS.get(column)
+            return translated(HEADER_TIPS.get(column, ""))
         return _alignment(column) if role == Qt.ItemDataRole.TextAlignmentRole else None
 
     def flags(self, index: Index) -> Qt.ItemFlag:
@@ -212,13 +213,13 @@ class DimensionModel(QAbstractTableModel):
         """Return what a cell shows."""
         row, column = self.rows[index.row()], Column(index.column())
         if role == Qt.ItemDataRole.DisplayRole:
-            return cell_text(row, column)
+            return translated(cell_text(row, column))
         if role == Qt.ItemDataRole.EditRole:
             return edit_text(row, column) if column in EDITABLE else cell_text(row, column)
         if role == Qt.ItemDataRole.TextAlignmentRole:
             return _alignment(column)
         if role == Qt.ItemDataRole.ToolTipRole:
-            return _tip(row, column)
+            return translated(_tip(row, column))
         if role == SIGN_ROLE:
             return row.verdict if column is Column.VERDICT else ""
         if role == SORT_ROLE:
@@ -226,7 +227,7 @@ class DimensionModel(QAbstractTableModel):
         if role == Qt.ItemDataRole.FontRole and column is Column.NOMINAL and row.is_linked:
             return _italic()
         if role == Qt.ItemDataRole.AccessibleTextRole and column is Column.STATUS:
-            return STATUS_WORDS[row.status]
+            return translated(STATUS_WORDS[row.status])
         return {ROW_ROLE: row, STATUS_ROLE: row.status if column is Column.STATUS else None}.get(role)
 
 
@@ -246,7 +247,7 @@ def _tip(row: DimensionRow, column: Column) -> str:
     if column in (Column.STATUS, Column.VERDICT) and reason and row.status in ("failed", "current"):
         return reason
     if column is Column.STATUS:
-        return STATUS_WORDS[row.status]
+        return translated(STATUS_WORDS[row.status])
     if column in (Column.TOLERANCE, Column.UNCERTAINTY) and row.found is not None and row.found.warning:
         return row.found.warning
     if column is Column.NOMINAL and row.entry is not None and not row.is_zone:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from measureapp.data.dimension import CONTRIBUTION_DIGITS
-from ui.look.language.words import tr
+from ui.look.language.words import later, tr, translated
 from ui.look.wording import counted, millimetres, percent, quantity, sentence, sentence_case, several
 from ui.widgets.properties_panel import Group, Properties
 
@@ -17,6 +17,20 @@ if TYPE_CHECKING:
     from measureapp.data.measurement import Alignment
 
 DATUM_LETTERS = "ABC"
+
+
+SHAPES = {
+    "plane": later("plane"),
+    "circle": later("circle"),
+    "cylinder": later("cylinder"),
+    "cone": later("cone"),
+    "sphere": later("sphere"),
+    "line": later("line"),
+    "point": later("point"),
+    "slot": later("slot"),
+    "edge": later("edge"),
+    "torus": later("torus"),
+}
 
 
 def unit_of(dimension: Dimension) -> str:
@@ -43,7 +57,7 @@ def feature_words(feature: Feature, role: str = "") -> str:
 
 def shape_words(feature: Feature) -> str:
     """Return the shape of a feature in words."""
-    return "blade section" if is_blade(feature) else feature.shape
+    return translated("blade section" if is_blade(feature) else SHAPES.get(str(feature.shape), str(feature.shape)))
 
 
 def datum_words(datums: Sequence[str]) -> str:

@@ -68,8 +68,8 @@ class FilterBar(QWidget):
         counts[STALE] = sum(one.status in ("stale", "calculating") for one in rows)
         for name, made in self.buttons.items():
             made.setText(str(counts[name]))
-            made.setAccessibleName(CHIPS[name].format(count=counts[name]))
-            made.setToolTip(tr("{format}: show only these", format=CHIPS[name].format(count=counts[name])))
+            made.setAccessibleName(tr(CHIPS[name], count=counts[name]))
+            made.setToolTip(tr("{chip}: show only these", chip=tr(CHIPS[name], count=counts[name])))
             if not counts[name]:
                 made.setChecked(False)
             made.setVisible(counts[name] > 0)

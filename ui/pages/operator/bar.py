@@ -78,6 +78,6 @@ class CallBar(QFrame):
 
     def call(self, what: str) -> None:
         """Call the engineer, with what it is about."""
-        self.words.setText(CALLED.format(time=datetime.now(), what=what).strip())
+        self.words.setText(tr(CALLED, time=datetime.now(), what=what).strip())
         self.show()
         QApplication.beep()

@@ -61,10 +61,10 @@ class HomeScreen(QWidget):
             return
         self.grid.show_cards(found)
         held = len(shelf.unreleased)
-        none = EMPTY.format(folder=shelf.settings.programs_folder) if not shelf.cards and not held else ""
-        missed = "" if found or not self.search.text().strip() else NOTHING_FOUND.format(words=self.search.text().strip())
+        none = tr(EMPTY, folder=shelf.settings.programs_folder) if not shelf.cards and not held else ""
+        missed = "" if found or not self.search.text().strip() else tr(NOTHING_FOUND, words=self.search.text().strip())
         self.note.setText(
-            translated(none) or " ".join(filter(None, (missed, HELD.format(count=several(held, "part program")) if held else "")))
+            translated(none) or " ".join(filter(None, (missed, tr(HELD, count=several(held, "part program")) if held else "")))
         )
         self.note.setVisible(bool(self.note.text()))
 

@@ -104,7 +104,7 @@ class IdentifyScreen(QWidget):
                 "number": len(runs) + 1,
                 "counted": verdict_of(counted).upper(),
             }
-            words = AGAIN.format(**again) if counted is last else AGAIN_COUNTED.format(**again)
+            words = tr(AGAIN, **again) if counted is last else tr(AGAIN_COUNTED, **again)
             self.before.setText(translated(words))
         self.next.setText(tr("Measure again") if runs else tr("Next"))
         unreasoned = bool(runs) and not self.reasons.value()

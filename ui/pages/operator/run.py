@@ -160,10 +160,8 @@ class RunScreen(QWidget):
     def _show_fault(self, fault: Fault) -> None:
         self.cause.setText(translated(fault.cause))
         self.remedy.setText(translated(fault.remedy))
-        self.kept.setText(KEPT.format(stored=fault.stored, planned=fault.planned) if fault.stored else translated(NOTHING_KEPT))
-        self.press.setText(
-            PRESS.format(following=fault.following) if fault.following else translated(PRESS_PROCESS) if fault.stored else ""
-        )
+        self.kept.setText(tr(KEPT, stored=fault.stored, planned=fault.planned) if fault.stored else translated(NOTHING_KEPT))
+        self.press.setText(tr(PRESS, following=fault.following) if fault.following else translated(PRESS_PROCESS) if fault.stored else "")
         self.resume.setVisible(bool(fault.stored))
         self.resume.restore()
 
@@ -182,7 +180,7 @@ class RunScreen(QWidget):
         self.bar.setValue(round(1000 * self._share))
         left = self._time.left(self._share, elapsed)
         words = {"elapsed": duration(elapsed), "left": "" if left is None else rough_duration(left)}
-        self.time.setText("{elapsed}, about {left} left".format(**words) if left is not None else "{elapsed}".format(**words))
+        self.time.setText(tr("{elapsed}, about {left} left", **words) if left is not None else tr("{elapsed}", **words))
 
     def _step_words(self) -> str:
         points = list(self._session.viewpoints.values())
@@ -190,7 +188,7 @@ class RunScreen(QWidget):
         if present is None:
             return self._note.partition(": ")[0] or "The measurement is being prepared"
         words = {"step": STEPS[points[present].status], "number": present + 1, "all": len(points)}
-        return "{step}: viewpoint {number} of {all}".format(**words)
+        return tr("{step}: viewpoint {number} of {all}", **words)
 
     def _compose(self) -> None:
         if not self.isVisible():

@@ -50,7 +50,7 @@ class ShiftStrip(QFrame):
         numbers = {"pass": count.passed, "fail": count.failed, "not proven": count.open}
         names = {"pass": "{n} pass", "fail": "{n} fail", "not proven": "{n} not proven"}
         for name, shown in self.counts.items():
-            shown.setText(names[name].format(n=numbers[name]))
+            shown.setText(tr(names[name], n=numbers[name]))
         self.yields.setText(
             ""
             if count.first_pass_yield is None

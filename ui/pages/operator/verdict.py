@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QFrame, QLabel, QWidget
 from measureapp.data.verdicts import part_verdict
 from ui.controllers.controllers import Controllers
 from ui.look.icons import IconSet
-from ui.look.language.words import translated
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.look.verdict_words import summary_words
 from ui.pages.operator.big import BigButton, big_card, big_label
@@ -168,7 +168,7 @@ class VerdictScreen(QWidget):
         words = "The result is being filed…"
         if filed is not None:
             name = {"name": "" if filed.report is None else filed.report.name}
-            words = "Report filed: {name}".format(**name) if filed.report is not None else ""
+            words = tr("Report filed: {name}", **name) if filed.report is not None else ""
             if filed.run is not None and not self._operator.counts():
                 words += "\nThe first run of this part counts."
         self.filed.setText(translated(words))

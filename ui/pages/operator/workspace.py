@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QFrame, QStackedWidget, QWidget
 
 from ui.controllers.controllers import Controllers
 from ui.controllers.operator_nouns import verdict_of
-from ui.look.language.words import translated
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.pages.operator.bar import CallBar, OperatorBar
 from ui.pages.operator.big import big_label
@@ -194,7 +194,7 @@ class OperatorWorkspace(QWidget):
     def _show_run(self, run: SeriesRun) -> None:
         """Show the dimensions of an earlier run."""
         words = {"serial": run.identification.serial_number, "when": when_words(run.measured_at), "verdict": verdict_of(run).upper()}
-        self.details.show_dimensions("{serial}, measured {when}: {verdict}".format(**words), dimensions_of(run))
+        self.details.show_dimensions(tr("{serial}, measured {when}: {verdict}", **words), dimensions_of(run))
         self._show(self.details)
 
     def _show_shift(self) -> None:

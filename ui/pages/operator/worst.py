@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from measureapp.data.verdicts import worst_first
+from ui.look.language.words import tr
 from ui.look.theme import Theme
 from ui.look.wording import NOTHING, quantity
 from ui.pages.inspection.dimension_rows import dimension_words, features_of, unit_of
@@ -66,10 +67,10 @@ def _limit(dimension: Dimension, unit: str) -> str:
         "past": quantity(abs(deviation - bound), unit),
     }
     if dimension.verdict == "not proven":
-        return ("at most {limit}, U = {u}" if above else "at least {limit}, U = {u}").format(**words)
+        return tr("at most {limit}, U = {u}" if above else "at least {limit}, U = {u}", **words)
     if dimension.verdict == "fail":
-        return ("at most {limit}: {past} too large" if above else "at least {limit}: {past} too small").format(**words)
-    return ("at most {limit}" if above else "at least {limit}").format(**words)
+        return tr("at most {limit}: {past} too large" if above else "at least {limit}: {past} too small", **words)
+    return tr("at most {limit}" if above else "at least {limit}", **words)
 
 
 def drawn(inspection: Inspection, theme: Theme) -> tuple[list[LineLayer], list[Label]]:

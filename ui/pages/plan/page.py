@@ -197,7 +197,8 @@ class PlanPage(ViewportPage):
         else:
             words.append("being checked…")
             self.tree.show_states({})
-        self.state.setText(", ".join(words[:2]) + "".join(f" · {part}" for part in words[2:]) + ".")
+        said = ", ".join(translated(one) for one in words[:2]) + "".join(f" · {translated(part)}" for part in words[2:])
+        self.state.setText(said if said.endswith("…") else f"{said}.")
         self._show_problem()
         self._show_legend()
         viewpoint, rig = self.tree.current_viewpoint(), self.session.rig

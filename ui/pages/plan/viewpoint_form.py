@@ -148,7 +148,7 @@ class ViewpointForm(QWidget):
         chosen = self._aims.pattern_name(plan.patterns)
         self.patterns.clear()
         for name in self._aims.pattern_sets():
-            self.patterns.addItem(PATTERN_WORDS[name].title if name in PATTERN_WORDS else name, name)
+            self.patterns.addItem(translated(PATTERN_WORDS[name].title) if name in PATTERN_WORDS else name, name)
         if chosen is None:
             self.patterns.addItem(plan.patterns.name, "")
         self.patterns.setCurrentIndex(self.patterns.findData(chosen or ""))
@@ -162,7 +162,9 @@ class ViewpointForm(QWidget):
 
     def _show_note(self) -> None:
         count = len(self._viewpoints)
-        words = "" if count == 1 else "Select a viewpoint to change it." if not count else f"{several(count, 'row')} selected."
+        words = (
+            "" if count == 1 else "Select a viewpoint to change it." if not count else tr("{rows} selected.", rows=several(count, "row"))
+        )
         self.note.setText(translated(words))
         self.note.setVisible(bool(words) and self.section.value() != "plan")
 

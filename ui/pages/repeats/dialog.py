@@ -196,4 +196,4 @@ class RepeatsDialog(QDialog):
                 else tr("Open a calibrated project with a plan to measure its part again.")
             )
         else:
-            self.series.setText((CLAMP if waits else RUNS).format(number=series.number, count=series.count))
+            self.series.setText(tr(CLAMP if waits else RUNS, number=series.number, count=series.count))

@@ -15,7 +15,7 @@ from ui.look.wording import sentence_case
 from ui.widgets.basic import Button, card, column, label, row
 from ui.widgets.data_table import Cell, DataTable, verdict_cell
 
-WHERE = "Drivers of your own are folders in {}. The computer runs their code: allow only those whose origin you trust."
+WHERE = "Drivers of your own are folders in {folder}. The computer runs their code: allow only those whose origin you trust."
 
 
 class DriversList(QWidget):
@@ -33,7 +33,7 @@ class DriversList(QWidget):
         self.place = label("", "small", wrap=True)
         self.allow = Button("Allow this driver…", look, tip="Shows its folder and fingerprint, then asks")
         self.allow.clicked.connect(self._ask)
-        where = label(WHERE.format(user_plugin_folder()), "soft", wrap=True)
+        where = label(tr(WHERE, folder=user_plugin_folder()), "soft", wrap=True)
         self.setLayout(column(where, self.table, card(self.name, self.reason, self.place, row(self.allow, 0)), spacing=16))
         self.set_offers(offers)
 

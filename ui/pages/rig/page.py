@@ -62,7 +62,7 @@ class RigPage(Page):
         self.rigs.setToolTip(tr("The rig to work with: one that comes with the program, or a description of your own (TOML)"))
         for path in sorted(resource("rigs").glob("*.toml")):
             self.rigs.addItem(tomllib.loads(path.read_text(encoding="utf-8"))["name"], path.stem)
-        self.rigs.addItem(OWN_RIG, "")
+        self.rigs.addItem(translated(OWN_RIG), "")
         self.rigs.activated.connect(self._choose_rig)
         self.connect_button = Button("Connect", self.look, "connect", "normal", "Connect every device of this rig; nothing moves")
         self.connect_button.clicked.connect(rig.connect_rig)

@@ -33,7 +33,7 @@ RIG_FIELDS = ("name", "reference", "exposures_us", "standoff_mm", "head", "flang
 TITLES = {RIG: "Rig", MOTION: "Motion", RULES: "Calibration rules", LINKS: "Links", DRIVERS: "Drivers"}
 DEVICES = {"projector": "Projector", "robot": "Robot", "guide": "Linear guide", "table": "Rotary table"}
 MODES = {"whole": "One for the whole rig", "devices": "One for each device"}
-COMMENTS = "{} has comments. Saving writes the file anew and deletes them."
+COMMENTS = "{name} has comments. Saving writes the file anew and deletes them."
 UNSAVED = "What was changed here is not saved yet."
 PERMISSION = (
     "Allow the driver {row.name}?\nFolder: {row.folder}\nFingerprint (SHA-256): {seen}\n"
@@ -71,7 +71,7 @@ class RigEditor(QDialog):
         cameras = [camera.name for camera in rig.cameras]
         self.sections = (RIG, MOTION, RULES, *cameras, *OTHER_DEVICES, LINKS, DRIVERS)
         for name in self.sections:
-            self.list.addItem(TITLES.get(name) or DEVICES.get(name) or tr("Camera {name}", name=name))
+            self.list.addItem(translated(TITLES.get(name) or DEVICES.get(name) or "") or tr("Camera {name}", name=name))
             self.list.item(self.list.count() - 1).setSizeHint(QSize(0, LINE_HEIGHT))
             self._scrolls[name] = _scroll()
             self.stack.addWidget(self._scrolls[name])
@@ -148,7 +148,7 @@ class RigEditor(QDialog):
 
     def ask_permission(self, row: PluginRow, seen: str) -> None:
         """Ask whether a driver from outside may run, with its folder and fingerprint."""
-        self.question.ask(PERMISSION.format(row=row, seen=seen), {"Allow": lambda: self.allowed.emit(row, seen)})
+        self.question.ask(tr(PERMISSION, row=row, seen=seen), {"Allow": lambda: self.allowed.emit(row, seen)})
 
     def show_refusal(self, words: str) -> None:
         """State why the description was not saved."""
@@ -191,7 +191,7 @@ class RigEditor(QDialog):
 
     def _warn_of_comments(self, rig: RigDescription, path: Path) -> None:
         answers = {"Save without comments": lambda: self.saveAsked.emit(rig, path), "Save as…": self._choose_file}
-        self.question.ask(COMMENTS.format(path.name), answers)
+        self.question.ask(tr(COMMENTS, name=path.name), answers)
 
     # the sections
 

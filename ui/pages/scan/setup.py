@@ -61,7 +61,7 @@ class ScanSetup(QWidget):
         self.plan = PathField(look, "Scan plan", "Plan of the page Plan", "plans", files=PLANS)
         self.exposures = QComboBox()
         for name, (words, tip) in EXPOSURES.items():
-            self.exposures.addItem(words, name)
+            self.exposures.addItem(translated(words), name)
             self.exposures.setItemData(self.exposures.count() - 1, tip, Qt.ItemDataRole.ToolTipRole)
         self.seconds = QDoubleSpinBox()
         self.seconds.setRange(0.1, 600.0)
@@ -71,7 +71,7 @@ class ScanSetup(QWidget):
         self.seconds.setToolTip(tr("Time for the exposures of one viewpoint"))
         self.raw = QComboBox()
         for policy, (words, tip) in RAW.items():
-            self.raw.addItem(words, policy)
+            self.raw.addItem(translated(words), policy)
             self.raw.setItemData(self.raw.count() - 1, tip, Qt.ItemDataRole.ToolTipRole)
         self.rig, self.what = label("", "body", wrap=True), label("", "small", wrap=True)
         self.found = Checklist(look)

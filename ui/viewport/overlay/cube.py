@@ -8,6 +8,7 @@ import numpy as np
 from PySide6.QtCore import QPointF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF, QTransform
 
+from ui.look.language.words import translated
 from ui.viewport.overlay.camera_view import CameraView
 from ui.viewport.overlay.style import OverlayStyle, use_letters
 
@@ -95,11 +96,11 @@ def _write(painter: QPainter, face: Face, corners: QPolygonF, style: OverlayStyl
     painter.setTransform(turned, True)
     use_letters(painter, OverlayStyle(**{**style.__dict__, "scale": 1.0}), 14, bold=True)
     painter.setPen(style.text)
-    width = painter.fontMetrics().horizontalAdvance(face.word)
+    width = painter.fontMetrics().horizontalAdvance(translated(face.word))
     if width > 2 * LETTERS - 4:  # longer words of other languages
         shrink = (2 * LETTERS - 4) / width
         painter.translate(LETTERS, LETTERS)
         painter.scale(shrink, shrink)
         painter.translate(-LETTERS, -LETTERS)
-    painter.drawText(QPointF(LETTERS - width / 2, LETTERS + 5), face.word)
+    painter.drawText(QPointF(LETTERS - width / 2, LETTERS + 5), translated(face.word))
     painter.restore()

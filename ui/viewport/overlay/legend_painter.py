@@ -6,6 +6,7 @@ import numpy as np
 from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QBrush, QColor, QImage, QPainter, QPen, QPolygonF
 
+from ui.look.language.words import translated
 from ui.look.wording import NOTHING, percent, quantity
 from ui.viewport.colouring import HATCH_SHADE, UNKNOWN
 from ui.viewport.overlay.legend import Legend
@@ -40,13 +41,13 @@ def _paint_header(painter: QPainter, legend: Legend, layout: LegendLayout, style
     box = QRectF(layout.header.left(), layout.header.top(), layout.header.width(), line)
     use_letters(painter, style, bold=True)
     painter.setPen(style.text)
-    painter.drawText(box, LEFT, legend.quantity)
+    painter.drawText(box, LEFT, translated(legend.quantity))
     use_letters(painter, style)
     painter.setPen(style.soft)
     painter.drawText(box.translated(0, line), LEFT, f"[{legend.unit}]")
     if legend.note:
         metrics = painter.fontMetrics()
-        words = metrics.elidedText(legend.note, Qt.TextElideMode.ElideRight, int(box.width()))
+        words = metrics.elidedText(translated(legend.note), Qt.TextElideMode.ElideRight, int(box.width()))
         painter.drawText(box.translated(0, 2 * line), LEFT, words)
 
 
@@ -158,10 +159,10 @@ def _paint_footer(painter: QPainter, legend: Legend, layout: LegendLayout, style
         if name == "No data":
             _paint_hatched(painter, QRectF(box.left(), box.top() + 3 * style.scale, 14 * style.scale, line - 6 * style.scale))
             painter.setPen(style.soft)
-            painter.drawText(box.adjusted(20 * style.scale, 0, 0, 0), LEFT, name)
+            painter.drawText(box.adjusted(20 * style.scale, 0, 0, 0), LEFT, translated(name))
         else:
             painter.setPen(style.soft)
-            painter.drawText(box, LEFT, name)
+            painter.drawText(box, LEFT, translated(name))
         painter.setPen(style.text)
         painter.drawText(box, RIGHT, number)
 

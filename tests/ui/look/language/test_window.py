@@ -1,0 +1,105 @@
+"""The window in another language: every text in sight is translated, and is what it was after changing back."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+from measureapp.calibrate.kinds.table import KINDS
+from tests.ui.look.language.displayed import displayed_texts
+from ui.look.language.catalogue import Catalogue, Entry, placeholders, read_catalogue
+from ui.look.language.sources import catalogue_file, core_texts, window_texts
+
+NAMES = re.compile(  # of files, devices, views, standards and people stay as they are
+    r"demo-gypsum|[Gg]ypsum(-\d+)?|view-\d+|Camera (left|right|upper)|left|right|upper|Basler.*|ABB.*|TOYO.*|DLP.*|Paper rig \(virtual\)|top|equator|Equator"
+    r"|RPS|English|Robot [xyz] .*|Turn about .*|Linear guide [−+].*|Rotary table [−+].*|ISO 14253.*|[\d.,\s−…]*(mm|px|GB|bit|lens)\b.*|±.*ppm"
+    r"|\d.*|ChArUco|Paper rig \(virtual\), .*|note|rig|Stitch|Recommended\. .*|gypsum.*|(DICT|APRILTAG|ARUCO)_.*|.*\.toml|PASS|FAIL",
+    re.DOTALL,
+)
+
+
+@pytest.fixture(scope="module")
+def bracketed() -> Catalogue:
+    """A language in which every text is in brackets, and longer."""
+    return Catalogue("zh_CN", {text: Entry(text, f"⟦{text}⟧") for text in {**core_texts(), **window_texts()}})
+
+
+@pytest.fixture
+def speaking(application, monkeypatch, bracketed):
+    """Return a function that changes the language, and waits until everything on display followed."""
+    monkeypatch.setattr("ui.look.language.language.read_catalogue", lambda _path: bracketed)
+
+    def speak(name: str) -> None:
+        application.settings.set_text("language", name)
+        application.language.retranslation.finish()
+
+    return speak
+
+
+def english_left(texts) -> list[str]:
+    found = []
+    for kind, text in texts:
+        bare = re.sub(r"⟦.*⟧", "", text, flags=re.DOTALL).strip("\u2009 …")
+        if re.search(r"[A-Za-z]{3}", bare) and NAMES.fullmatch(bare.strip()) is None:
+            found.append(f"{kind} “{text}”")
+    return sorted(set(found))
+
+
+def test_every_page_speaks_the_language_that_is_chosen(filled, speaking, qtbot):
+    speaking("zh_CN")
+    for name, page in filled.pages.items():
+        filled.show_page(name)
+        qtbot.wait(100)
+        assert not english_left(displayed_texts(page)), name
+
+
+def test_pages_are_what_they_were_after_changing_back(filled, speaking, qtbot):
+    for name in filled.pages:
+        filled.show_page(name)
+        qtbot.wait(50)
+    before = {name: sorted(displayed_texts(page)) for name, page in filled.pages.items()}
+    speaking("zh_CN")
+    speaking("en")
+    for name, page in filled.pages.items():
+        assert sorted(displayed_texts(page)) == before[name]
+
+
+def test_wizards_speak_the_language_that_is_chosen(calibration_page, speaking):
+    speaking("zh_CN")
+    for name in KINDS:
+        calibration_page.open_wizard(name)
+        wizard = calibration_page.wizards[name]
+        left = english_left(displayed_texts(wizard))
+        wizard.close()
+        assert not left, name
+
+
+def test_the_catalogue_has_every_text_and_its_placeholders():
+    """`python -m ui.look.language` brings it up to date."""
+    known = read_catalogue(catalogue_file("zh_CN")).entries
+    wanted = {**core_texts(), **window_texts()}
+    assert not wanted.keys() - known.keys() and not known.keys() - wanted.keys()
+    for source, entry in known.items():
+        if entry.translation and "{" in source:
+            try:
+                names = placeholders(source)
+            except ValueError:
+                continue
+            assert placeholders(entry.translation) == names
+
+
+def test_the_choice_is_in_the_settings_and_is_remembered(application, window, speaking):
+    dialog = window.settings_dialog
+    dialog.begin()
+    dialog.language.setValue("zh_CN")
+    dialog.language.valueChanged.emit("zh_CN")
+    application.language.retranslation.finish()
+    assert application.settings.text("language") == "zh_CN" and application.language.name == "zh_CN"
+    assert dialog.windowTitle() == "⟦Settings⟧"
+    dialog.close()
+
+
+def test_a_language_that_is_not_there_is_english(application):
+    application.language.choose("tlh")
+    assert application.language.name == "en"

@@ -1,0 +1,79 @@
+"""Translation of single texts: with values, of constants, of messages of the core, and back."""
+
+from __future__ import annotations
+
+import pytest
+
+from measureapp.errors import InputError
+from ui.look.language.catalogue import Catalogue, Entry, read_catalogue, write_catalogue
+from ui.look.language.words import Translator
+
+WORDS = {
+    "{count} views left out": "省略 {count} 个视图",
+    "Surface": "表面",
+    "Camera {v1} does not answer: {v2}.": "相机 {v1} 没有应答：{v2}。",
+    "the cable is loose": "电缆松动",
+    "Check the cable.": "检查电缆。",
+}
+
+
+@pytest.fixture
+def translator() -> Translator:
+    made = Translator()
+    made.use(Catalogue("zh_CN", {source: Entry(source, words) for source, words in WORDS.items()}))
+    return made
+
+
+def test_values_are_put_into_the_translation(translator):
+    assert translator.translate("{count} views left out", {"count": 3}) == "省略 3 个视图"
+
+
+def test_a_text_without_translation_stays_english(translator):
+    assert translator.translate("{count} points", {"count": 3}) == "3 points"
+    assert translator.renewed("gypsum-4711") == "gypsum-4711"
+
+
+def test_a_message_of_the_core_is_recognised_with_its_values(translator):
+    assert translator.renewed("Camera left does not answer: the cable is loose.") == "相机 left 没有应答：电缆松动。"
+
+
+def test_sentences_put_together_are_translated_one_by_one(translator):
+    assert translator.renewed("Check the cable. Camera left does not answer: the cable is loose.").startswith("检查电缆。 相机 left")
+    assert translator.renewed("Surface…") == "表面…"
+
+
+def test_what_is_translated_already_stays(translator):
+    once = translator.renewed("Surface")
+    assert translator.renewed(once) == once
+
+
+def test_texts_on_display_follow_the_language_there_and_back(translator):
+    english, catalogue = Translator(), translator.catalogue
+    shown = [english.translate("{count} views left out", {"count": 3}), "Surface", "Camera a does not answer: the cable is loose."]
+    english.use(catalogue)
+    chinese = [english.renewed(text) for text in shown]
+    assert chinese == ["省略 3 个视图", "表面", "相机 a 没有应答：电缆松动。"]
+    english.use(None)
+    assert [english.renewed(text) for text in chinese] == shown
+
+
+def test_a_catalogue_is_written_and_read(tmp_path):
+    path = tmp_path / "zh_CN.ts"
+    write_catalogue(path, "zh_CN", [("plan", Entry("A <b> & {x:.1f}", "甲 <b> & {x:.1f}")), ("rig", Entry("Open"))])
+    found = read_catalogue(path)
+    assert found.language == "zh_CN" and found.translation("A <b> & {x:.1f}") == "甲 <b> & {x:.1f}" and found.translation("Open") is None
+    assert 'type="unfinished"' in path.read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("<TS><message>", "not a file of Qt Linguist"),
+        ("<TS><message><source>{a}</source><translation>{b}</translation></message></TS>", "placeholders"),
+    ],
+)
+def test_a_damaged_catalogue_is_refused(tmp_path, text, words):
+    path = tmp_path / "zh_CN.ts"
+    path.write_text(text, encoding="utf-8")
+    with pytest.raises(InputError, match=words):
+        read_catalogue(path)

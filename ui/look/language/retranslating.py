@@ -1,0 +1,110 @@
+"""Change of the language of everything on display, a little at a time so that the window never stalls."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from itertools import chain
+
+from PySide6.QtCore import QEvent, QObject, QSignalBlocker, Qt, QTimer
+from PySide6.QtGui import QAction
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QAbstractItemView,
+    QApplication,
+    QComboBox,
+    QGroupBox,
+    QLabel,
+    QLineEdit,
+    QMenu,
+    QPlainTextEdit,
+    QTabBar,
+    QWidget,
+)
+
+from ui.look.language.words import TRANSLATOR
+from ui.look.wording import THIN
+
+AT_ONCE = 150  # widgets between two turns of the event loop; about 20 ms
+Getter = Callable[[], str]
+Setter = Callable[[str], object]
+
+
+class Retranslation(QObject):
+    """Goes through all widgets and actions, those in sight first; ``finish`` does the rest at once."""
+
+    def __init__(self, parent: QObject | None = None) -> None:
+        super().__init__(parent)
+        self._left: Iterator[QObject] = iter(())
+        self._timer = QTimer(self)
+        self._timer.setInterval(0)
+        self._timer.timeout.connect(self._go_on)
+
+    def begin(self) -> None:
+        """Begin anew."""
+        widgets = sorted(QApplication.allWidgets(), key=lambda one: not one.isVisible())
+        actions = dict.fromkeys(action for widget in widgets for action in widget.findChildren(QAction))
+        self._left = chain(widgets, actions)
+        self._timer.start()
+
+    def finish(self) -> None:
+        """Change all texts that are left."""
+        while self._timer.isActive():
+            self._go_on()
+
+    def _go_on(self) -> None:
+        for _ in range(AT_ONCE):
+            one = next(self._left, None)
+            if one is None:
+                self._timer.stop()
+                return
+            try:
+                _renew(one)
+            except RuntimeError:  # deleted by Qt since the list was made
+                continue
+
+
+def _renew(one: QObject) -> None:
+    for read, write in _texts(one):
+        text = read()
+        bare = text.removeprefix(THIN)  # between an icon and its text
+        if bare and (new := TRANSLATOR.renewed(bare)) != bare:
+            write(text[: len(text) - len(bare)] + new)
+    if isinstance(one, QComboBox):
+        _renew_items(one)
+    elif isinstance(one, QAbstractItemView):
+        one.viewport().update()
+    if isinstance(one, QWidget):
+        QApplication.sendEvent(one, QEvent(QEvent.Type.LanguageChange))
+        one.update()
+
+
+def _renew_items(box: QComboBox) -> None:
+    with QSignalBlocker(box):
+        for place in range(box.count()):
+            box.setItemText(place, TRANSLATOR.renewed(box.itemText(place)))
+
+
+def _texts(one: QObject) -> Iterator[tuple[Getter, Setter]]:
+    """Return how the texts of a widget or action are read and written."""
+    if isinstance(one, QAction):
+        yield one.text, one.setText
+        yield one.toolTip, one.setToolTip
+        return
+    if not isinstance(one, QWidget):
+        return
+    yield one.toolTip, one.setToolTip
+    yield one.windowTitle, one.setWindowTitle
+    yield one.accessibleName, one.setAccessibleName
+    yield one.accessibleDescription, one.setAccessibleDescription
+    set_words = getattr(one, "set_words", None)
+    if set_words is not None:  # elided: what is on display is not the whole text
+        yield (lambda: str(getattr(one, "words", ""))), set_words
+    elif (isinstance(one, QLabel) and one.textFormat() != Qt.TextFormat.RichText) or isinstance(one, QAbstractButton):
+        yield one.text, one.setText
+    elif isinstance(one, QLineEdit | QPlainTextEdit):
+        yield one.placeholderText, one.setPlaceholderText
+    elif isinstance(one, QGroupBox | QMenu):
+        yield one.title, one.setTitle
+    elif isinstance(one, QTabBar):
+        for place in range(one.count()):
+            yield (lambda place=place: one.tabText(place)), (lambda text, place=place: one.setTabText(place, text))  # type: ignore[misc]

@@ -1,0 +1,119 @@
+"""All texts that may be displayed: those of the window's code, and the messages of the core."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+from measureapp.resources import resource
+
+ROOT = resource("languages").parent.parent
+WORDS = re.compile(r"[A-Za-z]{2}")
+PLACEHOLDER = re.compile(r"\{\w+[^{}]*\}")
+NAMES = re.compile(r"[\w./\\*#:+-]*")  # of files, keys and settings
+MESSAGES = {  # calls of the core whose texts reach the window
+    "InputError", "StorageError", "DeviceError", "PlanError", "CalibrationError", "ReconstructError", "RegisterError", "InspectionError",
+    "DecodeError", "MeasureError", "UnitQuestion", "report", "warn", "Cancelled",
+}  # fmt: skip
+TOLD = {("calibrate", "kinds"), ("calibrate", "guidance"), ("calibrate", "draft")}  # rooms whose constants the window displays
+UNTRANSLATED = {"setObjectName", "setProperty", "getattr", "hasattr", "resource", "compile", "setStyleSheet", "QKeySequence", "ValueError"}
+LOGS = {"debug", "info", "warning", "exception", "error"}
+
+
+def window_texts() -> dict[str, str]:
+    """Return the texts of the window by the room they are used in first: {text: room}."""
+    found: dict[str, str] = {}
+    for path in sorted((ROOT / "ui").rglob("*.py")):
+        place = path.relative_to(ROOT / "ui").parts
+        if place[:2] == ("look", "language"):
+            continue
+        for text in _texts(ast.parse(path.read_text(encoding="utf-8"))):
+            found.setdefault(text, place[1] if place[0] in ("pages", "wizards") and len(place) > 2 else place[0].removesuffix(".py"))
+    return found
+
+
+def core_texts() -> dict[str, str]:
+    """Return the messages of the core and the plugins that may reach the window, as templates: {text: room}."""
+    found: dict[str, str] = {}
+    for folder in ("measureapp", "plugins"):
+        for path in sorted((ROOT / folder).rglob("*.py")):
+            place = path.relative_to(ROOT / folder).parts
+            if place[0] in ("cli", "simulate", "peers"):
+                continue
+            tree = ast.parse(path.read_text(encoding="utf-8"))
+            if place[:2] in TOLD:
+                found.update(dict.fromkeys(_texts(tree), place[0]))
+            for node in ast.walk(tree):
+                if isinstance(node, ast.Call) and _name(node.func) in MESSAGES:
+                    for argument in (*node.args, *(one.value for one in node.keywords)):
+                        for text in _messages(argument):
+                            found.setdefault(text, place[0].removesuffix(".py"))
+    return found
+
+
+def _texts(tree: ast.Module) -> Iterator[str]:
+    parents = {child: node for node in ast.walk(tree) for child in ast.iter_child_nodes(node)}
+    for node in ast.walk(tree):
+        if not (isinstance(node, ast.Constant) and isinstance(node.value, str)) or isinstance(parents[node], ast.JoinedStr | ast.Expr):
+            continue
+        parent = parents[node]
+        direct = isinstance(parent, ast.Call) and _name(parent.func) in ("tr", "later", "several", "label") and node in parent.args
+        if WORDS.search(PLACEHOLDER.sub("", node.value)) and (direct or (_is_text(node.value) and not _is_internal(node, parents))):
+            yield node.value
+
+
+def _is_text(value: str) -> bool:
+    """Whether a string reads like a text for people: several words, or one with a capital letter."""
+    bare = PLACEHOLDER.sub("", value).strip()
+    if bare != value and " " in value and re.search(r"[a-z]{3}", bare):
+        return True
+    return bool(bare) and (NAMES.fullmatch(bare) is None or re.fullmatch(r"[A-Z][a-z-]+…?", bare) is not None)
+
+
+def _is_internal(node: ast.AST, parents: dict[ast.AST, ast.AST]) -> bool:
+    """Whether a string is compared, looked up, logged or names something inside the program."""
+    child: ast.AST = node
+    while child in parents:
+        parent = parents[child]
+        if isinstance(parent, ast.Compare | ast.Assert | ast.MatchValue) or (isinstance(parent, ast.Subscript) and child is parent.slice):
+            return True
+        if isinstance(parent, ast.Call) and child is not parent.func:
+            name = _name(parent.func)
+            if name in UNTRANSLATED or (
+                name in LOGS and isinstance(parent.func, ast.Attribute) and "log" in ast.unparse(parent.func.value)
+            ):
+                return True
+        if isinstance(parent, ast.stmt):
+            return False
+        child = parent
+    return False
+
+
+def _messages(node: ast.expr) -> Iterator[str]:
+    if isinstance(node, ast.Constant) and isinstance(node.value, str):
+        if _is_text(node.value):
+            yield node.value.replace("{", "{{").replace("}", "}}")
+    elif isinstance(node, ast.JoinedStr):
+        text, count = "", 0
+        for piece in node.values:
+            if isinstance(piece, ast.Constant):
+                text += str(piece.value).replace("{", "{{").replace("}", "}}")
+            else:
+                count += 1
+                text += f"{{v{count}}}"
+        if WORDS.search(PLACEHOLDER.sub("", text)):
+            yield text
+    elif isinstance(node, ast.IfExp):
+        yield from _messages(node.body)
+        yield from _messages(node.orelse)
+
+
+def _name(node: ast.expr) -> str:
+    return node.attr if isinstance(node, ast.Attribute) else node.id if isinstance(node, ast.Name) else ""
+
+
+def catalogue_file(language: str) -> Path:
+    """Return the file of a language."""
+    return ROOT / "resources" / "languages" / f"measureapp_{language}.ts"
