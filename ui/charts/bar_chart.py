@@ -1,0 +1,80 @@
+"""Horizontal bar chart of lengths."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from ui.charts.chart import Chart
+from ui.look.look import Look
+from ui.look.wording import millimetres
+
+if TYPE_CHECKING:
+    from ui.charts.plotting import Plot
+
+LINE, TALLEST_LINE, AXIS = 20, 48, 48  # px
+THICKNESS = 0.5  # of the distance of two bars
+ROOM_FOR_NUMBERS = 1.2  # times the longest bar
+
+
+@dataclass(frozen=True)
+class Bar:
+    """One bar, in mm."""
+
+    name: str
+    value_mm: float
+    strong: bool = False
+
+
+class BarChart(Chart):
+    """Bars from top to bottom, each with its name and its value; axis in mm."""
+
+    def __init__(self, look: Look, quantity: str) -> None:
+        super().__init__(look)
+        self._quantity = quantity
+        self.bars: tuple[Bar, ...] = ()
+        self.setAccessibleName(quantity)
+
+    def show_bars(self, bars: Sequence[Bar]) -> None:
+        """Show these bars."""
+        self.bars = tuple(bars)
+        self.setMinimumHeight(AXIS + LINE * len(self.bars))
+        self.setMaximumHeight(AXIS + TALLEST_LINE * len(self.bars))
+        self.redraw(", ".join(f"{bar.name} {millimetres(bar.value_mm)}" for bar in self.bars))
+
+    def _make_plot(self) -> Plot:
+        from ui.charts.plotting import NumberAxis, Plot
+
+        plot = Plot(NumberAxis("bottom", f"{self._quantity} [mm]"), NumberAxis("left", ""))
+        plot.invertY(True)
+        return plot
+
+    def _draw(self, plot: Plot) -> None:
+        import pyqtgraph as pg
+
+        from ui.look.theme import font
+
+        theme = self._look.theme
+        plot.axes[1].setTicks([[(place, bar.name) for place, bar in enumerate(self.bars)]])
+        plot.axes[1].setTextPen(theme.colour("text"))
+        longest = max((bar.value_mm for bar in self.bars), default=0.0) or 1.0
+        plot.setXRange(0.0, ROOM_FOR_NUMBERS * longest, padding=0.0)
+        plot.setYRange(-0.5, max(0.5, len(self.bars) - 0.5), padding=0.0)
+        if not self.bars:
+            return
+        plot.addItem(
+            pg.BarGraphItem(
+                x0=0.0,
+                y=list(range(len(self.bars))),
+                width=[bar.value_mm for bar in self.bars],
+                height=THICKNESS,
+                pen=None,
+                brushes=[theme.colour("accent" if bar.strong else "faint") for bar in self.bars],
+            )
+        )
+        for place, bar in enumerate(self.bars):
+            value = pg.TextItem(millimetres(bar.value_mm), theme.colour("text"), anchor=(0.0, 0.5))
+            value.setFont(font(theme.sizes["small"], bold=bar.strong))
+            value.setPos(bar.value_mm, place)
+            plot.addItem(value)
