@@ -71,7 +71,8 @@ def project_exposures(project: ProjectFolder, viewpoints: Sequence[str] = (), pr
     for index, name in enumerate(wanted):
         part = PartOf(progress, index / len(wanted), (index + 1) / len(wanted), f"{name}: ")
         try:
-            found[name] = stack_exposures(project.frames.load(name), settings, part)
+            stack = project.frames.load(name)
+            found[name] = ratios_of(stack, decode_by_rules(stack, settings, part))
         except MeasureError as error:
             failed[name] = error
     if not found:
@@ -79,13 +80,17 @@ def project_exposures(project: ProjectFolder, viewpoints: Sequence[str] = (), pr
     return ProjectExposures(found, {name: str(error) for name, error in failed.items()})
 
 
-def stack_exposures(stack: FringeStack, settings: DecodeSettings, progress: Progress) -> dict[str, CameraExposures]:
-    """Decode one stack by both rules, and count its valid pixels, by camera. Raises DecodeError."""
+def decode_by_rules(stack: FringeStack, settings: DecodeSettings, progress: Progress) -> dict[str, dict[str, PhaseMap]]:
+    """Decode one stack by both rules of selection; return phase maps by rule and camera. Raises DecodeError."""
     check_stack(stack)
-    maps = {
+    return {
         rule: decode(stack, settings.model_copy(update={"rule": rule}), PartOf(progress, index / len(RULES), (index + 1) / len(RULES)))
         for index, rule in enumerate(RULES)
     }
+
+
+def ratios_of(stack: FringeStack, maps: Mapping[str, Mapping[str, PhaseMap]]) -> dict[str, CameraExposures]:
+    """Return the valid pixels of a stack that was decoded by both rules, by camera."""
     return {
         camera: CameraExposures(
             exposures_us=tuple(stack.exposures_us),

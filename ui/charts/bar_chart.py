@@ -1,8 +1,8 @@
-"""Horizontal bar chart of lengths."""
+"""Horizontal bar chart of one quantity."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -20,19 +20,20 @@ ROOM_FOR_NUMBERS = 1.2  # times the longest bar
 
 @dataclass(frozen=True)
 class Bar:
-    """One bar, in mm."""
+    """One bar, in the unit of its chart."""
 
     name: str
-    value_mm: float
+    value: float
     strong: bool = False
 
 
 class BarChart(Chart):
-    """Bars from top to bottom, each with its name and its value; axis in mm."""
+    """Bars from top to bottom, each with its name and its value; axis in their unit."""
 
-    def __init__(self, look: Look, quantity: str) -> None:
+    def __init__(self, look: Look, quantity: str, unit: str = "mm", written: Callable[[float], str] = millimetres) -> None:
+        """``written`` returns a value with its unit."""
         super().__init__(look)
-        self._quantity = quantity
+        self._quantity, self._unit, self._written = quantity, unit, written
         self.bars: tuple[Bar, ...] = ()
         self.setAccessibleName(quantity)
 
@@ -41,12 +42,12 @@ class BarChart(Chart):
         self.bars = tuple(bars)
         self.setMinimumHeight(AXIS + LINE * len(self.bars))
         self.setMaximumHeight(AXIS + TALLEST_LINE * len(self.bars))
-        self.redraw(", ".join(f"{bar.name} {millimetres(bar.value_mm)}" for bar in self.bars))
+        self.redraw(", ".join(f"{bar.name} {self._written(bar.value)}" for bar in self.bars))
 
     def _make_plot(self) -> Plot:
         from ui.charts.plotting import NumberAxis, Plot
 
-        plot = Plot(NumberAxis("bottom", f"{self._quantity} [mm]"), NumberAxis("left", ""))
+        plot = Plot(NumberAxis("bottom", f"{self._quantity} [{self._unit}]"), NumberAxis("left", ""))
         plot.invertY(True)
         return plot
 
@@ -58,7 +59,7 @@ class BarChart(Chart):
         theme = self._look.theme
         plot.axes[1].setTicks([[(place, bar.name) for place, bar in enumerate(self.bars)]])
         plot.axes[1].setTextPen(theme.colour("text"))
-        longest = max((bar.value_mm for bar in self.bars), default=0.0) or 1.0
+        longest = max((bar.value for bar in self.bars), default=0.0) or 1.0
         plot.setXRange(0.0, ROOM_FOR_NUMBERS * longest, padding=0.0)
         plot.setYRange(-0.5, max(0.5, len(self.bars) - 0.5), padding=0.0)
         if not self.bars:
@@ -67,14 +68,14 @@ class BarChart(Chart):
             pg.BarGraphItem(
                 x0=0.0,
                 y=list(range(len(self.bars))),
-                width=[bar.value_mm for bar in self.bars],
+                width=[bar.value for bar in self.bars],
                 height=THICKNESS,
                 pen=None,
                 brushes=[theme.colour("accent" if bar.strong else "faint") for bar in self.bars],
             )
         )
         for place, bar in enumerate(self.bars):
-            value = pg.TextItem(millimetres(bar.value_mm), theme.colour("text"), anchor=(0.0, 0.5))
+            value = pg.TextItem(self._written(bar.value), theme.colour("text"), anchor=(0.0, 0.5))
             value.setFont(font(theme.sizes["small"], bold=bar.strong))
-            value.setPos(bar.value_mm, place)
+            value.setPos(bar.value, place)
             plot.addItem(value)

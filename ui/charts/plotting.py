@@ -13,6 +13,7 @@ from ui.look.theme import Theme, font
 from ui.look.wording import MINUS
 
 EDGE = 20  # px by which the number at the end of an axis may reach beyond it
+SCALE_NUMBERS = 64  # px, width of the numbers and words beside the scale of a map
 
 
 class NumberAxis(pg.AxisItem):
@@ -80,3 +81,53 @@ def bars(edges: np.ndarray, tops: np.ndarray, fills: Sequence[QColor], outline: 
     return pg.BarGraphItem(
         x0=edges[:-1], x1=edges[1:], y0=np.zeros(len(tops)), y1=tops, brushes=list(fills), pen=pg.mkPen(outline) if outline else None
     )
+
+
+class ColourScale:
+    """The scale beside a map: colours, numbers, unit; its ends can be dragged."""
+
+    def __init__(self, plot: Plot, image: pg.ImageItem) -> None:
+        self._bar = pg.ColorBarItem(width=16, interactive=True, colorMapMenu=False, limits=None, rounding=1e-6)
+        _adopt_menu(plot, self._bar)
+        plot.getPlotItem().layout.addItem(self._bar, 2, 5)
+        plot.getPlotItem().layout.setColumnFixedWidth(4, 8)
+        self._bar.axis.enableAutoSIPrefix(False)
+        self._bar.axis.setWidth(SCALE_NUMBERS)
+        self._bar.setImageItem(image)
+        self.leave()
+
+    @property
+    def words(self) -> str:
+        """Quantity and unit, as written beside it."""
+        return str(self._bar.axis.labelText)
+
+    @property
+    def is_shown(self) -> bool:
+        """Whether the map has a scale."""
+        return bool(self._bar.isVisible())
+
+    def show(self, colours: str, span: tuple[float, float], words: str) -> None:
+        """Colour the image between two values."""
+        self._bar.setVisible(True)
+        self._bar.rounding = max(1e-9, (span[1] - span[0]) / 1000)
+        self._bar.setColorMap(pg.colormap.get(colours))
+        self._bar.setLevels(span)
+        self._bar.axis.setLabel(words)
+
+    def leave(self) -> None:
+        """Show no scale."""
+        self._bar.setVisible(False)
+
+    def dress(self, theme: Theme) -> None:
+        """Take colours and letters from the theme."""
+        small = theme.sizes["small"]
+        axis = self._bar.axis
+        axis.setTickFont(font(small))
+        axis.setPen(theme.colour("line"))
+        axis.setTextPen(theme.colour("soft"))
+        axis.setLabel(axis.labelText, **{"color": theme.colours["soft"], "font-size": f"{small}px"})
+
+
+def _adopt_menu(owner: pg.QtWidgets.QWidget, item: pg.PlotItem) -> None:
+    """Give an item's menu a parent: pyqtgraph makes it without one even where it is never shown, so it would outlive the chart."""
+    item.ctrlMenu.setParent(owner, item.ctrlMenu.windowFlags())

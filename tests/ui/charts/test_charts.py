@@ -38,7 +38,7 @@ def test_bars_have_the_lengths_of_their_values_with_names_and_unit(qtbot, look):
     chart = shown(qtbot, BarChart(look, "Contribution"))
     chart.show_bars(BARS)
     (bars,) = drawn(chart, pg.BarGraphItem)
-    assert bars.opts["width"] == [bar.value_mm for bar in BARS]
+    assert bars.opts["width"] == [bar.value for bar in BARS]
     bottom, left = chart.plot.axes
     assert bottom.labelText == "Contribution [mm]"
     assert [name for _, name in left._tickLevels[0]] == [bar.name for bar in BARS]
