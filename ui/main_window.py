@@ -203,7 +203,6 @@ class MainWindow(QMainWindow):
         scan, inspection = self.pages["scan"], self.pages["inspection"]
         assert isinstance(scan, ScanPage) and isinstance(inspection, InspectionPage)
         scan.next_step.clicked.connect(self._go_on)
-        inspection.see_report.clicked.connect(lambda: self.show_page("report"))
         session.appearanceChanged.connect(self._show_role)
         inspection.measure_file.clicked.connect(self.project_menu.inspect_files)
         self._escape = QShortcut(Qt.Key.Key_Escape, self, controllers.rig.stop)

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
 from PySide6.QtCore import QObject, Signal
 
+from measureapp.data.deviation_scale import DeviationScale
 from ui.messages import BUSY, CALIBRATION, CANCEL, DEVICES, PROJECT, STOPPED, Level, Message, Messages
 from ui.settings.settings import Settings
 from ui.workers.mailbox import Mailboxes
@@ -55,6 +56,7 @@ class Comparison:
     statistics: DeviationStatistics | None = None  # the numbers of legend, window, report and JSON
     smoothed: Smoothed | None = None  # for the eye only
     map: DeviationMap | None = None  # on the nominal
+    scale: DeviationScale = field(default_factory=DeviationScale)  # of the inspection program
 
 
 @dataclass(frozen=True)

@@ -81,7 +81,7 @@ def register(app: typer.Typer) -> None:
             document["sections"] = str(section_file)
             lines.append(f"Sections saved to {section_file}")
         if map_file is not None:
-            _write_map(found, surface, reach, map_file)
+            _write_map(found, surface, reach, statistics, map_file)
             document["map"] = str(map_file)
             lines.append(f"Deviation map saved to {map_file}")
         reply(document, "\n".join(lines), as_json)
@@ -179,13 +179,16 @@ def _cutting_surface(words: str) -> CuttingSurface:
     return CuttingPlane.through(value * normal, normal)
 
 
-def _write_map(found: Deviation, nominal: Mesh, reach_mm: float, path: Path) -> None:
+def _write_map(found: Deviation, nominal: Mesh, reach_mm: float, statistics: DeviationStatistics, path: Path) -> None:
+    import numpy as np
+
+    from measureapp.inspection.surface.colour_scale import ColourScale
     from measureapp.inspection.surface.deviation_map import map_deviation
-    from measureapp.inspection.surface.statistics import USUAL_TOLERANCE_MM, default_range_mm
     from measureapp.project.geometry.deviation_files import write_deviation_map
-    from measureapp.report.deviation_pictures import NOT_MEASURED, diverging_colours
+    from measureapp.report.deviation_pictures import NOT_MEASURED
 
     made = map_deviation(found, nominal, reach_mm)
-    colours = diverging_colours(made.distances_mm / default_range_mm(found.distances_mm, USUAL_TOLERANCE_MM))
+    scale = ColourScale(*statistics.range_mm, tolerance=statistics.tolerance_mm)
+    colours = scale.colours(np.nan_to_num(made.distances_mm)) / 255.0
     colours[~made.measured] = NOT_MEASURED
     write_deviation_map(path, made, colours, found.alignment.name)

@@ -8,6 +8,7 @@ from pydantic import Field, field_validator, model_validator
 
 from measureapp.data.alignment_program import AlignmentProgram, BestFit, alignment_entry, alignment_features
 from measureapp.data.blade_section import BLADE_KINDS, BladeSection
+from measureapp.data.deviation_scale import DeviationScale
 from measureapp.data.dimension_program import FORMS, PAIRS, PROFILES, ZONES, Criterion, DimensionKind, DimensionProgram, Section
 from measureapp.data.feature_program import (
     ConstructedFeature,
@@ -68,6 +69,7 @@ class InspectionProgram(Model):
     nominal_unit: LengthUnit = Field(default=LengthUnit.MM, description="unit of the nominal file; the program itself is in mm")
     alignment: AlignmentProgram = Field(default=BestFit(), description="a short form such as best-fit, or a table with `method`")
     alignments: tuple[NamedAlignment, ...] = Field(default=(), description="further alignments, for single dimensions")
+    deviation_scale: DeviationScale = Field(default=DeviationScale(), description="colours of the deviations from the nominal")
     features: tuple[Annotated[FeatureProgram, Field(discriminator="shape")], ...] = ()
     dimensions: tuple[DimensionProgram, ...] = ()
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 import tomllib
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -14,17 +14,18 @@ from measureapp.data.model import Model
 from measureapp.project.program_file import parse_program
 from measureapp.project.program_text import format_entry, format_value
 
-BLOCK = re.compile(r"^(?=\[\[(?:features|dimensions|alignments)\]\]|\[alignment[\].])", re.MULTILINE)
-KIND = re.compile(r"^\[+(features|dimensions|alignments|alignment)[\].]", re.MULTILINE)
+BLOCK = re.compile(r"^(?=\[\[(?:features|dimensions|alignments)\]\]|\[(?:alignment|deviation_scale)[\].])", re.MULTILINE)
+KIND = re.compile(r"^\[+(features|dimensions|alignments|alignment|deviation_scale)[\].]", re.MULTILINE)
 KINDS = ("alignments", "features", "dimensions")
-TOP = ("name", "nominal", "nominal_unit", "alignment")
+TABLES = ("alignment", "deviation_scale")  # of the program itself, inline or with a header of their own
+TOP = ("name", "nominal", "nominal_unit", *TABLES)
 COMMENT = re.compile(r"(?:^[ \t]*#[^\n]*\n)+\Z", re.MULTILINE)  # comment lines right above a header
 Values = dict[str, Any]
 
 
 @dataclass(frozen=True, slots=True)
 class _Block:
-    kind: str  # one of `KINDS`, "alignment", or "" for the head
+    kind: str  # one of `KINDS` or `TABLES`, or "" for the head
     text: str
 
 
@@ -68,13 +69,14 @@ def _split(text: str) -> Iterator[_Block]:
 def _assemble(blocks: Sequence[_Block], former: InspectionProgram, program: InspectionProgram) -> str:
     queues = {kind: _texts(kind, blocks, former, program) for kind in KINDS}
     lasts = {kind: max((number for number, one in enumerate(blocks) if one.kind == kind), default=len(blocks) - 1) for kind in KINDS}
+    headed = {one.kind for one in blocks if one.kind in TABLES}
     pieces: list[str] = []
     for number, block in enumerate(blocks):
         if block.kind in queues:
             pieces += queues[block.kind][:1]
             del queues[block.kind][:1]
         else:
-            pieces.append(_top_values(block, former, program))
+            pieces.append(_top_values(block, former, program, headed))
         for kind in KINDS:
             if lasts[kind] == number:
                 pieces += queues[kind]
@@ -159,21 +161,24 @@ def _set_line(text: str, name: str, value: Any) -> str:
     return text[: match.start()] + written + (comment.group() if comment else "") + end + text[match.end() :]
 
 
-def _top_values(block: _Block, former: InspectionProgram, program: InspectionProgram) -> str:
-    """Return the head, or the table of the alignment, with the values of the program itself changed."""
+def _top_values(block: _Block, former: InspectionProgram, program: InspectionProgram, headed: Collection[str]) -> str:
+    """Return the head, or a table of the program itself, with changed values; ``headed``: the tables with a header of their own."""
     before, after = _values(former), _values(program)
     text = block.text
-    if block.kind == "alignment":
-        return text if former.alignment == program.alignment else _format_alignment(after["alignment"], text)
+    if block.kind in TABLES:
+        same = before.get(block.kind) == after.get(block.kind)
+        return text if same else _format_table(block.kind, after.get(block.kind, {}), text)
     for name in TOP:
-        if before.get(name) != after.get(name) and not (name == "alignment" and not re.search(r"^alignment[ \t]*=", text, re.MULTILINE)):
+        if before.get(name) != after.get(name) and name not in headed:
             text = _set_line(text, name, after.get(name))
     return text
 
 
-def _format_alignment(alignment: Mapping[str, Any], text: str) -> str:
+def _format_table(name: str, values: Values, text: str) -> str:
     comments = "".join(line + "\n" for line in text.splitlines() if line.lstrip().startswith("#"))
-    return comments + "\n".join(["[alignment]", *(f"{name} = {format_value(value)}" for name, value in alignment.items()), ""])
+    return comments + "\n".join(
+        [f"[{name}]", *(f"{key} = {format_value(value)}" for key, value in values.items() if value is not None), ""]
+    )
 
 
 def _values(entry: Model) -> Values:

@@ -57,7 +57,7 @@ def compose(
     summary_of_deviation = (
         None
         if deviation is None or nominal is None
-        else summarise_deviation(nominal, deviation, placed_mesh(measurement), pictures=pictures)
+        else summarise_deviation(nominal, deviation, placed_mesh(measurement), scale=details.deviation_scale, pictures=pictures)
     )
     return ReportModel(
         measurement=measurement,
@@ -83,7 +83,7 @@ def compose(
 def _cross_sections(nominal: Mesh | None, deviation: Deviation | None, summary: DeviationSummary | None) -> tuple[Picture, ...]:
     if nominal is None or deviation is None or summary is None:
         return ()
-    return render_sections(nominal, deviation, summary.limit_mm)
+    return render_sections(nominal, deviation, summary.scale)
 
 
 def _sections(measurement: Measurement, deviation: Deviation | None, why_not: str) -> tuple[Section, ...]:

@@ -6,8 +6,8 @@ import numpy as np
 
 from measureapp.arrays import FloatArray
 from measureapp.data.mesh import Mesh
+from measureapp.inspection.surface.colour_scale import ColourScale
 from measureapp.inspection.surface.deviation import Deviation
-from measureapp.report.deviation_pictures import diverging_colours
 from measureapp.report.model import Picture
 from measureapp.report.svg import Panel, svg
 from measureapp.report.words import number
@@ -16,27 +16,28 @@ WIDTH, HEIGHT, MARGIN = 760, 400, 40
 HALF_THICKNESS_MM = 0.4
 MOST_POINTS = 1500
 LONGEST_SHARE = 0.05  # of the section's size, for a deviation at the end of the scale
+LEAST_SHADE = 0.25
 INK = "#182126"
 NORMAL_TO = (("y", 1, (0, 2)), ("z", 2, (0, 1)))  # axis, its index, the axes drawn to the right and up
 
 
-def render_sections(nominal: Mesh, deviation: Deviation, limit: float) -> tuple[Picture, ...]:
-    """Return sections through the middle of the nominal, one upright and one level; larger deviations than ``limit`` (mm) are cut off."""
+def render_sections(nominal: Mesh, deviation: Deviation, scale: ColourScale) -> tuple[Picture, ...]:
+    """Return sections through the middle of the nominal, one upright and one level; deviations beyond the scale are cut off."""
     low, high = nominal.vertices_mm.min(axis=0), nominal.vertices_mm.max(axis=0)
     middle = (low + high) / 2
-    made = (_section(nominal, deviation, limit, name, axis, drawn, float(middle[axis])) for name, axis, drawn in NORMAL_TO)
+    made = (_section(nominal, deviation, scale, name, axis, drawn, float(middle[axis])) for name, axis, drawn in NORMAL_TO)
     return tuple(picture for picture in made if picture is not None)
 
 
 def _section(
-    nominal: Mesh, deviation: Deviation, limit_mm: float, name: str, axis: int, drawn: tuple[int, int], at_mm: float
+    nominal: Mesh, deviation: Deviation, scale: ColourScale, name: str, axis: int, drawn: tuple[int, int], at_mm: float
 ) -> Picture | None:
     segments = cut_mesh(nominal, axis, at_mm)[:, :, list(drawn)]
     if not len(segments):
         return None
     size = float(np.ptp(segments.reshape(-1, 2), axis=0).max())
-    gain = LONGEST_SHARE * size / limit_mm
-    whiskers, colours = _whiskers(deviation, limit_mm, axis, drawn, at_mm, gain)
+    gain = LONGEST_SHARE * size / max(abs(scale.low), abs(scale.high))
+    whiskers, colours = _whiskers(deviation, scale, axis, drawn, at_mm, gain)
     low, high = segments.reshape(-1, 2).min(axis=0), segments.reshape(-1, 2).max(axis=0)
     edge = 1.2 * LONGEST_SHARE * size
     panel = Panel(
@@ -69,13 +70,20 @@ def cut_mesh(mesh: Mesh, axis: int, at_mm: float) -> FloatArray:
 
 
 def _whiskers(
-    deviation: Deviation, limit_mm: float, axis: int, drawn: tuple[int, int], at_mm: float, gain: float
+    deviation: Deviation, scale: ColourScale, axis: int, drawn: tuple[int, int], at_mm: float, gain: float
 ) -> tuple[FloatArray, list[str]]:
     """Return lines from the nominal to the enlarged deviation (N, 2, 2), and their colours."""
     near = np.flatnonzero(np.abs(deviation.points_mm[:, axis] - at_mm) < HALF_THICKNESS_MM)
     near = near[:: max(1, len(near) // MOST_POINTS)]
     distances, normals = deviation.distances_mm[near], deviation.nominal_normals[near].astype(float)
     feet = (deviation.points_mm[near] - distances[:, None] * normals)[:, list(drawn)]
-    tips = feet + gain * np.clip(distances, -limit_mm, limit_mm)[:, None] * normals[:, list(drawn)]
-    rgb = np.rint(255 * diverging_colours(np.sign(distances) * np.maximum(np.abs(distances / limit_mm), 0.25))).astype(int)
+    tips = feet + gain * np.clip(distances, scale.low, scale.high)[:, None] * normals[:, list(drawn)]
+    rgb = np.rint(scale.colours(_outside_the_band(distances, scale))).astype(int)
     return np.stack([feet, tips], axis=1), ["#{:02x}{:02x}{:02x}".format(*one) for one in rgb]
+
+
+def _outside_the_band(distances: FloatArray, scale: ColourScale) -> FloatArray:
+    """Return deviations at least a quarter of the way from the band to an end: the colour of the band cannot be seen on white paper."""
+    start, end = scale.tolerance or (0.0, 0.0)
+    below, above = start - LEAST_SHADE * (start - scale.low), end + LEAST_SHADE * (scale.high - end)
+    return np.where(distances < 0, np.minimum(distances, below), np.maximum(distances, above))

@@ -9,15 +9,16 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from measureapp.arrays import BoolArray, FloatArray, in_bands
+from measureapp.data.deviation_scale import DeviationScale
 from measureapp.data.mesh import Mesh
+from measureapp.inspection.surface.colour_scale import ColourScale
 from measureapp.inspection.surface.deviation import Deviation
-from measureapp.inspection.surface.statistics import USUAL_TOLERANCE_MM, Extreme, compute_statistics
+from measureapp.inspection.surface.statistics import Extreme, compute_statistics
 from measureapp.report.model import DeviationSummary, Flag, Picture
 from measureapp.report.part_pictures import OBLIQUE
 from measureapp.report.picture import SUPERSAMPLING, Seen, SurfaceScene, ViewDirection, png
 from measureapp.report.words import number
 
-BLUE, WHITE, RED = np.array([0.13, 0.34, 0.67]), np.array([0.97, 0.97, 0.97]), np.array([0.76, 0.15, 0.18])
 NOT_MEASURED = np.array([0.62, 0.64, 0.67])  # of vertices, where there can be no hatching
 HATCH_DARK, HATCH_LIGHT = np.array([0.45, 0.47, 0.50]), np.array([0.86, 0.87, 0.88])
 HATCH_PX = 12
@@ -30,29 +31,34 @@ FACING = 0.3  # cosine between the nominal's normal here and at the point
 FLAG = "#182126"
 
 
-def summarise_deviation(nominal: Mesh, deviation: Deviation, surface: Mesh | None = None, *, pictures: bool = True) -> DeviationSummary:
+def summarise_deviation(
+    nominal: Mesh,
+    deviation: Deviation,
+    surface: Mesh | None = None,
+    *,
+    scale: DeviationScale = DeviationScale(),  # noqa: B008 - immutable
+    pictures: bool = True,
+) -> DeviationSummary:
     """Summarise a deviation: maps, if they are wanted, statistics and histogram.
 
     Parameters
     ----------
     surface : measured surface in the nominal's frame; None where there is none
+    scale : colours, tolerance band and range of the inspection program
     """
-    statistics = compute_statistics(deviation, nominal, tolerance_mm=USUAL_TOLERANCE_MM, search_mm=NEAR_MM, surface=surface)
-    limit = statistics.range_mm[1]
+    statistics = compute_statistics(
+        deviation, nominal, tolerance_mm=scale.tolerance_mm, range_mm=scale.range_mm, search_mm=NEAR_MM, surface=surface
+    )
+    colours = ColourScale.of(scale, statistics.range_mm)
     near = deviation.distances_mm[np.abs(deviation.distances_mm) <= NEAR_MM]
-    counts, _ = np.histogram(np.clip(near, -limit, limit), bins=BINS, range=(-limit, limit))
+    counts, _ = np.histogram(np.clip(near, colours.low, colours.high), bins=BINS, range=(colours.low, colours.high))
     histogram = tuple(float(share) for share in counts / max(counts.sum(), 1))
     extremes = {name: one for name, one in (("min", statistics.minimum), ("max", statistics.maximum)) if one is not None}
-    return DeviationSummary(deviation.alignment.name, statistics, histogram, _maps(nominal, deviation, limit, extremes) if pictures else ())
+    maps = _maps(nominal, deviation, colours, extremes) if pictures else ()
+    return DeviationSummary(deviation.alignment.name, statistics, colours, histogram, maps)
 
 
-def diverging_colours(values: FloatArray) -> FloatArray:
-    """Return diverging colours (N, 3) of values in −1…1: blue, white, red."""
-    share = np.abs(np.clip(values, -1, 1))[:, None]
-    return WHITE + share * (np.where(values[:, None] < 0, BLUE, RED) - WHITE)
-
-
-def _maps(nominal: Mesh, deviation: Deviation, limit_mm: float, extremes: Mapping[str, Extreme]) -> tuple[Picture, ...]:
+def _maps(nominal: Mesh, deviation: Deviation, scale: ColourScale, extremes: Mapping[str, Extreme]) -> tuple[Picture, ...]:
     scene = SurfaceScene(nominal)
     look_up = partial(_deviation_at, cKDTree(deviation.points_mm, balanced_tree=False, compact_nodes=False), deviation)
     shown = {name: _shown_in(extreme, scene) for name, extreme in extremes.items()}
@@ -61,7 +67,7 @@ def _maps(nominal: Mesh, deviation: Deviation, limit_mm: float, extremes: Mappin
         where, direction = VIEWS[view]
         seen = scene.see(direction, *WIDE)
         values = _coarse(scene, seen, look_up)
-        colours = diverging_colours(np.nan_to_num(values) / limit_mm)
+        colours = scale.colours(np.nan_to_num(values)) / 255.0
         missing = np.isnan(values)
         colours[missing] = _hatching(seen)[missing]
         flags = tuple(_extreme_flag(name, extremes[name], seen, hidden=hidden) for name, (at, hidden) in shown.items() if at == view)

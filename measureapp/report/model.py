@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from measureapp.data.deviation_scale import DeviationScale
 from measureapp.data.dimension import Dimension, Verdict
 from measureapp.data.identification import Identification
 from measureapp.data.measurement import Measurement
 from measureapp.data.plan import ScanPlan
+from measureapp.inspection.surface.colour_scale import ColourScale
 from measureapp.inspection.surface.deviation import Deviation
 from measureapp.inspection.surface.statistics import DeviationStatistics
 from measureapp.report.template import Template
@@ -96,13 +98,9 @@ class DeviationSummary:
 
     alignment: str
     statistics: DeviationStatistics  # the numbers of the window's legend
+    scale: ColourScale  # of the maps, the sections and the 3-D view
     histogram: tuple[float, ...]  # share of the points in equal bins over the scale; the outer bins include all beyond
     pictures: tuple[Picture, ...]
-
-    @property
-    def limit_mm(self) -> float:
-        """The colour scale ranges from -limit to +limit."""
-        return self.statistics.range_mm[1]
 
 
 @dataclass(frozen=True, slots=True)
@@ -115,6 +113,7 @@ class Details:
     exposures_us: Mapping[str, tuple[int, ...]] = field(default_factory=dict)  # by viewpoint, of its stored images
     created_at: str = ""  # ISO 8601; empty: now
     part_program: str = ""  # name, revision and release; empty: none
+    deviation_scale: DeviationScale = field(default_factory=DeviationScale)  # of the inspection program
 
 
 @dataclass(frozen=True, slots=True, eq=False)

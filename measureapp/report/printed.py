@@ -6,10 +6,7 @@ from collections import Counter
 from collections.abc import Sequence
 from typing import Any
 
-import numpy as np
-
 from measureapp.data.dimension import SEVERITY, Dimension, Verdict
-from measureapp.report.deviation_pictures import diverging_colours
 from measureapp.report.header import field_words
 from measureapp.report.model import DeviationSummary, Fact, Picture, PlanLine, ReportModel, ViewLine
 from measureapp.report.words import (
@@ -27,7 +24,7 @@ from measureapp.report.words import (
     percent,
 )
 
-SCALE_STOPS = 21
+SCALE_STOPS = 81
 MOST_WORST = 10
 WIDEST = 1.3  # of the tolerance's half width: where the bar of a deviation ends
 
@@ -231,7 +228,6 @@ def _plan_line(line: PlanLine) -> dict[str, str]:
 
 def _deviation(deviation: DeviationSummary) -> dict[str, Any]:
     found = deviation.statistics
-    stops = np.rint(255 * diverging_colours(np.linspace(-1, 1, SCALE_STOPS))).astype(int)
     facts = [
         ("Mean", f"{number(found.mean_mm, signed=True)} mm"),
         ("RMS", f"{number(found.rms_mm)} mm"),
@@ -250,9 +246,9 @@ def _deviation(deviation: DeviationSummary) -> dict[str, Any]:
     ]
     return {
         "pictures": [_picture(f"deviation{n}.png", picture) for n, picture in enumerate(deviation.pictures)],
-        "low": f"{number(-deviation.limit_mm, 2)} mm",
-        "high": f"{number(deviation.limit_mm, 2, signed=True)} mm",
-        "stops": ["#{:02x}{:02x}{:02x}".format(*stop) for stop in stops],
+        "low": f"{number(deviation.scale.low, signed=deviation.scale.low > 0)} mm",
+        "high": f"{number(deviation.scale.high, signed=True)} mm",
+        "stops": deviation.scale.stops(SCALE_STOPS),
         "histogram": list(deviation.histogram),
         "facts": [{"name": name, "value": value} for name, value in facts],
         "note": f"Alignment: {deviation.alignment}. Positive: outside the nominal. Hatched: not measured within {number(found.search_mm, 0)} mm.",

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from measureapp.data.deviation_scale import DeviationScale
 from measureapp.data.measurement import Measurement
 from measureapp.errors import StorageError
 from measureapp.progress import NoProgress, Progress
 from measureapp.project.folder import ProjectFolder
 from measureapp.project.geometry.files import read_mesh
 from measureapp.project.identification_file import read_identification
+from measureapp.project.program_file import read_program
 from measureapp.project.program_record import program_words
 from measureapp.report.compose import compose
 from measureapp.report.model import Details, ReportModel
@@ -54,4 +56,5 @@ def project_details(project: ProjectFolder, template: Template | None = None, cr
         {viewpoint: project.frames.exposures_us(viewpoint) for viewpoint in project.stored_viewpoints()},
         created_at,
         program_words(project.path),
+        DeviationScale() if project.program is None else read_program(project.program).deviation_scale,
     )

@@ -13,6 +13,7 @@ from measureapp.arrays import FloatArray
 from measureapp.data.dimension import Verdict
 from measureapp.data.feature import Feature
 from measureapp.data.mesh import Mesh
+from measureapp.inspection.surface.colour_scale import BEYOND_SHADE, GO, NO_GO, RAMPS, ColourScale
 from measureapp.inspection.surface.deviation import Deviation
 from measureapp.report.deviation_pictures import NEAR_MM
 from measureapp.report.model import ReportModel
@@ -39,8 +40,8 @@ def scene_document(model: ReportModel) -> dict[str, Any] | None:
     used = simpler.vertices_mm[np.unique(simpler.triangles)]
     centre = (used.min(axis=0) + used.max(axis=0)) / 2
     radius = float(np.linalg.norm(used - centre, axis=1).max()) / FILLS
-    limit = 1.0 if model.deviation is None else model.deviation.limit_mm
-    unit = 10 * limit / LARGEST
+    scale = ColourScale(-1.0, 1.0) if model.deviation is None else model.deviation.scale
+    unit = 10 * max(abs(scale.low), abs(scale.high)) / LARGEST
     values = np.full(len(simpler.vertices_mm), MISSING, np.int16)
     if model.compared is not None:
         found = deviation_at(simpler, model.compared)
@@ -52,9 +53,26 @@ def scene_document(model: ReportModel) -> dict[str, Any] | None:
         "values": _text(values.astype("<i2")),
         "triangles": _text(np.asarray(simpler.triangles).astype("<u4")),
         "unit_mm": unit,
-        "limit_mm": limit,
+        "scale": _scale(scale),
         "coloured": model.compared is not None,
         "flags": _flags(model, mesh, centre, radius),
+    }
+
+
+def _scale(scale: ColourScale) -> dict[str, Any]:
+    """Return the colour scale as nodes, so that the page can draw it on other ranges too."""
+    ramp = RAMPS[scale.ramp]
+    below, above = (ramp.above[::-1], ramp.below[::-1]) if scale.swapped else (ramp.below, ramp.above)
+    return {
+        "low": scale.low,
+        "high": scale.high,
+        "steps": scale.steps,
+        "tolerance": scale.tolerance,
+        "below": below.tolist(),
+        "band": ramp.band.tolist(),
+        "above": above.tolist(),
+        "go": [GO.tolist(), NO_GO.tolist()] if scale.go_no_go else None,
+        "beyond": BEYOND_SHADE,
     }
 
 

@@ -21,12 +21,12 @@
   const fragmentText = `#version 300 es
     precision highp float;
     in vec3 place; in float deviation; in float missing; out vec4 colour;
-    uniform float unit; uniform float limit; uniform bool coloured;
+    uniform float unit; uniform vec2 ends; uniform bool coloured; uniform vec3 ramp[128]; uniform float beyond;
     void main() {
       vec3 normal = normalize(cross(dFdx(place), dFdy(place)));
       float light = 0.55 + 0.45 * abs(normal.z);
-      float share = clamp(deviation * unit / limit, -1.0, 1.0);
-      vec3 scale = mix(vec3(0.97), share < 0.0 ? vec3(0.13, 0.34, 0.67) : vec3(0.76, 0.15, 0.18), abs(share));
+      float share = (deviation * unit - ends.x) / (ends.y - ends.x);
+      vec3 scale = ramp[int(clamp(share * 127.0 + 0.5, 0.0, 127.0))] * (share < 0.0 || share > 1.0 ? beyond : 1.0);
       bool stripe = mod(gl_FragCoord.x + gl_FragCoord.y, 12.0) < 6.0;
       if (coloured) colour = vec4(missing > 0.01 ? (stripe ? vec3(0.45, 0.47, 0.50) : vec3(0.86)) : scale * (0.86 + 0.14 * abs(normal.z)), 1.0);
       else colour = vec4(vec3(0.74, 0.78, 0.80) * light, 1.0);
@@ -62,7 +62,7 @@
     const m = turnMatrix(), least = Math.min(w, h), zoom = [view.zoom * least / w, view.zoom * least / h];
     gl.uniformMatrix3fv(at("turn"), false, [m[0][0], m[1][0], m[2][0], m[0][1], m[1][1], m[2][1], m[0][2], m[1][2], m[2][2]]);
     gl.uniform3f(at("shift"), view.x, view.y, 0); gl.uniform2f(at("zoom"), zoom[0], zoom[1]); gl.uniform1f(at("scale"), 1 / 32767);
-    gl.uniform1f(at("unit"), data.unit_mm); gl.uniform1f(at("limit"), limit()); gl.uniform1i(at("coloured"), shown.checked ? 1 : 0);
+    gl.uniform1f(at("unit"), data.unit_mm); gl.uniform2f(at("ends"), ...ends()); gl.uniform1f(at("beyond"), data.scale.beyond); gl.uniform3fv(at("ramp"), ramp()); gl.uniform1i(at("coloured"), shown.checked ? 1 : 0);
     gl.drawElements(gl.TRIANGLES, corners.length, gl.UNSIGNED_INT, 0);
     data.flags.forEach((flag, k) => {
       const seen = m.map((axis) => axis[0] * flag.at[0] + axis[1] * flag.at[1] + axis[2] * flag.at[2]);
@@ -74,8 +74,30 @@
     });
   }
   const redraw = () => { if (!waiting) { waiting = true; requestAnimationFrame(draw); } };
-  const limit = () => data.limit_mm * Math.pow(10, Number(range.value));
-  function say() { said.textContent = "± " + limit().toPrecision(2) + " mm"; redraw(); }
+  const ends = () => { // widened or narrowed about the middle; the tolerance band stays where it is
+    const middle = (data.scale.low + data.scale.high) / 2, half = (data.scale.high - data.scale.low) / 2 * Math.pow(10, Number(range.value));
+    return [middle - half, middle + half];
+  };
+  const between = (nodes, place) => {
+    const spread = Math.max(0, Math.min(1, place)) * (nodes.length - 1), first = Math.min(Math.floor(spread), nodes.length - 2);
+    return nodes[first].map((level, channel) => level + (spread - first) * (nodes[first + 1][channel] - level));
+  };
+  function ramp() {
+    const [low, high] = ends(), scale = data.scale, made = new Float32Array(3 * 128);
+    const [start, end] = scale.tolerance || [(low + high) / 2, (low + high) / 2];
+    for (let k = 0; k < 128; k++) {
+      const value = low + (high - low) * k / 127, step = (high - low) / (scale.steps || 1);
+      const shown = scale.steps ? low + (Math.min(Math.floor((value - low) / step), scale.steps - 1) + 0.5) * step : value;
+      const inside = value >= start && value <= end;
+      const colour = scale.go ? scale.go[inside ? 0 : 1] : inside ? scale.band
+        : value < start ? between(scale.below, (shown - low) / Math.max(start - low, 1e-12))
+        : between(scale.above, (shown - end) / Math.max(high - end, 1e-12));
+      colour.forEach((level, channel) => { made[3 * k + channel] = level / 255; });
+    }
+    return made;
+  }
+  const signed = (value) => (value > 0 ? "+" : value < 0 ? "−" : "") + Math.abs(value).toPrecision(2);
+  function say() { said.textContent = ends().map(signed).join(" … ") + " mm"; redraw(); }
 
   function select(k, scroll) {
     selected = selected === k ? -1 : k;

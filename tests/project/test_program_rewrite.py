@@ -1,5 +1,7 @@
 import pytest
 
+from measureapp.data.deviation_scale import DeviationScale
+from measureapp.errors import InputError
 from measureapp.inspection.programming.edits import add, change, duplicate, move, remove, rename, set_alignment, set_tolerance
 from measureapp.inspection.session.graph import Node
 from measureapp.project.program_file import parse_program
@@ -74,6 +76,28 @@ def test_entries_are_added_removed_and_duplicated():
     assert "rail" not in rewritten(lambda program: remove(program, [HEIGHT]))
     grown = rewritten(lambda program: add(program, "alignment", {"name": "to base", "alignment": "datums:base"}))
     assert "[[alignments]]" in grown
+
+
+@pytest.mark.parametrize("own", ["", "[deviation_scale]\n# agreed with the customer\nsteps = 20\n", "deviation_scale = { steps = 20 }\n"])
+def test_a_colour_scale_is_stored_beside_what_stays(own):
+    head, rest = TEXT.split("\n# the upper face")
+    inline = own.startswith("deviation")
+    text = f"{head}{own}\n# the upper face{rest}" if inline else f"{TEXT}\n{own}"
+    program = parse_program(text)
+    scale = DeviationScale(tolerance_mm=(-0.05, 0.02), range_mm=(-0.1, 0.1), ramp="rainbow")
+    changed = rewrite_program(text, program.model_copy(update={"deviation_scale": scale}))
+    assert parse_program(changed).deviation_scale == scale
+    assert "# function: fits the rail" in changed and ("# agreed" in changed) == ("# agreed" in text)
+    assert changed.count("deviation_scale") == 1 and "steps" not in changed
+    assert rewrite_program(changed, parse_program(changed)) == changed
+
+
+@pytest.mark.parametrize(
+    ("given", "words"), [("tolerance_mm = [0.1, -0.1]", "tolerance_mm is above"), ("range_mm = [0.1, 0.1]", "range_mm is not below")]
+)
+def test_a_colour_scale_with_exchanged_ends_is_refused(given, words):
+    with pytest.raises(InputError, match=words):
+        parse_program(f"{TEXT}\n[deviation_scale]\n{given}\n")
 
 
 def test_the_alignment_changes_in_its_line():

@@ -15,7 +15,6 @@ from measureapp.data.mesh import Mesh
 from measureapp.errors import StorageError
 from measureapp.report.compose import compose, summarise_verdicts
 from measureapp.report.csv import csv_text
-from measureapp.report.deviation_pictures import diverging_colours
 from measureapp.report.documents import ALL_KINDS, write_documents
 from measureapp.report.html import html_text
 from measureapp.report.json_document import dimension_document, report_document
@@ -132,12 +131,6 @@ def test_all_documents_are_written_whole(measured, block, tmp_path: Path) -> Non
     found = document["deviation_statistics"]
     assert found["range_mm"] == [-0.2, 0.2] and found["inside"] == 1.0
     assert document["views"][1]["verdict"].startswith("correction exceeds")
-
-
-def test_the_deviation_scale_is_symmetric() -> None:
-    colours = diverging_colours(np.array([-1.0, 0.0, 1.0]))
-    assert colours[0, 2] > colours[0, 0] and colours[2, 0] > colours[2, 2]  # blue below, red above
-    assert np.ptp(colours[1]) < 0.01
 
 
 def test_numbers_are_printed_with_a_true_minus_and_no_negative_zero() -> None:

@@ -10,6 +10,7 @@ import pytest
 from PySide6.QtCore import QPointF
 from PySide6.QtGui import QImage, QPainter
 
+from measureapp.inspection.surface.colour_scale import RAMPS
 from ui.look.theme import Theme
 from ui.viewport.colouring import UNKNOWN
 from ui.viewport.menus import parse_number
@@ -22,7 +23,6 @@ from ui.viewport.overlay.legend_edits import dragged, reset, scaled, symmetric, 
 from ui.viewport.overlay.legend_layout import LARGEST_FRACTION
 from ui.viewport.overlay.scale_bar import bar_length_mm
 from ui.viewport.overlay.style import OverlayStyle
-from ui.viewport.ramps import RAMPS
 
 TOLERANCE = (-0.1, 0.1)
 SIZE = (900.0, 640.0)

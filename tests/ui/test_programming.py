@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 import trimesh
 
+from measureapp.data.deviation_scale import DeviationScale
 from measureapp.data.length_unit import LengthUnit
 from measureapp.inspection.dimensions import inspect
 from measureapp.pipeline.measure_again import measure_again
@@ -15,6 +16,7 @@ from measureapp.progress import CallbackProgress, Cancelled
 from measureapp.project.folder import ProjectFolder, ProjectSettings
 from measureapp.project.geometry.files import read_mesh
 from measureapp.project.program_file import parse_program
+from measureapp.report.project import compose_project
 from ui.pages.inspection.grow_bar import ADD
 from ui.pages.inspection.inspection import REMOVE
 
@@ -123,6 +125,31 @@ def test_a_grown_feature_joins_the_program_with_a_dimension_and_both_are_undone(
         assert [one.name for one in session.inspection.dimensions] == left
     programming = application.controllers.programming
     assert programming.text() == PROGRAM and not programming.can_undo and programming.is_modified  # than what is saved
+
+
+def test_a_colour_scale_is_stored_with_the_program_used_in_the_report_and_undone(application, opened, project, qtbot, tmp_path):
+    programming, session = application.controllers.programming, application.session
+    ball_mesh(tmp_path / "ball.stl")
+    application.controllers.nominal.use(tmp_path / "ball.stl")
+    settled(application, qtbot)
+    qtbot.waitUntil(lambda: session.comparison is not None, timeout=PATIENCE_MS)
+    card, display = opened.side.deviation, opened.display
+    assert not card.store.isEnabled() and display.legend.tolerance == (-0.1, 0.1)
+    display.take_legend(replace(display.legend, low=-0.4, high=0.3, steps=10, ramp="rainbow").with_tolerance(-0.02, 0.05))
+    assert card.store.isEnabled()
+    card.store.click()
+    settled(application, qtbot)
+    assert not card.store.isEnabled() and (display.legend.low, display.legend.steps) == (-0.4, 10)
+    programming.save()
+    settled(application, qtbot)
+    stored = parse_program(project.program_text(has_nominal=True)).deviation_scale
+    assert stored == DeviationScale(tolerance_mm=(-0.02, 0.05), range_mm=(-0.4, 0.3), steps=10, ramp="rainbow")
+    reported = compose_project(ProjectFolder.open(project.path)).deviation
+    assert (reported.scale.low, reported.scale.high, reported.scale.ramp) == (-0.4, 0.3, "rainbow")
+    assert (reported.statistics.inside, reported.statistics.below) == pytest.approx(display.shares()[:2], abs=1e-9)
+    programming.undo()
+    settled(application, qtbot)
+    assert display.legend.tolerance == (-0.1, 0.1) and display.legend.ramp == "blue-white-red"
 
 
 def test_a_dimension_is_removed_and_a_feature_that_it_needs_is_not(application, opened, project, qtbot):

@@ -23,7 +23,6 @@ if TYPE_CHECKING:
 NEAR_MM = 2.0  # the nominal counts as not measured without a point this close
 PLACES = 60_000
 MAP_TRIANGLES = 250_000  # of the coloured nominal, so that it turns smoothly
-USUAL_TOLERANCE_MM = (-0.1, 0.1)  # of the legend, until another one is set
 
 
 class ComparisonController(QObject):
@@ -43,9 +42,10 @@ class ComparisonController(QObject):
         if stitched is None or inspection is None or folder is None or self._asked is inspection.alignment:
             return
         alignment = self._asked = inspection.alignment  # of one cloud and one nominal
+        mesh = None if session.measurement is None else session.measurement.mesh
         self._runner.run(
             "Comparing with the nominal",
-            lambda job: compare_cloud(stitched, alignment, folder, job),
+            lambda job: compare_cloud(stitched, alignment, folder, job, mesh),
             self._show,
             quiet=True,
         )
@@ -56,8 +56,11 @@ class ComparisonController(QObject):
             self._session.set_comparison(found)
 
 
-def compare_cloud(stitched: StitchedCloud, alignment: Alignment, folder: Path, job: Job) -> Comparison | None:
-    """Compare a cloud with the nominal of a project; None if it has none. Runs on a job's thread."""
+def compare_cloud(stitched: StitchedCloud, alignment: Alignment, folder: Path, job: Job, mesh: Mesh | None = None) -> Comparison | None:
+    """Compare a cloud with the nominal of a project; None if it has none. Runs on a job's thread.
+
+    ``mesh``: the measured surface in the part frame, which tells what was filled.
+    """
     from measureapp.project.folder import ProjectFolder
     from measureapp.project.geometry.files import read_mesh
     from measureapp.project.program_file import read_program
@@ -66,15 +69,21 @@ def compare_cloud(stitched: StitchedCloud, alignment: Alignment, folder: Path, j
     if project is None or project.nominal is None:
         return None
     program = None if project.program is None else read_program(project.program)
-    return compute_comparison(stitched, read_mesh(project.nominal, "nominal"), alignment, program, job)
+    return compute_comparison(stitched, read_mesh(project.nominal, "nominal"), alignment, program, job, mesh)
 
 
 def compute_comparison(
-    stitched: StitchedCloud, nominal: Mesh, alignment: Alignment, program: InspectionProgram | None, progress: Progress
+    stitched: StitchedCloud,
+    nominal: Mesh,
+    alignment: Alignment,
+    program: InspectionProgram | None,
+    progress: Progress,
+    mesh: Mesh | None = None,
 ) -> Comparison:
     """Return the deviations of a cloud, the unmeasured parts of the nominal, and the sections of the program; for a job's thread."""
     from scipy.spatial import cKDTree
 
+    from measureapp.data.deviation_scale import DeviationScale
     from measureapp.inspection.measured_points import sample_mesh
     from measureapp.inspection.section_curves import find_section_curves
     from measureapp.inspection.surface.deviation import compute_deviation
@@ -93,7 +102,16 @@ def compute_comparison(
     sections = None if program is None else find_section_curves(found, surface, program, progress=progress)
     progress.report(0, 1, "statistics of the deviations")
     index = DeviationIndex(found)
-    statistics = compute_statistics(found, nominal, tolerance_mm=USUAL_TOLERANCE_MM, search_mm=NEAR_MM, index=index)
+    scale = DeviationScale() if program is None else program.deviation_scale
+    statistics = compute_statistics(
+        found,
+        nominal,
+        tolerance_mm=scale.tolerance_mm,
+        range_mm=scale.range_mm,
+        search_mm=NEAR_MM,
+        surface=None if mesh is None else mesh.seen_from(alignment.nominal_from_part),
+        index=index,
+    )
     return Comparison(
         stitched,
         found,
@@ -105,4 +123,5 @@ def compute_comparison(
         statistics,
         smooth_for_eye(index),
         map_deviation(found, nominal, NEAR_MM, MAP_TRIANGLES),
+        scale,
     )

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 FORMATS = {  # words, the file of the project, ending
     "pdf": ("PDF report", "report_pdf", "pdf"),
-    "html": ("Report with 3-D view (HTML)", "report_pdf", "html"),
+    "html": ("3-D report (HTML)", "report_pdf", "html"),
     "xlsx": ("Table of dimensions (XLSX)", "report_pdf", "xlsx"),
     "csv": ("Table of dimensions (CSV)", "report_csv", "csv"),
     "json": ("Everything as JSON", "report_json", "json"),

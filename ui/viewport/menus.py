@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QLocale, QPoint, Qt
 from PySide6.QtWidgets import QLineEdit, QMenu, QWidget
 
+from measureapp.data.deviation_scale import RampName
 from ui.look.wording import MINUS
 from ui.viewport.overlay.legend import Legend
 from ui.viewport.overlay.legend_edits import STEP_CHOICES, Handle, reset, swapped, symmetric, value_of, with_value
 from ui.viewport.overlay.legend_layout import digits_of
-from ui.viewport.ramps import RAMP_WORDS
 
 if TYPE_CHECKING:
     from ui.viewport.cloud_view import CloudView
@@ -29,6 +29,11 @@ VIEW_WORDS = {
     "isometric": "Isometric",
 }
 FIELD_WIDTH = 96
+RAMP_WORDS: dict[RampName, str] = {
+    "blue-white-red": "Blue – white – red",
+    "rainbow": "Rainbow with green band",
+    "colour-blind-safe": "Colour-blind-safe",
+}
 
 
 def view_menu(view: CloudView, pick: Pick) -> QMenu:
@@ -67,8 +72,7 @@ def legend_menu(parent: QWidget, legend: Legend, edit: Callable[[Legend], None])
     if legend.ramp != "growing":
         colours = menu.addMenu("Colours")
         for name, words in RAMP_WORDS.items():
-            if name != "growing":
-                _check(colours, words, legend.ramp == name, lambda chosen=name: edit(replace(legend, ramp=chosen)))  # type: ignore[misc]
+            _check(colours, words, legend.ramp == name, lambda chosen=name: edit(replace(legend, ramp=chosen)))  # type: ignore[misc]
         go = _check(menu, "Go / no-go", legend.go_no_go, lambda: edit(replace(legend, go_no_go=not legend.go_no_go)))
         go.setEnabled(legend.tolerance is not None)  # type: ignore[attr-defined]
     _check(menu, "Swap colours", legend.swapped, lambda: edit(swapped(legend)))

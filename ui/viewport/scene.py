@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkPlane, vtkPlaneCollection
-from vtkmodules.vtkRenderingCore import vtkActor, vtkRenderer
+from vtkmodules.vtkRenderingCore import vtkActor, vtkLight, vtkRenderer
 
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  isort: skip  (registers what implements the renderer)
 
@@ -26,6 +26,7 @@ CLOSEST_MM, ROOM = 15.0, 1.8
 SPLAT, LARGEST_SPLAT_PX = 1.5, 32.0  # size of the points of a level, in edges of its cubes
 TRIANGLE_COST = 1.2  # of a triangle, in points
 TRANSPARENT = 0.35
+LIGHT_FROM = (-0.35, 0.5, 1.0)  # right, up and back of the focal point, in the frame of the eye
 
 
 class Scene:
@@ -33,6 +34,7 @@ class Scene:
 
     def __init__(self) -> None:
         self.renderer = vtkRenderer()
+        self.renderer.AddLight(_light())
         self.renderer.GradientBackgroundOn()
         self.camera = SceneCamera(self.renderer)
         self.budget, self.choice = FrameBudget(), LevelChoice()
@@ -311,3 +313,12 @@ def _coarse_part(surface: PreparedSurface) -> SurfacePart | None:
 def _subsample(points: np.ndarray) -> np.ndarray:
     """Subsample points of which only the extent matters."""
     return np.asarray(points[:: max(1, len(points) // FRAMING_POINTS)], float)
+
+
+def _light() -> vtkLight:
+    """Return a light from above the left shoulder: from the eye itself, faces at equal angles, as of a box seen from a corner, look alike."""
+    light = vtkLight()
+    light.SetLightTypeToCameraLight()
+    light.SetPosition(*LIGHT_FROM)
+    light.SetFocalPoint(0.0, 0.0, 0.0)
+    return light

@@ -15,7 +15,7 @@ LEAST_BLOCK, LARGEST_BLOCK = 10_000, 60_000  # points; a busy software renderer 
 CHUNK = 1_000_000
 LIGHT = np.array([-1.0, -1.1, 0.85], np.float32) / np.float32(np.linalg.norm([-1.0, -1.1, 0.85]))  # from the initial viewing direction
 AMBIENT, FRONT, BACK = 0.4, 0.62, 0.45  # weights of the light; back faces are lit more weakly, so that they show relief too
-READ_AMBIENT = 0.88  # for colours of a scale, so that a colour means the same everywhere
+READ_AMBIENT = 0.75  # for colours of a scale: the hue means the same everywhere, and the shape is still seen
 
 
 @dataclass(frozen=True, eq=False)

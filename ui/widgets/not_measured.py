@@ -37,9 +37,9 @@ class NotMeasuredLegend(QWidget):
 
     def __init__(self, look: Look) -> None:
         super().__init__()
-        self.words = label("", "small")
+        self.words = label("", "small", wrap=True)
         self.setLayout(row(HatchedSwatch(), self.words, spacing=8))
-        self.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Maximum)
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Maximum)
         look.changed.connect(self.update)
         self.say("")
 

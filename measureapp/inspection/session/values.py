@@ -112,7 +112,7 @@ def _complete_budget(
         )
     if chosen.scale_ppm > 0 and unit == "mm":
         budget.setdefault(SCALE, chosen.scale_ppm * 1e-6 * abs(value.value))  # without views a value scales like a length
-        assumptions.append(f"length scale ± {chosen.scale_ppm:g} ppm (k = 1), from {chosen.scale_source}")
+        assumptions.append(f"length scale ± {chosen.scale_ppm:.3g} ppm (k = 1), from {chosen.scale_source}")
     if settings.temperature is not None and unit == "mm":
         if settings.temperature.sigma > 0:
             budget.setdefault(TEMPERATURE, settings.temperature.sigma * abs(value.value))

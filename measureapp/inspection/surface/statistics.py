@@ -21,7 +21,6 @@ REACH_SPACINGS = 4.0  # greatest distance of those neighbours, in point spacings
 FIRST_CANDIDATES = 512
 FAR_REACH = 5.0  # search distances within which a point that is too far still belongs to a place
 SMALLEST_RANGE_MM = 1e-3
-USUAL_TOLERANCE_MM = (-0.1, 0.1)  # of legends and maps, until another one is set
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -59,7 +58,7 @@ class DeviationStatistics:
     rms_mm: float
     p95_mm: float  # of the absolute deviations
     tolerance_mm: tuple[float, float] | None
-    range_mm: tuple[float, float]  # ends of the default colour scale
+    range_mm: tuple[float, float]  # ends of the colour scale
     below: float  # shares of the points
     inside: float
     above: float
@@ -73,6 +72,7 @@ def compute_statistics(
     nominal: Mesh,
     *,
     tolerance_mm: tuple[float, float] | None = None,
+    range_mm: tuple[float, float] | None = None,
     search_mm: float = 2.0,
     surface: Mesh | None = None,
     index: DeviationIndex | None = None,
@@ -81,7 +81,8 @@ def compute_statistics(
 
     Parameters
     ----------
-    tolerance_mm : lower and upper tolerance; None: the ends of the default range count as limits
+    tolerance_mm : lower and upper tolerance; None: the ends of the range count as limits
+    range_mm : ends of the colour scale; None: the default range
     search_mm : points farther from the nominal are lost, and counted
     surface : measured surface in the nominal's frame with its filled vertices; None where there is none
     index : neighbours, if prepared already
@@ -89,8 +90,10 @@ def compute_statistics(
     index = index or DeviationIndex(found)
     within = np.abs(found.distances_mm) <= search_mm
     distances = found.distances_mm[within]
-    high = default_range_mm(distances, tolerance_mm)
-    lower, upper = tolerance_mm or (-high, high)
+    if range_mm is None:
+        high = default_range_mm(distances, tolerance_mm)
+        range_mm = (-high, high)
+    lower, upper = tolerance_mm or range_mm
     count = max(len(distances), 1)
     below, above = float(np.count_nonzero(distances < lower)) / count, float(np.count_nonzero(distances > upper)) / count
     return DeviationStatistics(
@@ -101,7 +104,7 @@ def compute_statistics(
         float(np.sqrt(np.mean(distances**2))) if len(distances) else 0.0,
         float(np.percentile(np.abs(distances), 95)) if len(distances) else 0.0,
         tolerance_mm,
-        (-high, high),
+        range_mm,
         below,
         float(np.count_nonzero((distances >= lower) & (distances <= upper))) / count,
         above,

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QCheckBox, QDoubleSpinBox, QFrame
 
 from ui.look.look import Look
 from ui.look.wording import counted, millimetres, percent
 from ui.pages.inspection.deviation_display import DeviationDisplay
 from ui.viewport.overlay.legend import Legend
-from ui.widgets.basic import column, label, row
+from ui.widgets.basic import Button, column, label, row
 from ui.widgets.histogram import Histogram
 from ui.widgets.not_measured import NotMeasuredLegend
 from ui.widgets.segments import Segments
@@ -21,12 +22,15 @@ if TYPE_CHECKING:
 
 TOLERANCE = "Symmetric tolerance band of the colours in mm; it does not affect verdicts"
 CARRIERS = {"cad": "On the CAD model", "points": "On the points"}
+STORE_TIP = "Store colours, range and tolerance band with the inspection program: they are used again here and in reports"
 SMOOTH = "Smooth the colours for the eye"
 SMOOTH_TIP = "Average the colours of neighbouring points; values, extremes and the histogram use every point as measured"
 
 
 class DeviationCard(QFrame):
     """Figures of the deviations beside the picture; the legend is in the picture."""
+
+    storeAsked = Signal()  # of the colour scale, with the inspection program
 
     def __init__(self, look: Look, display: DeviationDisplay) -> None:
         super().__init__()
@@ -50,7 +54,9 @@ class DeviationCard(QFrame):
         self.tolerance.setAccessibleName(TOLERANCE)
         self.tolerance.setToolTip(TOLERANCE)
         self.tolerance.valueChanged.connect(display.set_tolerance)
-        band = row(label("Tolerance band ±", "soft"), self.tolerance, 0)
+        self.store = Button("Store", look, "", "quiet", STORE_TIP)
+        self.store.clicked.connect(self.storeAsked)
+        band = row(label("Tolerance band ±", "soft"), self.tolerance, 0, self.store)
         self.setLayout(
             column(
                 row(self.on, 0),
@@ -67,6 +73,12 @@ class DeviationCard(QFrame):
         )
         display.changed.connect(self._show_display)
         self._comparison: Comparison | None = None
+        self._can_store = False
+
+    def allow_storing(self, allowed: bool) -> None:
+        """Offer to store the scale, or not: a program must be open, and free to be changed."""
+        self._can_store = allowed
+        self._show_display()
 
     def show_comparison(self, comparison: Comparison | None) -> None:
         """Show these deviations, or nothing."""
@@ -96,6 +108,7 @@ class DeviationCard(QFrame):
             return
         self.smooth.setEnabled(self._display.on == "points")
         self._show_legend(legend)
+        self.store.setEnabled(self._can_store and not self._display.is_stored)
         inside, below, above = self._display.shares()
         self.bands.setText(f"{percent(inside)} within the tolerance band, {percent(below)} below, {percent(above)} above.")
 

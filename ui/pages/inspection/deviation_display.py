@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 from PySide6.QtCore import QObject, Signal, Slot
 
+from measureapp.data.deviation_scale import DeviationScale
+from measureapp.inspection.surface.colour_scale import ColourScale
 from ui.look.wording import millimetres
 from ui.viewport.overlay.legend import Fractions, Histogram, Legend
 
@@ -29,6 +31,7 @@ class DeviationDisplay(QObject):
         self.on: Carrier = "cad"
         self.smooth = True
         self._chosen: Legend | None = None  # as the user set it
+        self._stored = DeviationScale()  # of the inspection program
         self._comparison: Comparison | None = None
 
     @property
@@ -39,7 +42,39 @@ class DeviationDisplay(QObject):
     def show_comparison(self, comparison: Comparison | None) -> None:
         """Use these deviations."""
         self._comparison = comparison
+        if comparison is not None:
+            self._stored = comparison.scale
         self.legend = None if comparison is None else self._complete(self._chosen or usual_legend(comparison))
+        self.changed.emit()
+
+    @property
+    def is_stored(self) -> bool:
+        """Whether the legend is the one that the inspection program holds."""
+        return self._chosen is None or self.scale == self._stored
+
+    @property
+    def scale(self) -> DeviationScale:
+        """The colour scale as an inspection program stores it."""
+        if self._chosen is None:
+            return self._stored
+        one = self._chosen
+        return DeviationScale(
+            tolerance_mm=one.tolerance or self._stored.tolerance_mm,
+            range_mm=(one.low, one.high),
+            ramp="blue-white-red" if one.ramp == "growing" else one.ramp,
+            steps=one.steps,
+            go_no_go=one.go_no_go,
+            swapped=one.swapped,
+        )
+
+    def take_stored(self, scale: DeviationScale) -> None:
+        """Use the scale that the inspection program holds now, after it was stored, undone or read anew."""
+        if scale == self._stored:
+            return
+        self._stored, self._chosen = scale, None
+        if self._comparison is not None:
+            self._comparison = replace(self._comparison, scale=scale)
+            self.legend = self._complete(usual_legend(self._comparison))
         self.changed.emit()
 
     def forget(self) -> None:
@@ -98,15 +133,24 @@ class DeviationDisplay(QObject):
 
 
 def usual_legend(comparison: Comparison) -> Legend:
-    """Return the legend that the core's statistics define."""
-    distances, statistics = _within(comparison), comparison.statistics
-    if statistics is not None:
-        low, high = statistics.range_mm
-        tolerance = statistics.tolerance_mm
-    else:
-        high = float(np.abs(distances).max(initial=1e-3))
-        low, tolerance = -high, None
-    return Legend(QUANTITY, low, high, tolerance=tolerance, histogram=Histogram.of(distances), usual=(low, high))
+    """Return the legend of the inspection program's scale; where that leaves the range open, it covers the band and nearly all points."""
+    from measureapp.inspection.surface.statistics import default_range_mm
+
+    distances, stored = _within(comparison), comparison.scale
+    high = default_range_mm(distances, stored.tolerance_mm)
+    scale = ColourScale.of(stored, (-high, high))
+    return Legend(
+        QUANTITY,
+        scale.low,
+        scale.high,
+        ramp=scale.ramp,
+        steps=scale.steps,
+        tolerance=scale.tolerance,
+        go_no_go=scale.go_no_go,
+        swapped=scale.swapped,
+        histogram=Histogram.of(distances),
+        usual=(scale.low, scale.high),
+    )
 
 
 def _within(comparison: Comparison) -> np.ndarray:

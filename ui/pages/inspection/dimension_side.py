@@ -27,7 +27,6 @@ from ui.pages.inspection.row_actions import RowActions
 from ui.pages.inspection.save_bar import SaveBar
 from ui.widgets.basic import column, label, row
 from ui.widgets.segments import Segments
-from ui.widgets.verdict_banner import VerdictBanner
 
 if TYPE_CHECKING:
     from measureapp.data.consistency import Consistency
@@ -35,7 +34,7 @@ if TYPE_CHECKING:
     from ui.session import Comparison
 
 TABLE_WIDTH = 680  # px
-NARROW = 620  # px: without the nominal, which the properties show
+NARROW, NARROWEST = 620, 460  # px: without the nominal, then without the tolerance; the properties show both
 LISTS = {"dimensions": "Dimensions", "features": "Features", "alignment": "Alignment", "deviation": "Deviation"}
 
 
@@ -50,8 +49,7 @@ class DimensionSide(QWidget):
         self._look, self._programming = look, controllers.programming
         programming = self._programming
         self._inspection: Inspection | None = None
-        self._is_filter_offered = True
-        self.banner, self.deviation = VerdictBanner(look), DeviationCard(look, display)
+        self.deviation = DeviationCard(look, display)
         self.list = Segments(LISTS, name="List")
         self.filter, self.save = FilterBar(look), SaveBar(look, programming)
         self.table = DimensionTable(look, self._edit)
@@ -78,7 +76,6 @@ class DimensionSide(QWidget):
         self.unaligned = NoAlignment(look, programming)
         self.unaligned.choose.clicked.connect(lambda: self.list.setValue("alignment"))
         beside = column(
-            self.banner,
             self.checks,
             self.unaligned,
             row(self.list, 0),
@@ -89,7 +86,7 @@ class DimensionSide(QWidget):
             self.rule,
             spacing=8,
         )
-        beside.setStretch(5, 1)
+        beside.setStretch(4, 1)
         self.setLayout(beside)
 
     @property
@@ -122,7 +119,6 @@ class DimensionSide(QWidget):
         self.unaligned.show_program()
         self.rule.setText(f"Lengths in mm, U for k = 2, verdicts by {rule_name()}.")
         self.rule.setToolTip(decision_rule())
-        self.banner.show_verdicts([found.verdict for found in inspection.dimensions])
 
     def show_checks(self, consistency: Consistency) -> None:
         """Show below the verdict what the checks of the error model leave unexplained, with its likely cause; each check as a tip."""
@@ -161,13 +157,6 @@ class DimensionSide(QWidget):
         if comparison is None and self.list.value() == "deviation":
             self.list.setValue("dimensions")
 
-    def show_role(self, *, is_operator: bool) -> None:
-        """Show operators one large verdict, engineers the filter."""
-        self.banner.setVisible(is_operator and bool(self.rows))
-        self.list.setVisible(not is_operator)
-        self._is_filter_offered = not is_operator
-        self.filter.setVisible(not is_operator and self.list.value() == "dimensions")
-
     def select_failing(self) -> None:
         """Select the worst dimension."""
         self.list.setValue("dimensions")
@@ -175,12 +164,12 @@ class DimensionSide(QWidget):
         self.table.select_first()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Hide the nominal values in a narrow table; the properties show them."""
-        was_narrow = event.oldSize().width() < NARROW
+        """Hide nominals and tolerances in a narrow table, so that the verdicts stay in sight."""
         super().resizeEvent(event)
-        is_narrow = self.width() < NARROW
-        if is_narrow != was_narrow or not event.oldSize().isValid():
-            self.table.setColumnHidden(Column.NOMINAL, is_narrow)
+        for hidden, least in ((Column.NOMINAL, NARROW), (Column.TOLERANCE, NARROWEST)):
+            is_narrow = self.width() < least
+            if is_narrow != (event.oldSize().width() < least) or not event.oldSize().isValid():
+                self.table.setColumnHidden(hidden, is_narrow)
 
     def _edit(self, edit):  # type: ignore[no-untyped-def]
         return apply_edit(self._programming, self.table.rows, edit)
@@ -188,13 +177,13 @@ class DimensionSide(QWidget):
     def _show_list(self) -> None:
         shown = {"dimensions": self.table, "features": self.features, "alignment": self.alignment, "deviation": self.deviation}
         self._lists.setCurrentWidget(shown[self.list.value()])
-        self.filter.setVisible(self.list.value() == "dimensions" and self._is_filter_offered)
+        self.filter.setVisible(self.list.value() == "dimensions")
         self.rule.setVisible(self.list.value() == "dimensions")
         self._show_create()
         self.selected.emit()
 
     def _show_create(self) -> None:
-        offered = self.list.value() == "features" and self._is_filter_offered and self._programming.state is not None
+        offered = self.list.value() == "features" and self._programming.state is not None
         self.create.setVisible(offered)
         if not offered:
             self.create.pick.setChecked(False)

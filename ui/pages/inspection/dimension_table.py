@@ -17,7 +17,7 @@ from ui.pages.inspection.dimension_model import COPIED, EDITABLE, HEADERS, ROW_R
 from ui.widgets.data_table import ROW_HEIGHT, Index
 
 STATUS_WIDTH = 28
-CELL_ROOM, SIGN_ROOM, SORT_ROOM = 16, 28, 14  # px beside the text: margins, sign of the verdict, arrow of the order
+CELL_ROOM, SIGN_ROOM, SORT_ROOM = 16, 28, 24  # px beside the text: margins, sign of the verdict, arrow of the order
 EDIT_KEYS = QAbstractItemView.EditTrigger.EditKeyPressed | QAbstractItemView.EditTrigger.AnyKeyPressed
 NONE = -1
 

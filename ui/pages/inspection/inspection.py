@@ -109,10 +109,10 @@ class InspectionPage(ViewportPage):
         self.undo.clicked.connect(self._undo)
         self.hint = label("", "soft")
         self.program = ProgramTools(look, self.session, self.controllers, self)
-        self.see_report = Button("See the report", look, "report", "primary")
-        for widget in (self.hint, self.undo, self.program.text, self.program.nominal, self.see_report):
+        for widget in (self.hint, self.undo, self.program.text, self.program.nominal):
             self.action_row.addWidget(widget)
         self.controllers.programming.changed.connect(self._show_program)
+        self.side.deviation.storeAsked.connect(self._store_scale)
         self.cut = SectionBar(look)
         self.cutting = Cutting(self.session, self.cut, self.controllers.drawing, self)
         self.cutting.changed.connect(self.content.show)
@@ -215,18 +215,26 @@ class InspectionPage(ViewportPage):
     def _show_program(self) -> None:
         """Show the rows of the edited program, and select a dimension that was added."""
         self.side.show_rows()
+        programming = self.program.programming
+        if programming.state is not None:
+            self.display.take_stored(programming.state.program.deviation_scale)
         new = self.program.newest(self.side.rows)
         if new is not None:
             self.side.list.setValue("dimensions")
             self.side.table.select(new)
         self._show_undo()
 
+    def _store_scale(self) -> None:
+        """Store the colour scale with the inspection program, as an edit that can be undone."""
+        scale = self.display.scale
+        self.program.programming.edit(
+            lambda program: program.model_copy(update={"deviation_scale": scale}), "Colour scale stored with the inspection program."
+        )
+
     def _show_undo(self) -> None:
         self.undo.setVisible(self.clicking.can_undo or self.program.programming.can_undo)
         self.program.show_state()
-        is_operator = self.session.role == "operator"
-        self.see_report.setVisible(is_operator and self.session.measurement is not None)
-        self.side.show_role(is_operator=is_operator)
+        self.side.deviation.allow_storing(self.program.programming.can_change)
         self.grow.button.setVisible(self.program.is_offered)
         if not self.program.is_offered:
             self.grow.button.setChecked(False)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ui.viewport.colouring import DIVERGING
+from measureapp.inspection.surface.colour_scale import RAMPS
 from ui.viewport.layers import LineLayer
 
 if TYPE_CHECKING:
@@ -76,8 +76,8 @@ class Whiskers:
         longest = LONGEST_SHARE * self._extent_mm
         lengths = np.clip(self.gain * self.means_mm, -longest, longest)
         ends = self.feet_mm + lengths[:, None] * self.normals
-        layers = []
-        for side, colour in ((self.means_mm >= 0, DIVERGING[-1]), (self.means_mm < 0, DIVERGING[0])):
+        layers, ramp = [], RAMPS["blue-white-red"]
+        for side, colour in ((self.means_mm >= 0, ramp.above[-1]), (self.means_mm < 0, ramp.below[0])):
             lines = tuple(np.stack([foot, end]) for foot, end in zip(self.feet_mm[side], ends[side], strict=True))
             layers.append(LineLayer(lines, (int(colour[0]), int(colour[1]), int(colour[2])), 2.0))
         return [layer for layer in layers if layer.lines]

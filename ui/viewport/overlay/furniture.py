@@ -53,7 +53,8 @@ class Furniture:
         """Paint everything over a picture of this camera."""
         if self.is_visible and is_roomy(camera, style):
             paint_triad(painter, camera, style, self.frame)
-            paint_scale_bar(painter, camera, style)
+            panel = self.legend_layout(camera, style)
+            paint_scale_bar(painter, camera, style, camera.width if panel is None else panel.panel.left())
             paint_cube(painter, camera, style, self.hovered)
         if self.flags and self.has_flags:
             self._paint_flags(painter, camera, style)

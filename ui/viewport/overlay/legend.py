@@ -6,8 +6,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from measureapp.inspection.surface.colour_scale import AnyRamp, ColourScale
 from ui.viewport.colouring import UNKNOWN
-from ui.viewport.ramps import BEYOND_SHADE, GO, NO_GO, RampName, ramp_colours
 
 FINE_BINS = 512  # of the histogram that is kept, so that it can be drawn on any range
 USUAL_SHARE = 99.5  # percentile that the default range covers
@@ -66,7 +66,7 @@ class Legend:
     low: float
     high: float
     unit: str = "mm"
-    ramp: RampName = "blue-white-red"
+    ramp: AnyRamp = "blue-white-red"
     steps: int = 0  # 0: continuous
     tolerance: tuple[float, float] | None = None
     go_no_go: bool = False
@@ -90,32 +90,16 @@ class Legend:
             made[part] = self._colours(np.asarray(values[part], float))
         return made
 
+    @property
+    def scale(self) -> ColourScale:
+        """The colour scale that the legend explains."""
+        return ColourScale(self.low, self.high, self.ramp, self.steps, self.tolerance, self.go_no_go, self.swapped)
+
     def _colours(self, values: np.ndarray) -> np.ndarray:
         finite = np.isfinite(values)
-        known = np.where(finite, values, 0.0)
-        if self.go_no_go and self.tolerance is not None:
-            inside = (known >= self.tolerance[0]) & (known <= self.tolerance[1])
-            colours = np.where(inside[:, None], GO, NO_GO)
-        else:
-            colours = ramp_colours(self.ramp, self._stepped(known), (self.low, self.high), self.tolerance, swapped=self.swapped)
-        beyond = (known < self.low) | (known > self.high)
-        colours = np.where(beyond[:, None], BEYOND_SHADE * colours, colours)
-        made = np.rint(colours).astype(np.uint8)
+        made = np.rint(self.scale.colours(np.where(finite, values, 0.0))).astype(np.uint8)
         made[~finite] = UNKNOWN
         return made
-
-    def _stepped(self, values: np.ndarray) -> np.ndarray:
-        """Replace values by the middle of their step; those inside the tolerance stay inside, the others outside."""
-        if not self.steps or self.span <= 0:
-            return values
-        place = np.clip(np.floor((values - self.low) / self.span * self.steps), 0, self.steps - 1)
-        middles = self.low + (place + 0.5) * self.span / self.steps
-        if self.tolerance is None:
-            return np.asarray(middles)
-        start, end = self.tolerance
-        apart = 1e-9 * max(self.span, 1e-9)
-        outside = np.where(values < start, np.minimum(middles, start - apart), np.maximum(middles, end + apart))
-        return np.asarray(np.where((values >= start) & (values <= end), (start + end) / 2.0, outside))
 
     def with_range(self, low: float, high: float) -> Legend:
         """Return the legend on another range; an empty range leaves it as it is."""

@@ -10,7 +10,7 @@ from ui.viewport.overlay.camera_view import CameraView
 from ui.viewport.overlay.legend import one_two_five
 from ui.viewport.overlay.style import OverlayStyle, use_letters
 
-LONGEST_PX, BOTTOM_PX, FOOT_PX = 160.0, 18.0, 5.0
+LONGEST_PX, BOTTOM_PX, FOOT_PX, GAP_PX = 160.0, 18.0, 5.0, 12.0
 
 
 def bar_length_mm(mm_per_px: float, longest_px: float = LONGEST_PX) -> float:
@@ -27,13 +27,14 @@ def bar_length_mm(mm_per_px: float, longest_px: float = LONGEST_PX) -> float:
     return next(length for length in shorter if one_two_five(length) == length)
 
 
-def paint_scale_bar(painter: QPainter, camera: CameraView, style: OverlayStyle) -> None:
-    """Draw the scale bar at the bottom; in perspective there is none, because no length is true."""
+def paint_scale_bar(painter: QPainter, camera: CameraView, style: OverlayStyle, free_px: float) -> None:
+    """Draw the scale bar at the bottom, left of ``free_px``; in perspective there is none, because no length is true."""
     if not camera.mm_per_px:
         return
     length = bar_length_mm(camera.mm_per_px, LONGEST_PX * style.scale)
     width = length / camera.mm_per_px
-    middle, bottom, foot = camera.width / 2.0, camera.height - BOTTOM_PX * style.scale, FOOT_PX * style.scale
+    middle = min(camera.width / 2.0, free_px - width / 2 - GAP_PX * style.scale)
+    bottom, foot = camera.height - BOTTOM_PX * style.scale, FOOT_PX * style.scale
     left, right = QPointF(middle - width / 2, bottom), QPointF(middle + width / 2, bottom)
     painter.save()
     for colour, thick in ((style.surface, 4.0), (style.text, 1.6)):
