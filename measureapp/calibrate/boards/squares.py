@@ -130,7 +130,8 @@ def _without_poor_rows(grid: FloatArray, there: BoolArray) -> tuple[FloatArray, 
         if not poor:
             break
         worst = min(poor, key=lambda quarter: float(np.rot90(there, quarter)[-1].mean()))
-        grid, there = (np.rot90(np.rot90(one, worst)[:-1], -worst) for one in (grid, there))
+        grid = np.rot90(np.rot90(grid, worst)[:-1], -worst)
+        there = np.rot90(np.rot90(there, worst)[:-1], -worst)
     return grid, there
 
 
