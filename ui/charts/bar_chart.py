@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 LINE, TALLEST_LINE, AXIS = 20, 48, 48  # px
 THICKNESS = 0.5  # of the distance of two bars
-ROOM_FOR_NUMBERS = 1.2  # times the longest bar
+NUMBERS = 80  # px, room for the number behind the longest bar
 
 
 @dataclass(frozen=True)
@@ -35,6 +35,7 @@ class BarChart(Chart):
         super().__init__(look)
         self._quantity, self._unit, self._written = quantity, unit, written
         self.bars: tuple[Bar, ...] = ()
+        self._longest = 1.0
         self.setAccessibleName(quantity)
 
     def show_bars(self, bars: Sequence[Bar]) -> None:
@@ -44,11 +45,18 @@ class BarChart(Chart):
         self.setMaximumHeight(AXIS + TALLEST_LINE * len(self.bars))
         self.redraw(", ".join(f"{bar.name} {self._written(bar.value)}" for bar in self.bars))
 
+    def _leave_room(self) -> None:
+        """Leave the numbers the same room in every width."""
+        if self.plot is not None:
+            width = max(2.0 * NUMBERS, self.plot.getViewBox().width())
+            self.plot.setXRange(0.0, self._longest * width / (width - NUMBERS), padding=0.0)
+
     def _make_plot(self) -> Plot:
         from ui.charts.plotting import NumberAxis, Plot
 
         plot = Plot(NumberAxis("bottom", f"{self._quantity} [{self._unit}]"), NumberAxis("left", ""))
         plot.invertY(True)
+        plot.getViewBox().sigResized.connect(self._leave_room)  # also when the names need more room
         return plot
 
     def _draw(self, plot: Plot) -> None:
@@ -60,7 +68,8 @@ class BarChart(Chart):
         plot.axes[1].setTicks([[(place, bar.name) for place, bar in enumerate(self.bars)]])
         plot.axes[1].setTextPen(theme.colour("text"))
         longest = max((bar.value for bar in self.bars), default=0.0) or 1.0
-        plot.setXRange(0.0, ROOM_FOR_NUMBERS * longest, padding=0.0)
+        self._longest = longest
+        self._leave_room()
         plot.setYRange(-0.5, max(0.5, len(self.bars) - 0.5), padding=0.0)
         if not self.bars:
             return

@@ -8,6 +8,7 @@ import numpy as np
 import pyqtgraph as pg
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QColor
+from PySide6.QtWidgets import QFrame, QMenu, QWidget
 
 from ui.look.theme import Theme, font
 from ui.look.wording import MINUS
@@ -46,12 +47,9 @@ class Plot(pg.PlotWidget):
         super().__init__(axisItems={"bottom": bottom, "left": left}, enableMenu=False)
         self.axes = (bottom, left)
         self.hideButtons()
-        menu = self.getPlotItem().ctrlMenu
-        menu.setParent(
-            self, menu.windowFlags()
-        )  # pyqtgraph makes it without a parent even where it is never shown: it would outlive the chart
+        adopt_menu(self, self.getPlotItem().ctrlMenu)
         self.setMouseEnabled(steerable, steerable)
-        self.setFrameShape(pg.QtWidgets.QFrame.Shape.NoFrame)
+        self.setFrameShape(QFrame.Shape.NoFrame)
         if not steerable:
             self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)  # so that the wheel still scrolls the page
             self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
@@ -88,7 +86,7 @@ class ColourScale:
 
     def __init__(self, plot: Plot, image: pg.ImageItem) -> None:
         self._bar = pg.ColorBarItem(width=16, interactive=True, colorMapMenu=False, limits=None, rounding=1e-6)
-        _adopt_menu(plot, self._bar)
+        adopt_menu(plot, self._bar.ctrlMenu)
         plot.getPlotItem().layout.addItem(self._bar, 2, 5)
         plot.getPlotItem().layout.setColumnFixedWidth(4, 8)
         self._bar.axis.enableAutoSIPrefix(False)
@@ -128,6 +126,6 @@ class ColourScale:
         axis.setLabel(axis.labelText, **{"color": theme.colours["soft"], "font-size": f"{small}px"})
 
 
-def _adopt_menu(owner: pg.QtWidgets.QWidget, item: pg.PlotItem) -> None:
-    """Give an item's menu a parent: pyqtgraph makes it without one even where it is never shown, so it would outlive the chart."""
-    item.ctrlMenu.setParent(owner, item.ctrlMenu.windowFlags())
+def adopt_menu(owner: QWidget, menu: QMenu) -> None:
+    """Give a menu a parent: pyqtgraph makes it without one even where it is never shown, so it would outlive the chart."""
+    menu.setParent(owner, menu.windowFlags())

@@ -109,7 +109,7 @@ def _states(phase_map: PhaseMap) -> Layer:
     from measureapp.pipeline.why_pictures import REASON_COLOURS
 
     names = [state.name.lower().replace("_", " ") for state in PixelState]
-    words = ["Phase" if state == PixelState.VALID else point_reason(name) for state, name in zip(PixelState, names, strict=True)]
+    words = ["Valid" if state == PixelState.VALID else point_reason(name) for state, name in zip(PixelState, names, strict=True)]
     colours = [REASON_COLOURS.get(name) or (110, 120, 126) for name in names]
     values = phase_map.state.astype(np.float32)
     return Layer("Reason", "", values, 0, categories=_categories(values, words, colours))

@@ -103,7 +103,7 @@ class MapView(Chart):
     def _make_plot(self) -> Plot:
         import pyqtgraph as pg
 
-        from ui.charts.plotting import ColourScale, NumberAxis, Plot
+        from ui.charts.plotting import ColourScale, NumberAxis, Plot, adopt_menu
 
         plot = Plot(NumberAxis("bottom", "Column [px]"), NumberAxis("left", "Row [px]"), steerable=True)
         plot.invertY(True)
@@ -113,6 +113,8 @@ class MapView(Chart):
         line = pg.LineSegmentROI([(0, 0), (1, 1)])
         line.setZValue(20)
         line.setVisible(False)
+        for handle in line.getHandles():
+            adopt_menu(plot, handle.menu)
         line.sigRegionChanged.connect(self._tell_line)
         self._items = {"image": image, "line": line, "cursor": pg.ScatterPlotItem(size=14, symbol="+"), "scale": ColourScale(plot, image)}
         plot.scene().sigMouseMoved.connect(self._tell_pointed)

@@ -36,8 +36,8 @@ class ProfileChart(Chart):
     def _make_plot(self) -> Plot:
         from ui.charts.plotting import NumberAxis, Plot
 
-        plot = Plot(NumberAxis("bottom", "Distance [px]"), NumberAxis("left", self.words), steerable=True)
-        plot.axes[1].setWidth(64)
+        plot = Plot(NumberAxis("bottom", "Distance [px]"), NumberAxis("left", ""), steerable=True)
+        plot.axes[1].setWidth(48)
         return plot
 
     def _draw(self, plot: Plot) -> None:
@@ -45,8 +45,6 @@ class ProfileChart(Chart):
         from PySide6.QtCore import Qt
 
         theme = self._look.theme
-        plot.axes[1].words = self.words
-        plot.axes[1].dress(theme)
         for place, (name, values) in enumerate(self.curves.items()):
             colour = theme.colour("accent") if len(self.curves) == 1 else theme.view(place)
             plot.addItem(pg.PlotDataItem(self.distance_px, values, pen=pg.mkPen(colour, width=1.5), connect="finite", name=name))

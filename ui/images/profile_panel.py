@@ -26,10 +26,11 @@ class ProfilePanel(QWidget):
         self.profile: Profile | None = None
         self.fields = tuple(self._field(name) for name in NAMES)
         self.upper, self.lower = ProfileChart(look), ProfileChart(look)
-        save = Button("Save table…", look, "save", "quiet", "The values of all maps along the line, as CSV")
+        save = Button("Save table…", look, "export", "quiet", "The values of all maps along the line, as CSV")
         save.clicked.connect(self.saveAsked)
         parts = [part for words, field in zip(ENDS, self.fields, strict=True) for part in (label(words, "soft"), field)]
-        charts = row(self.upper, self.lower, spacing=8)
+        self.captions = tuple(label("", "caption") for _ in range(2))
+        charts = row(*(column(*pair, spacing=0) for pair in zip(self.captions, (self.upper, self.lower), strict=True)), spacing=8)
         layout = column(row(*parts, 0, save, spacing=8), charts, spacing=4)
         layout.setStretch(1, 1)
         self.setLayout(layout)
@@ -58,6 +59,8 @@ class ProfilePanel(QWidget):
     def show_profile(self, layers: dict[str, np.ndarray], upper: tuple[str, str], lower: tuple[str, str], saturation: float) -> None:
         """Show two of the layers along the line, each by its name and words; grey levels (``lower``) with the limit of saturation."""
         self.profile = profile(self.value(), layers)
+        for caption, (_, words) in zip(self.captions, (upper, lower), strict=True):
+            caption.setText(words)
         for chart, (name, words), limit in ((self.upper, upper, None), (self.lower, lower, saturation)):
             chart.show_curves(words, self.profile.distance_px, {name: self.profile.values[name]}, limit)
 

@@ -60,7 +60,7 @@ class ImagesDialog(QDialog):
         self.frames = FrameBar()
         self.frames.valueChanged.connect(self._draw_frame)
         self.legend = label("", "small", wrap=True)
-        self.line = Button("Profile", look, "section", "quiet", "Values along a line, which the mouse or the numbers move")
+        self.line = Button("Profile", look, "profile", "quiet", "Values along a line, which the mouse or the numbers move")
         self.line.setCheckable(True)
         self.line.toggled.connect(self._show_line)
         self.whole = Button("Show all", look, "fit", "quiet", "Fit the image into the window")
