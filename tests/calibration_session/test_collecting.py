@@ -87,7 +87,7 @@ def test_an_image_without_a_usable_board_is_kept_with_its_cause_and_the_other_ca
     [
         ("over-exposed", lambda: shot(CHECKER, exposure_us=900_000).image),
         ("too dark", lambda: shot(CHECKER, exposure_us=2_000).image),
-        ("hidden", lambda: _covered(shot(CHECKER).image)),
+        ("part", lambda: _covered(shot(CHECKER).image)),
         ("wrong board", lambda: shot(CheckerboardDescription(columns=9, rows=6, square_mm=20.0), 30, 10, 70).image),
         ("blurred", lambda: _blurred(shot(CHECKER).image)),
     ],

@@ -21,7 +21,7 @@ from measureapp.calibrate.boards.quality import (
     unexpected_markers,
 )
 from measureapp.calibrate.boards.refine import mark_sigmas, off_the_grid
-from measureapp.calibrate.boards.squares import QUICK_PX, DetectedSquares, detect_squares, find_squares
+from measureapp.calibrate.boards.squares import DetectedSquares, detect_squares, find_squares
 from measureapp.calibrate.sightings import Sighting
 from measureapp.data.board import BoardDescription, CharucoDescription, CheckerboardDescription, CirclesDescription
 from measureapp.errors import CalibrationError
@@ -79,13 +79,10 @@ def _circles(grey: ImageArray, board: CirclesDescription, expected_px: FloatArra
 
 
 def _squares(grey: ImageArray, board: CheckerboardDescription, expected_px: FloatArray | None) -> tuple[IntArray, FloatArray, float]:
-    whole = find_squares(grey, board, quickly=True)
-    squares = None if whole is not None else detect_squares(grey, QUICK_PX[-1])
-    if whole is None and not _says_enough(grey, board, squares):
-        whole, squares = find_squares(grey, board, quickly=False), None
+    squares = detect_squares(grey)
+    whole = _whole(grey, board, squares)
     if whole is not None:
         return np.arange(board.count), *whole
-    squares = squares or detect_squares(grey)
     if squares is None or squares.count < LEAST_SHARE * board.count:
         raise missing(grey, board)
     if not are_squares(grey, squares.corners_px):
@@ -100,9 +97,21 @@ def _squares(grey: ImageArray, board: CheckerboardDescription, expected_px: Floa
     return part
 
 
-def _says_enough(grey: ImageArray, board: CheckerboardDescription, squares: DetectedSquares | None) -> bool:
+def _whole(grey: ImageArray, board: CheckerboardDescription, squares: DetectedSquares | None) -> tuple[FloatArray, float] | None:
+    """All corners and their smallest distance: of the grid that was detected, or of a thorough search where that may find more."""
+    if squares is not None:
+        try:
+            found = find_squares(grey, board, squares)
+        except CalibrationError:  # one of its corners is something else
+            found = None
+        if found is not None or _says_enough(grey, board, squares):
+            return found
+    return find_squares(grey, board, None)
+
+
+def _says_enough(grey: ImageArray, board: CheckerboardDescription, squares: DetectedSquares) -> bool:
     """Whether no thorough search can find more: the board goes on beyond the image's edge, or the grid ends all round at the board's size."""
-    if squares is None or not are_squares(grey, squares.corners_px):
+    if not are_squares(grey, squares.corners_px):
         return False
     ends = all(squares.ends_in_white) and squares.size == (max(board.columns, board.rows), min(board.columns, board.rows))
     return ends or squares.is_cut_off((grey.shape[1], grey.shape[0]))

@@ -11,7 +11,7 @@ from measureapp.arrays import FloatArray, ImageArray, IntArray
 from measureapp.calibrate.boards.charuco import suggest_charuco
 from measureapp.calibrate.boards.circle_grid import is_whole
 from measureapp.calibrate.boards.circle_lattice import detect_circles
-from measureapp.calibrate.boards.refine import apply_homography, homography, local_axes
+from measureapp.calibrate.boards.refine import apply_homography, homography, local_axes, patches_at
 from measureapp.calibrate.boards.squares import DetectedSquares, blur, levels_at
 from measureapp.calibrate.sightings import BoardDetectionError
 from measureapp.data.board import BoardDescription, CharucoDescription, CheckerboardDescription, CirclesDescription
@@ -134,12 +134,9 @@ def _half_white(board: BoardDescription) -> float:
 
 
 def _require_levels(grey: ImageArray, corners_px: FloatArray, reach_px: float) -> None:
-    half = max(2, round(reach_px))
-    clipped, bright = [], []
-    for column, row in np.round(corners_px).astype(int):
-        patch = grey[max(row - half, 0) : row + half + 1, max(column - half, 0) : column + half + 1]
-        clipped.append(np.mean(patch >= FULL_SCALE) > CLIPPED_MARK)
-        bright.append(np.percentile(patch, 90))
+    patches = patches_at(grey, corners_px, max(2, round(reach_px))).reshape(len(corners_px), -1)
+    clipped = np.mean(patches >= FULL_SCALE, axis=1) > CLIPPED_MARK
+    bright = np.percentile(patches, 90, axis=1)
     if np.mean(clipped) > CLIPPED_MARKS:
         raise BoardDetectionError(
             f"The board is over-exposed: its white is clipped at {np.mean(clipped):.0%} of the marks, which makes them scatter.",

@@ -108,18 +108,26 @@ def mark_sigmas(grey: ImageArray, board: BoardDescription, ids: IntArray, corner
     What gradients within ``reach_px`` (N,) say of each mark's place gives the ratios (inverse of the summed products of gradients,
     Förstner 1987); the smoothness of the grid gives the level: what a homography and a cubic distortion leave is noise.
     """
-    shape = np.array([_precision(grey, corner, reach) for corner, reach in zip(corners_px, reach_px, strict=True)])
+    halves = np.maximum(2, np.round(reach_px).astype(int)) + 1
+    shape = np.empty(len(ids))
+    for half in np.unique(halves):
+        shape[halves == half] = _precision(grey, corners_px[halves == half], int(half))
     shape = np.minimum(shape / np.median(shape), WEAK_CORNER)
     return np.asarray(np.maximum(_level(board, ids, corners_px) * shape, LEAST_SIGMA_PX))
 
 
-def _precision(grey: ImageArray, corner: FloatArray, reach_px: float) -> float:
-    half = max(2, round(reach_px)) + 1
-    column, row = np.clip(np.round(corner).astype(int), half, np.array(grey.shape[::-1]) - half - 1)
-    patch = grey[row - half : row + half + 1, column - half : column + half + 1].astype(np.float64)
-    gx, gy = (patch[1:-1, 2:] - patch[1:-1, :-2]) / 2, (patch[2:, 1:-1] - patch[:-2, 1:-1]) / 2
-    xx, yy, xy = (gx * gx).sum(), (gy * gy).sum(), (gx * gy).sum()
-    return float(np.sqrt((xx + yy) / 2 / max(xx * yy - xy * xy, 1e-9)))
+def _precision(grey: ImageArray, corners_px: FloatArray, half: int) -> FloatArray:
+    patch = patches_at(grey, corners_px, half).astype(np.float64)
+    gx, gy = (patch[:, 1:-1, 2:] - patch[:, 1:-1, :-2]) / 2, (patch[:, 2:, 1:-1] - patch[:, :-2, 1:-1]) / 2
+    xx, yy, xy = (np.sum(one, axis=(1, 2)) for one in (gx * gx, gy * gy, gx * gy))
+    return np.asarray(np.sqrt((xx + yy) / 2 / np.maximum(xx * yy - xy * xy, 1e-9)))
+
+
+def patches_at(grey: ImageArray, places: FloatArray, half: int) -> ImageArray:
+    """Return the squares (N, 2 half + 1, 2 half + 1) of the image about places (N, 2), moved inwards at its edges."""
+    offsets = np.arange(-half, half + 1)
+    column, row = np.clip(np.round(places).astype(int), half, np.array(grey.shape[::-1]) - half - 1).T
+    return np.asarray(grey[(row[:, None] + offsets)[:, :, None], (column[:, None] + offsets)[:, None, :]])
 
 
 def off_the_grid(board: BoardDescription, ids: IntArray, corners_px: FloatArray) -> BoolArray:

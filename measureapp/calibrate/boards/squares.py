@@ -9,20 +9,16 @@ import numpy as np
 
 from measureapp.arrays import BoolArray, FloatArray, ImageArray
 from measureapp.calibrate.boards.refine import refine_corners, window_of
+from measureapp.calibrate.boards.saddles import find_saddles, grow_grid
 from measureapp.data.board import BoardDescription
-from measureapp.errors import CalibrationError
 
-QUICK_PX = (500, 700)  # longer side of the image the board is searched in first: most boards are found there in a tenth of the time
-SEARCH_PX = 1000  # where that finds none
+SEARCH_PX = 1000  # longer side of the image the board is searched in
 SEARCH_SEED = 1  # of this thread: the search draws lots, and one image must give one answer
-SEED = (3, 3)  # corners of the smallest grid that tells of another or a hidden board
-PROBE_SHARE = 0.28  # of a square: where the four squares round a corner are sampled
-LEAST_CONTRAST = 0.35  # of the seed's corners
-LEAST_ROW_SHARE = 0.5  # of the corners of a further row must be there
+LEAST_SIDE = 3  # corners of the smallest grid that tells of another or a hidden board
+LEAST_ROW_SHARE = 0.5  # of the corners of an outer row must be there
 RING_SHARES = (0.5, 0.88)  # of a square behind the last row of corners: within the outermost squares
 MARGIN_SHARES = (1.12, 1.5)  # beyond them
 LEAST_RUN, LEAST_RUN_SHARE = 4, 0.4  # neighbouring squares of a side, and share of the side, that must look like the end of a board
-GROW_UNTIL = (cv2.TERM_CRITERIA_EPS + cv2.TERM_CRITERIA_MAX_ITER, 20, 1e-2)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -59,38 +55,43 @@ class DetectedSquares:
         return False
 
 
-def find_squares(grey: ImageArray, board: BoardDescription, *, quickly: bool) -> tuple[FloatArray, float] | None:
+def find_squares(grey: ImageArray, board: BoardDescription, seen: DetectedSquares | None) -> tuple[FloatArray, float] | None:
     """Find all inner corners (N, 2) of ``board`` to sub-pixel and the smallest distance of neighbours, px; None without a board.
-
-    ``quickly`` searches in images shrunk further, and misses small squares and oblique boards; what it finds is as accurate.
 
     Corner 0 is the same physical corner in every image and camera where the board allows it: the squares on both sides of it
     along the board's diagonal are black. On a symmetric board (`is_symmetric`) either end may come first.
+
+    Parameters
+    ----------
+    seen : the grid that was detected, where it is the board; None: searched thoroughly, which takes ten times as long
 
     Raises
     ------
     CalibrationError
         The corners cannot be refined.
     """
-    failed: CalibrationError | None = None
-    for longest in QUICK_PX if quickly else (SEARCH_PX,):
-        small, scale = shrink(grey, longest)
-        coarse = _search_by_symmetry(small, board)
-        if coarse is None and not quickly:
-            coarse = _search_by_outlines(small, board)
-        if coarse is None:
-            continue
-        coarse = full_size(coarse, scale)
-        spacing = _least_spacing(coarse, board)
-        try:
-            corners = refine_corners(grey, coarse, spacing, window_of(spacing))
-        except CalibrationError as error:
-            failed = error
-            continue
-        return _from_black_corner(grey, _right_handed(corners, board), board), spacing
-    if failed is not None and not quickly:
-        raise failed
-    return None
+    coarse = _search_thoroughly(grey, board) if seen is None else _as_whole(seen, board)
+    if coarse is None:
+        return None
+    spacing = _least_spacing(coarse, board)
+    corners = refine_corners(grey, coarse, spacing, window_of(spacing))
+    return _from_black_corner(grey, _right_handed(corners, board), board), spacing
+
+
+def _as_whole(seen: DetectedSquares, board: BoardDescription) -> FloatArray | None:
+    """Return the corners (N, 2) of a grid that has every corner of the board, and no more; else None."""
+    if not seen.there.all() or seen.size != (max(board.columns, board.rows), min(board.columns, board.rows)):
+        return None
+    grid = seen.corners_px if seen.there.shape == (board.rows, board.columns) else np.rot90(seen.corners_px)
+    return grid.reshape(-1, 2)
+
+
+def _search_thoroughly(grey: ImageArray, board: BoardDescription) -> FloatArray | None:
+    small, scale = shrink(grey, SEARCH_PX)
+    coarse = _search_by_symmetry(small, board)
+    if coarse is None:
+        coarse = _search_by_outlines(small, board)
+    return None if coarse is None else full_size(coarse, scale)
 
 
 def shrink(grey: ImageArray, longest_px: int) -> tuple[ImageArray, float]:
@@ -106,25 +107,49 @@ def full_size(points: FloatArray, scale: float) -> FloatArray:
     return (points + 0.5) / scale - 0.5
 
 
-def detect_squares(grey: ImageArray, longest_px: int = SEARCH_PX) -> DetectedSquares | None:
-    """Detect a grid of squares of any size, from 3 × 3 corners outwards as far as it reaches; ``longest_px``: of the shrunk image searched."""
-    small, scale = shrink(grey, longest_px)
-    cv2.setRNGSeed(SEARCH_SEED)
-    found, seed, meta = cv2.findChessboardCornersSBWithMeta(small, SEED, cv2.CALIB_CB_NORMALIZE_IMAGE | cv2.CALIB_CB_LARGER)
-    if not found or len(seed) != meta.size:
+def detect_squares(grey: ImageArray) -> DetectedSquares | None:
+    """Detect the largest grid of squares, of any size from 3 × 3 corners on."""
+    small, scale = shrink(grey, SEARCH_PX)
+    found = grow_grid(find_saddles(small))
+    if found is None:
         return None
-    grid: FloatArray = np.asarray(seed, np.float64).reshape(*meta.shape, 2)
-    along, down = grid[0, -1] - grid[0, 0], grid[-1, 0] - grid[0, 0]
-    if along[0] * down[1] - along[1] * down[0] < 0:
-        grid = grid[::-1]
-    contrast = float(np.median(np.abs(_contrasts(small, grid))))
-    there = np.ones(grid.shape[:2], bool)
-    for _ in range(4):  # each side in turn is the last row
-        grid, there = _add_rows(small, np.rot90(grid), np.rot90(there), contrast)
+    grid, there = _without_poor_rows(*found)
+    if min(there.shape) < LEAST_SIDE:
+        return None
+    grid = _with_missing(grid)
     levels = levels_at(blur(small), _cells(grid))
     even = np.indices(levels.shape).sum(axis=0) % 2 == 0
     sides = tuple(_ends_in_white(small, np.rot90(grid, quarter), np.rot90(there, quarter)) for quarter in range(4))
     return DetectedSquares(full_size(grid, scale), there, bool(levels[even].mean() < levels[~even].mean()), sides)
+
+
+def _without_poor_rows(grid: FloatArray, there: BoolArray) -> tuple[FloatArray, BoolArray]:
+    """Remove outer rows and columns of which less than half of the corners were found."""
+    while there.size:
+        poor = [quarter for quarter in range(4) if np.rot90(there, quarter)[-1].mean() < LEAST_ROW_SHARE]
+        if not poor:
+            break
+        worst = min(poor, key=lambda quarter: float(np.rot90(there, quarter)[-1].mean()))
+        grid = np.rot90(np.rot90(grid, worst)[:-1], -worst)
+        there = np.rot90(np.rot90(there, worst)[:-1], -worst)
+    return grid, there
+
+
+def _with_missing(grid: FloatArray) -> FloatArray:
+    """Add where missing corners (NaN) are expected: on the straight lines through their neighbours."""
+    while np.isnan(grid).any():
+        wide = np.pad(grid, ((2, 2), (2, 2), (0, 0)), constant_values=np.nan)
+        rows, columns = np.nonzero(np.isnan(grid[..., 0]))
+        at = [(rows + 2, columns + 2, down, right) for down, right in ((0, 1), (1, 0), (0, -1), (-1, 0))]
+        guesses = [2 * wide[r + down, c + right] - wide[r + 2 * down, c + 2 * right] for r, c, down, right in at]
+        guesses += [(wide[r + down, c + right] + wide[r - down, c - right]) / 2 for r, c, down, right in at[:2]]
+        known = ~np.isnan(guesses)
+        total, count = np.where(known, guesses, 0.0).sum(axis=0), known.sum(axis=0)
+        if not count.any():
+            break
+        grid = grid.copy()
+        grid[rows, columns] = np.where(count > 0, total / np.maximum(count, 1), np.nan)
+    return grid
 
 
 def _search_by_symmetry(picture: ImageArray, board: BoardDescription) -> FloatArray | None:
@@ -177,38 +202,6 @@ def levels_at(picture: ImageArray, places: FloatArray) -> FloatArray:
     """Return the grey levels (…) of the pixels nearest to places (…, 2)."""
     column, row = np.moveaxis(np.round(places).astype(int), -1, 0)
     return picture[np.clip(row, 0, picture.shape[0] - 1), np.clip(column, 0, picture.shape[1] - 1)].astype(float)
-
-
-def _contrasts(picture: ImageArray, grid: FloatArray) -> FloatArray:
-    """How much brighter one diagonal pair of squares round each corner is than the other; its sign alternates over a board."""
-    down, right = np.gradient(grid, axis=0), np.gradient(grid, axis=1)
-    smooth = blur(picture)
-    at = [[levels_at(smooth, grid + PROBE_SHARE * (a * down + b * right)) for b in (-1, 1)] for a in (-1, 1)]
-    sign = np.where(np.indices(grid.shape[:2]).sum(axis=0) % 2 == 0, 1.0, -1.0)
-    even = np.minimum(at[0][0], at[1][1]) - np.maximum(at[0][1], at[1][0])
-    odd = np.minimum(at[0][1], at[1][0]) - np.maximum(at[0][0], at[1][1])
-    return np.asarray(sign * np.where(even > odd, np.maximum(even, 0), -np.maximum(odd, 0)))
-
-
-def _add_rows(picture: ImageArray, grid: FloatArray, there: BoolArray, contrast: float) -> tuple[FloatArray, BoolArray]:
-    """Add rows behind the last one as long as most of their corners are in the image."""
-    while True:
-        guess = 2.5 * grid[-1] - 2 * grid[-2] + 0.5 * grid[-3]  # the quadratic through the last three, half trusted
-        reach = max(2, round(0.25 * float(np.linalg.norm(grid[-1] - grid[-2], axis=1).min())))
-        inside = np.all((guess > reach + 2) & (guess < np.array(picture.shape[::-1]) - reach - 3), axis=1)
-        if not inside.any():
-            return grid, there
-        better = guess.copy()
-        start = guess[inside].astype(np.float32).reshape(-1, 1, 2)
-        better[inside] = cv2.cornerSubPix(picture, start, (reach, reach), (-1, -1), GROW_UNTIL).reshape(-1, 2)
-        longer = np.concatenate([grid, better[None]])
-        signs = _contrasts(picture, longer)
-        same = np.sign(np.median(signs[:-1][there]))
-        corner = inside & (signs[-1] * same > LEAST_CONTRAST * contrast) & (np.linalg.norm(better - guess, axis=1) < reach)
-        if corner.mean() < LEAST_ROW_SHARE:
-            return grid, there
-        longer[-1] = np.where(corner[:, None], better, guess)
-        grid, there = longer, np.concatenate([there, corner[None]])
 
 
 def _ends_in_white(picture: ImageArray, grid: FloatArray, there: BoolArray) -> bool:

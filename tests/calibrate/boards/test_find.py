@@ -52,12 +52,23 @@ def test_corners_are_found_to_a_twentieth_of_a_pixel_whatever_way_the_board_lies
     assert np.linalg.norm(found[0] - truth[0]) < 0.3
 
 
-def test_the_quick_search_is_as_accurate_as_the_thorough_one(generator):
+@pytest.mark.parametrize(("turn_deg", "tilt"), [(20, 0.0002), (130, 0.0008)])
+def test_the_grown_grid_is_as_accurate_as_the_thorough_search(turn_deg, tilt, generator):
+    image, truth = photographed(BOARD, turn_deg, generator, tilt=tilt, scale=0.8)
+    grown, _ = find_squares(image, BOARD, detect_squares(image))
+    thorough, _ = find_squares(image, BOARD, None)
+    assert np.abs(grown - thorough).max() < 0.01
+    assert np.sqrt(np.mean((grown - truth) ** 2)) < 0.05
+
+
+def test_a_corner_that_is_hidden_is_expected_where_it_is_and_the_others_are_found(generator):
     image, truth = photographed(BOARD, 20, generator)
-    quick, _ = find_squares(image, BOARD, quickly=True)
-    thorough, _ = find_squares(image, BOARD, quickly=False)
-    assert np.abs(quick - thorough).max() < 0.01
-    assert np.sqrt(np.mean((quick - truth) ** 2)) < 0.05
+    hidden = 5 * BOARD.columns + 6
+    cv2.circle(image, tuple(int(place) for place in np.round(truth[hidden])), 12, 128, -1)
+    squares = detect_squares(image)
+    assert squares.count == BOARD.count - 1
+    assert np.linalg.norm(squares.corners_px[~squares.there] - truth[hidden]) < 1.0
+    assert set(find_board(image, BOARD).ids) == set(range(BOARD.count)) - {hidden}
 
 
 def test_a_board_that_goes_on_beyond_the_image_is_told_from_one_that_is_whole(generator):
