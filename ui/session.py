@@ -9,11 +9,8 @@ from typing import TYPE_CHECKING, Literal
 
 from PySide6.QtCore import QObject, Signal
 
-<<<<<<< HEAD
 from measureapp.data.deviation_scale import DeviationScale
 from ui.look.language.words import tr
-=======
->>>>>>> main
 from ui.messages import BUSY, CALIBRATION, CANCEL, DEVICES, PROJECT, STOPPED, Level, Message, Messages
 from ui.settings.settings import Settings
 from ui.workers.mailbox import Mailboxes

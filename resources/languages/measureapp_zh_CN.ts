@@ -64,6 +64,25 @@
     </message>
   </context>
   <context>
+    <name>charts</name>
+    <message>
+      <source>Grey levels</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Points</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Saturated {saturated}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{counted} points, {ends}</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
     <name>clouds</name>
     <message>
       <source> and registration.</source>
@@ -82,6 +101,10 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>, saturated</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Accepted by cloud quality</source>
       <translation type="unfinished" />
     </message>
@@ -91,6 +114,10 @@
     </message>
     <message>
       <source>Brightness in the images</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>CSV (*.csv)</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -107,6 +134,10 @@
     </message>
     <message>
       <source>Cancelled</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Cancelled. Nothing was changed; decode to continue.</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -146,6 +177,10 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>Composite</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Correction</source>
       <translation type="unfinished" />
     </message>
@@ -155,6 +190,18 @@
     </message>
     <message>
       <source>Crop and clean the merged cloud; the stitched cloud is kept</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Decode</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Decoded</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Decoded, brightest</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -190,10 +237,6 @@
       <translation type="unfinished" />
     </message>
     <message>
-      <source>Exposure</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
       <source>Filter</source>
       <translation type="unfinished" />
     </message>
@@ -202,7 +245,23 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>Fit the image into the window</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Grey</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Grey level at {words}: {grey}{full}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Grey level, {words}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Grey levels of the image</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -215,6 +274,18 @@
     </message>
     <message>
       <source>Images and holes: {viewpoint_id}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Images – {viewpoint_id}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Images: {viewpoint_id}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Images…</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -251,6 +322,10 @@
     </message>
     <message>
       <source>Modulation over noise</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Move the mouse over the image, or the arrow keys, to read values.</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -302,10 +377,6 @@
       <translation type="unfinished" />
     </message>
     <message>
-      <source>Points</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
       <source>Position σ</source>
       <translation type="unfinished" />
     </message>
@@ -342,6 +413,18 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>Saturated pixels are red.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Save the profile</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Saved: {name}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Share</source>
       <translation type="unfinished" />
     </message>
@@ -370,7 +453,15 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>Stored images, phase, modulation, σ and exposures of the selected view, and profiles</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>The first cloud appears when the first viewpoint is processed.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>The images are decoded; the project is not changed.</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -379,6 +470,10 @@
     </message>
     <message>
       <source>The pixels can be inspected as soon as this is complete.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>The profile was not saved: {error}</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -434,6 +529,14 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>Valid pixels</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Values along a line, which the mouse or the numbers move</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Views</source>
       <translation type="unfinished" />
     </message>
@@ -447,14 +550,6 @@
     </message>
     <message>
       <source>accepted by hand</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <source>body</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <source>caption</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -491,6 +586,10 @@
     </message>
     <message>
       <source>{count}, {total} points</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{quantity} decoded from all unsaturated exposures, {quantity_2} from the brightest unsaturated one alone (rule of the paper).</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -678,6 +777,10 @@
     </message>
     <message>
       <source>Data stored so far is kept.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Decoding {viewpoint_id}</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -4898,6 +5001,10 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>Stored are: {v1}.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Take them first, or give a calibration.</source>
       <translation type="unfinished" />
     </message>
@@ -5099,6 +5206,10 @@
     </message>
     <message>
       <source>{v1} contains no images of view {v2}.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{v1} contains no images of viewpoint {v2}.</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -6121,10 +6232,6 @@
     </message>
     <message>
       <source>Store only stacks taken by a rig in a project.</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <source>Stored are: {v1}.</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -7711,6 +7818,165 @@
     </message>
     <message>
       <source>Virtual rig: setting world.knocked_deg names camera {v1}.</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>images</name>
+    <message>
+      <source> &amp;nbsp; </source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>, no values</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Absolute phase</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Amplitude of the fringes at the exposure used</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Column [px]</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Column of the first end</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Column of the second end</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Distance [px]</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Exposure</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>From row</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Grey level</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Image</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Images</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Longest exposure in which the pixel is not saturated</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Map</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Modulation</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Phase</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Phase within one period of the finest fringes</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Profile</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Reason</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Row [px]</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Row of the first end</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Row of the second end</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Save table…</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Standard deviation of the absolute phase</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Standard deviation σ of the phase</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Stored images, one by one</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>The values of all maps along the line, as CSV</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Valid</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Why a pixel has no phase</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Wrapped</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Wrapped phase</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>body</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>caption</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>grey levels</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>soft</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>to row</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{text}, image {text_2}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{words}, {count} pixels{ends}</source>
       <translation type="unfinished" />
     </message>
   </context>
@@ -9854,6 +10120,10 @@ The first run of this part counts.</source>
       <translation type="unfinished" />
     </message>
     <message>
+      <source>Contribution, 1 σ</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Deviation from the nominal</source>
       <translation type="unfinished" />
     </message>
@@ -9947,10 +10217,6 @@ The first run of this part counts.</source>
     </message>
     <message>
       <source>Header, template…</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <source>Images</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -10282,10 +10548,6 @@ The first run of this part counts.</source>
       <translation type="unfinished" />
     </message>
     <message>
-      <source>grey levels</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
       <source>heading</source>
       <translation type="unfinished" />
     </message>
@@ -10295,10 +10557,6 @@ The first run of this part counts.</source>
     </message>
     <message>
       <source>report templates</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <source>soft</source>
       <translation type="unfinished" />
     </message>
     <message>

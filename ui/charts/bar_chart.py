@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from ui.charts.chart import Chart
+from ui.look.language.words import translated
 from ui.look.look import Look
 from ui.look.wording import millimetres
 
@@ -36,7 +37,7 @@ class BarChart(Chart):
         self._quantity, self._unit, self._written = quantity, unit, written
         self.bars: tuple[Bar, ...] = ()
         self._longest = 1.0
-        self.setAccessibleName(quantity)
+        self.setAccessibleName(translated(quantity))
 
     def show_bars(self, bars: Sequence[Bar]) -> None:
         """Show these bars."""

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from PySide6.QtWidgets import QSizePolicy, QVBoxLayout, QWidget
 
+from ui.look.language.words import translated
 from ui.look.look import Look
 
 if TYPE_CHECKING:
@@ -36,7 +37,7 @@ class Chart(QWidget):
 
     def redraw(self, spoken: str) -> None:
         """Draw the present data; ``spoken`` describes them to a screen reader."""
-        self.setAccessibleDescription(spoken)
+        self.setAccessibleDescription(translated(spoken))
         if self.plot is None:
             self.plot = self._make_plot()
             self.layout().addWidget(self.plot)

@@ -9,6 +9,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QColor
 
 from ui.charts.chart import Chart
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.look.wording import counted, quantity
 from ui.viewport.overlay.legend import Legend
@@ -36,9 +37,9 @@ class DeviationHistogram(Chart):
         finite = values_mm[np.isfinite(values_mm)]
         self.edges = np.linspace(legend.low, legend.high, BINS + 1)
         self.counts, _ = np.histogram(np.clip(finite, legend.low, legend.high), self.edges)
-        self.setAccessibleName(legend.quantity)
+        self.setAccessibleName(translated(legend.quantity))
         ends = " … ".join(quantity(end, legend.unit, signed=True) for end in (legend.low, legend.high))
-        self.redraw(f"{counted(len(finite))} points, {ends}")
+        self.redraw(tr("{counted} points, {ends}", counted=counted(len(finite)), ends=ends))
 
     def _make_plot(self) -> Plot:
         from ui.charts.plotting import NumberAxis, Plot

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ui.charts.chart import Chart
+from ui.look.language.words import tr
 from ui.look.look import Look
 from ui.look.wording import percent
 
@@ -28,7 +29,7 @@ class LevelHistogram(Chart):
         self._saturation = 255
         self.setMinimumSize(144, 72)
         self.setMaximumHeight(96)
-        self.setAccessibleName("Grey levels")
+        self.setAccessibleName(tr("Grey levels"))
 
     def show_levels(self, pixels: np.ndarray, saturation: int) -> None:
         """Show the levels of an image (H, W)."""
@@ -37,7 +38,7 @@ class LevelHistogram(Chart):
         self.shares = counts / max(1, counts.sum())
         self.saturated = float(np.mean(thin >= saturation)) if thin.size else 0.0
         self._saturation = saturation
-        self.redraw(f"Saturated {percent(self.saturated)}")
+        self.redraw(tr("Saturated {saturated}", saturated=percent(self.saturated)))
 
     def _make_plot(self) -> Plot:
         from ui.charts.plotting import NumberAxis, Plot

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal, Slot
 
 from ui.controllers.jobs import JobRunner
+from ui.look.language.words import tr
 from ui.session import Session
 
 if TYPE_CHECKING:
@@ -60,7 +61,7 @@ class ImagesController(QObject):
             self.loaded.emit(self._last)
         elif folder is not None and (folder / "project.json").exists():
             self._job = self._runner.run(
-                f"Decoding {viewpoint_id}",
+                tr("Decoding {viewpoint_id}", viewpoint_id=viewpoint_id),
                 lambda job: load_images(folder, viewpoint_id, job),
                 self._keep,
                 on_failed=self._tell_failure,
@@ -99,7 +100,7 @@ class ImagesController(QObject):
 
 def load_images(folder: Path, viewpoint_id: str, job: Job) -> ViewImages:
     """Read a stored viewpoint, and decode it by both rules; runs on a job's thread. Raises MeasureError."""
-    job.report(0, 1, f"Reading the images of {viewpoint_id}")
+    job.report(0, 1, tr("Reading the images of {viewpoint_id}", viewpoint_id=viewpoint_id))
     from measureapp.pipeline.exposures import decode_by_rules, ratios_of
     from measureapp.pipeline.noise import decode_settings_of
     from measureapp.project.folder import ProjectFolder

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QSlider, QWidget
 
+from ui.look.language.words import tr, translated
 from ui.look.wording import exposure
 from ui.widgets.basic import label, row
 
@@ -46,11 +47,11 @@ class FrameBar(QWidget):
     @property
     def words(self) -> str:
         """Return the choice in words."""
-        return f"{self._words['Exposure'].text()}, image {self._words['Image'].text()}"
+        return tr("{text}, image {text_2}", text=self._words["Exposure"].text(), text_2=self._words["Image"].text())
 
     def _slider(self, name: str) -> QSlider:
         slider = QSlider(Qt.Orientation.Horizontal)
-        slider.setAccessibleName(name)
+        slider.setAccessibleName(translated(name))
         slider.setPageStep(1)
         slider.valueChanged.connect(self._tell)
         return slider

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ui.look.language.words import translated
 from ui.look.wording import exposure, percent, point_reason, quantity
 
 if TYPE_CHECKING:
@@ -132,4 +133,4 @@ def _ramp(count: int) -> list[tuple[int, int, int]]:
 def legend_words(layer: Layer) -> str:
     """Return the legend of a map of categories as rich text: those that occur, with their shares."""
     shown = [one for one in layer.categories if one.share > 0]
-    return " &nbsp; ".join(f'<span style="color:rgb{one.colour}">■</span> {one.words} {percent(one.share)}' for one in shown)
+    return " &nbsp; ".join(f'<span style="color:rgb{one.colour}">■</span> {translated(one.words)} {percent(one.share)}' for one in shown)

@@ -10,6 +10,7 @@ from PySide6.QtGui import QKeyEvent
 
 from ui.charts.chart import Chart
 from ui.images.layers import SATURATED, Layer
+from ui.look.language.words import tr
 from ui.look.look import Look
 
 if TYPE_CHECKING:
@@ -35,7 +36,7 @@ class MapView(Chart):
         self._moving = False  # the line, by the program
         self.setMinimumSize(320, 240)
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
-        self.setAccessibleName("Map")
+        self.setAccessibleName(tr("Map"))
 
     def show_layer(self, layer: Layer, saturation: int | None = None) -> None:
         """Show a layer; pixels that reach ``saturation`` are marked. Zoom is kept for images of one size."""

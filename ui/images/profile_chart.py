@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ui.charts.chart import Chart
+from ui.look.language.words import tr
 from ui.look.look import Look
 
 if TYPE_CHECKING:
@@ -24,14 +25,14 @@ class ProfileChart(Chart):
         self.curves: dict[str, np.ndarray] = {}
         self.limit: float | None = None
         self.setMinimumSize(240, 120)
-        self.setAccessibleName("Profile")
+        self.setAccessibleName(tr("Profile"))
 
     def show_curves(self, words: str, distance_px: np.ndarray, curves: Mapping[str, np.ndarray], limit: float | None = None) -> None:
         """Show curves (N,) over distances (N,); ``words``: quantity and unit; ``limit``: a value that is marked, such as saturation."""
         self.words, self.distance_px, self.curves, self.limit = words, distance_px, dict(curves), limit
         finite = np.concatenate([values[np.isfinite(values)] for values in curves.values()] or [np.zeros(0)])
         ends = f", {finite.min():.4g} … {finite.max():.4g}" if finite.size else ", no values"
-        self.redraw(f"{words}, {len(distance_px)} pixels{ends}")
+        self.redraw(tr("{words}, {count} pixels{ends}", words=words, count=len(distance_px), ends=ends))
 
     def _make_plot(self) -> Plot:
         from ui.charts.plotting import NumberAxis, Plot

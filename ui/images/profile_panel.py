@@ -8,6 +8,7 @@ from PySide6.QtWidgets import QSpinBox, QWidget
 
 from ui.images.profile import Pixel, Profile, profile
 from ui.images.profile_chart import ProfileChart
+from ui.look.language.words import translated
 from ui.look.look import Look
 from ui.widgets.basic import Button, column, label, row
 
@@ -60,13 +61,13 @@ class ProfilePanel(QWidget):
         """Show two of the layers along the line, each by its name and words; grey levels (``lower``) with the limit of saturation."""
         self.profile = profile(self.value(), layers)
         for caption, (_, words) in zip(self.captions, (upper, lower), strict=True):
-            caption.setText(words)
+            caption.setText(translated(words))
         for chart, (name, words), limit in ((self.upper, upper, None), (self.lower, lower, saturation)):
             chart.show_curves(words, self.profile.distance_px, {name: self.profile.values[name]}, limit)
 
     def _field(self, name: str) -> QSpinBox:
         field = QSpinBox()
-        field.setAccessibleName(name)
+        field.setAccessibleName(translated(name))
         field.setMinimumWidth(72)
         field.valueChanged.connect(lambda _value: self.lineEdited.emit(self.value()))
         return field

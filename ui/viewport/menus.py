@@ -9,11 +9,8 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QLocale, QPoint, Qt
 from PySide6.QtWidgets import QLineEdit, QMenu, QWidget
 
-<<<<<<< HEAD
 from measureapp.data.deviation_scale import RampName
 from ui.look.language.words import tr
-=======
->>>>>>> main
 from ui.look.wording import MINUS
 from ui.viewport.overlay.legend import Legend
 from ui.viewport.overlay.legend_edits import STEP_CHOICES, Handle, reset, swapped, symmetric, value_of, with_value

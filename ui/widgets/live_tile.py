@@ -6,6 +6,7 @@ import numpy as np
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from ui.charts.level_histogram import EVERY, SATURATED_IS_MUCH, LevelHistogram
+from ui.look.language.words import tr
 from ui.look.look import Look
 from ui.look.wording import exposure, percent
 from ui.widgets.basic import column, label
@@ -33,5 +34,5 @@ class LiveTile(QWidget):
         thin = pixels[::EVERY, ::EVERY]
         saturated = float(np.mean(thin >= self._saturation))
         median = float(np.median(thin)) / self._saturation
-        words = f"Median level {percent(median, 0)} · saturated {percent(saturated, 1)}"
+        words = tr("Median level {median} · saturated {saturated}", median=percent(median, 0), saturated=percent(saturated, 1))
         self.words.setText(words + (" – too bright" if saturated > SATURATED_IS_MUCH else ""))

@@ -15,6 +15,7 @@ from ui.images.frame_bar import FrameBar
 from ui.images.layers import KINDS, TIPS, Layer, frame_layer, layer_of, legend_words
 from ui.images.map_view import MapView
 from ui.images.profile_panel import ProfilePanel
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.look.wording import exposure, quantity, sentence_case
 from ui.settings.dialogs import choose_new
@@ -106,8 +107,8 @@ class ImagesDialog(QDialog):
         if viewpoint_id != self.viewpoint_id:
             self._forget()
             self.viewpoint_id = viewpoint_id
-        self.setWindowTitle(f"Images – {viewpoint_id}")
-        self.title.setText(f"Images: {viewpoint_id}")
+        self.setWindowTitle(tr("Images – {viewpoint_id}", viewpoint_id=viewpoint_id))
+        self.title.setText(tr("Images: {viewpoint_id}", viewpoint_id=viewpoint_id))
         self.show()
         self.raise_()
         self._load()
@@ -119,7 +120,7 @@ class ImagesDialog(QDialog):
 
     def _load(self) -> None:
         self._show_running(True)
-        self.state.setText(WAITING)
+        self.state.setText(translated(WAITING))
         self.images.load(self.viewpoint_id)
 
     def _show_running(self, running: bool) -> None:
@@ -132,12 +133,12 @@ class ImagesDialog(QDialog):
     @Slot(float, str)
     def _show_progress(self, share: float, note: str) -> None:
         self.progress.setValue(round(1000 * share))
-        self.note.setText(sentence_case(note))
+        self.note.setText(translated(sentence_case(note)))
 
     @Slot(str)
     def _show_stopped(self, reason: str) -> None:
         self._show_running(False)
-        self.state.setText(reason or "Cancelled. Nothing was changed; decode to continue.")
+        self.state.setText(translated(reason) or tr("Cancelled. Nothing was changed; decode to continue."))
 
     @Slot()
     def _forget(self) -> None:
@@ -146,7 +147,7 @@ class ImagesDialog(QDialog):
         self._layers.clear()
         self.map.clear()
         self.pixel.setText("")
-        self.values.setText(ASK)
+        self.values.setText(translated(ASK))
         self.legend.setText("")
         self.chart.show_bars(())
         self._show_running(False)
@@ -200,7 +201,9 @@ class ImagesDialog(QDialog):
             return
         kind, layer = self.kind.value(), self._layer(self.kind.value())
         self.map.show_layer(layer, self.view.stack.saturation if kind == "fringes" else None)
-        self.legend.setText(legend_words(layer) if layer.categories else "Saturated pixels are red." if kind == "fringes" else "")
+        self.legend.setText(
+            translated(legend_words(layer)) if layer.categories else tr("Saturated pixels are red.") if kind == "fringes" else ""
+        )
         self.legend.setVisible(bool(self.legend.text()))
         self.histogram.show_levels(self._frame(), self.view.stack.saturation)
         self._show_valid(self.view)
@@ -216,8 +219,11 @@ class ImagesDialog(QDialog):
         bars += [Bar("Composite", 100 * ours.composite_ratio, strong=True), Bar("Decoded", 100 * ours.decoded_ratio, strong=True)]
         self.chart.show_bars([*bars, Bar("Decoded, brightest", 100 * paper.decoded_ratio)])
         self.state.setText(
-            f"{quantity(100 * ours.decoded_ratio, '%', 1)} decoded from all unsaturated exposures, "
-            f"{quantity(100 * paper.decoded_ratio, '%', 1)} from the brightest unsaturated one alone (rule of the paper)."
+            tr(
+                "{quantity} decoded from all unsaturated exposures, {quantity_2} from the brightest unsaturated one alone (rule of the paper).",
+                quantity=quantity(100 * ours.decoded_ratio, "%", 1),
+                quantity_2=quantity(100 * paper.decoded_ratio, "%", 1),
+            )
         )
 
     @Slot(int, int)
@@ -228,12 +234,12 @@ class ImagesDialog(QDialog):
         shape = self._frame().shape
         if not (0 <= line < shape[0] and 0 <= across < shape[1]):
             return
-        self.pixel.setText(f"Row {line}, column {across}")
+        self.pixel.setText(tr("Row {line}, column {across}", line=line, across=across))
         layers = [self._layer(kind) for kind in TOLD]
         told = [f"{layer.quantity}: {layer.words_at(line, across)}" for layer in layers]
         grey = int(self._frame()[line, across])
         full = ", saturated" if grey >= self.view.stack.saturation else ""
-        self.values.setText("\n".join([*told, f"Grey level at {self.frames.words}: {grey}{full}"]))
+        self.values.setText("\n".join([*told, tr("Grey level at {words}: {grey}{full}", words=self.frames.words, grey=grey, full=full)]))
 
     def _show_line(self, on: bool) -> None:
         self.panel.setVisible(on)
@@ -260,7 +266,7 @@ class ImagesDialog(QDialog):
         assert self.view is not None
         kind = self.kind.value() if self.kind.value() in COLUMNS else "wrapped"
         layer = self._layer(kind)
-        grey = f"Grey level, {self.frames.words}"
+        grey = tr("Grey level, {words}", words=self.frames.words)
         layers = {column_name: self._layer(name).values for name, column_name in COLUMNS.items()}
         times = self.view.stack.images[self.cameras.value()]
         image = self.frames.value()[1]
@@ -279,6 +285,6 @@ class ImagesDialog(QDialog):
         try:
             found.save(path)
         except (MeasureError, OSError) as error:
-            self.state.setText(f"The profile was not saved: {error}")
+            self.state.setText(tr("The profile was not saved: {error}", error=error))
         else:
-            self.state.setText(f"Saved: {path.name}")
+            self.state.setText(tr("Saved: {name}", name=path.name))

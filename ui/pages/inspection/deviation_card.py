@@ -7,11 +7,8 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QCheckBox, QDoubleSpinBox, QFrame
 
-<<<<<<< HEAD
-from ui.look.language.words import tr, translated
-=======
 from ui.charts.deviation_histogram import DeviationHistogram
->>>>>>> main
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.look.wording import counted, millimetres, percent
 from ui.pages.inspection.deviation_display import DeviationDisplay
