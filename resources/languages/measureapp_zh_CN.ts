@@ -5,14135 +5,14084 @@
     <name>actions</name>
     <message>
       <source>Command</source>
-      <translation type="unfinished" />
+      <translation>命令</translation>
     </message>
     <message>
       <source>Commands</source>
-      <translation type="unfinished" />
+      <translation>命令</translation>
     </message>
     <message>
       <source>Everywhere</source>
-      <translation type="unfinished" />
+      <translation>全部位置</translation>
     </message>
     <message>
       <source>Keys</source>
-      <translation type="unfinished" />
+      <translation>按键</translation>
     </message>
     <message>
       <source>Nothing fits. Try other words.</source>
-      <translation type="unfinished" />
+      <translation>没有匹配项，请换个词。</translation>
     </message>
     <message>
       <source>Search for a command</source>
-      <translation type="unfinished" />
+      <translation>搜索命令</translation>
     </message>
     <message>
       <source>Shortcuts</source>
-      <translation type="unfinished" />
+      <translation>快捷键</translation>
     </message>
     <message>
       <source>This needs the engineer's role.</source>
-      <translation type="unfinished" />
+      <translation>此操作需要工程师角色。</translation>
     </message>
     <message>
       <source>Type what you want to do</source>
-      <translation type="unfinished" />
+      <translation>输入要执行的操作</translation>
     </message>
     <message>
       <source>Where</source>
-      <translation type="unfinished" />
+      <translation>位置</translation>
     </message>
     <message>
       <source>small</source>
-      <translation type="unfinished" />
+      <translation>small</translation>
     </message>
     <message>
       <source>title</source>
-      <translation type="unfinished" />
+      <translation>title</translation>
     </message>
   </context>
   <context>
     <name>app</name>
     <message>
-      <source>%(asctime)s %(name)s: %(message)s</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
       <source>The last action</source>
-      <translation type="unfinished" />
+      <translation>上一步操作</translation>
     </message>
   </context>
   <context>
     <name>charts</name>
     <message>
       <source>Grey levels</source>
-      <translation type="unfinished" />
+      <translation>灰度</translation>
     </message>
     <message>
       <source>Points</source>
-      <translation type="unfinished" />
+      <translation>点</translation>
     </message>
     <message>
       <source>Saturated {saturated}</source>
-      <translation type="unfinished" />
+      <translation>饱和 {saturated}</translation>
     </message>
     <message>
       <source>{counted} points, {ends}</source>
-      <translation type="unfinished" />
+      <translation>{counted} 个点，{ends}</translation>
     </message>
   </context>
   <context>
     <name>clouds</name>
     <message>
       <source> and registration.</source>
-      <translation type="unfinished" />
+      <translation>以及配准接受。</translation>
     </message>
     <message>
       <source>, at least {least:g}</source>
-      <translation type="unfinished" />
+      <translation>，至少 {least:g}</translation>
     </message>
     <message>
       <source>, at most {most:g}</source>
-      <translation type="unfinished" />
+      <translation>，最多 {most:g}</translation>
     </message>
     <message>
       <source>, filtered {counted}</source>
-      <translation type="unfinished" />
+      <translation>，已过滤 {counted}</translation>
     </message>
     <message>
       <source>, saturated</source>
-      <translation type="unfinished" />
+      <translation>，饱和</translation>
     </message>
     <message>
       <source>Accepted by cloud quality</source>
-      <translation type="unfinished" />
+      <translation>点云质量已接受</translation>
     </message>
     <message>
       <source>Analysis failed</source>
-      <translation type="unfinished" />
+      <translation>分析失败</translation>
     </message>
     <message>
       <source>Brightness in the images</source>
-      <translation type="unfinished" />
+      <translation>图像亮度</translation>
     </message>
     <message>
       <source>CSV (*.csv)</source>
-      <translation type="unfinished" />
+      <translation>CSV (*.csv)</translation>
     </message>
     <message>
       <source>Camera</source>
-      <translation type="unfinished" />
+      <translation>相机</translation>
     </message>
     <message>
       <source>Camera {camera}</source>
-      <translation type="unfinished" />
+      <translation>相机 {camera}</translation>
     </message>
     <message>
       <source>Cancel</source>
-      <translation type="unfinished" />
+      <translation>取消</translation>
     </message>
     <message>
       <source>Cancelled</source>
-      <translation type="unfinished" />
+      <translation>已取消</translation>
     </message>
     <message>
       <source>Cancelled. Nothing was changed; decode to continue.</source>
-      <translation type="unfinished" />
+      <translation>已取消。未作任何更改；解码后继续。</translation>
     </message>
     <message>
       <source>Click a pixel in the picture, or a reason in the list, for an explanation.</source>
-      <translation type="unfinished" />
+      <translation>单击图像中的像素或列表中的原因，即可得到说明。</translation>
     </message>
     <message>
       <source>Cloud</source>
-      <translation type="unfinished" />
+      <translation>点云</translation>
     </message>
     <message>
       <source>Clouds</source>
-      <translation type="unfinished" />
+      <translation>点云</translation>
     </message>
     <message>
       <source>Clouds after registration to their neighbours</source>
-      <translation type="unfinished" />
+      <translation>与相邻点云配准后的点云</translation>
     </message>
     <message>
       <source>Clouds placed by robot, guide and table</source>
-      <translation type="unfinished" />
+      <translation>按机器人、导轨和转台放置的点云</translation>
     </message>
     <message>
       <source>Clouds shown</source>
-      <translation type="unfinished" />
+      <translation>显示的点云</translation>
     </message>
     <message>
       <source>Colour</source>
-      <translation type="unfinished" />
+      <translation>颜色</translation>
     </message>
     <message>
       <source>Colour by</source>
-      <translation type="unfinished" />
+      <translation>着色依据</translation>
     </message>
     <message>
       <source>Completeness</source>
-      <translation type="unfinished" />
+      <translation>完整性</translation>
     </message>
     <message>
       <source>Composite</source>
-      <translation type="unfinished" />
+      <translation>合成</translation>
     </message>
     <message>
       <source>Correction</source>
-      <translation type="unfinished" />
+      <translation>修正量</translation>
     </message>
     <message>
       <source>Correction, rotation</source>
-      <translation type="unfinished" />
+      <translation>旋转修正量</translation>
     </message>
     <message>
       <source>Crop and clean the merged cloud; the stitched cloud is kept</source>
-      <translation type="unfinished" />
+      <translation>裁剪并清理合并点云；拼接点云保留</translation>
     </message>
     <message>
       <source>Decode</source>
-      <translation type="unfinished" />
+      <translation>解码</translation>
     </message>
     <message>
       <source>Decoded</source>
-      <translation type="unfinished" />
+      <translation>已解码</translation>
     </message>
     <message>
       <source>Decoded, brightest</source>
-      <translation type="unfinished" />
+      <translation>按最亮曝光解码</translation>
     </message>
     <message>
       <source>Density</source>
-      <translation type="unfinished" />
+      <translation>密度</translation>
     </message>
     <message>
       <source>Determined by kinematics only</source>
-      <translation type="unfinished" />
+      <translation>仅由运动学确定</translation>
     </message>
     <message>
       <source>Distance from the merged surface, in mm</source>
-      <translation type="unfinished" />
+      <translation>到合并表面的距离，mm</translation>
     </message>
     <message>
       <source>Doubtful</source>
-      <translation type="unfinished" />
+      <translation>可疑</translation>
     </message>
     <message>
       <source>Each viewpoint gives a point cloud; registration aligns them. The demo creates some in one or two minutes.</source>
-      <translation type="unfinished" />
+      <translation>每个视点产生一片点云，配准使其对齐。演示在一两分钟内生成若干点云。</translation>
     </message>
     <message>
       <source>Exclude this view</source>
-      <translation type="unfinished" />
+      <translation>排除此视图</translation>
     </message>
     <message>
       <source>Excluded</source>
-      <translation type="unfinished" />
+      <translation>已排除</translation>
     </message>
     <message>
       <source>Excluded manually.</source>
-      <translation type="unfinished" />
+      <translation>手动排除。</translation>
     </message>
     <message>
       <source>Filter</source>
-      <translation type="unfinished" />
+      <translation>过滤</translation>
     </message>
     <message>
       <source>Filtered</source>
-      <translation type="unfinished" />
+      <translation>已过滤</translation>
     </message>
     <message>
       <source>Fit the image into the window</source>
-      <translation type="unfinished" />
+      <translation>使图像适合窗口</translation>
     </message>
     <message>
       <source>Grey</source>
-      <translation type="unfinished" />
+      <translation>灰度</translation>
     </message>
     <message>
       <source>Grey level at {words}: {grey}{full}</source>
-      <translation type="unfinished" />
+      <translation>{words} 处的灰度：{grey}{full}</translation>
     </message>
     <message>
       <source>Grey level, {words}</source>
-      <translation type="unfinished" />
+      <translation>灰度，{words}</translation>
     </message>
     <message>
       <source>Grey levels of the image</source>
-      <translation type="unfinished" />
+      <translation>图像的灰度</translation>
     </message>
     <message>
       <source>Images and holes</source>
-      <translation type="unfinished" />
+      <translation>图像与空洞</translation>
     </message>
     <message>
       <source>Images and holes – {viewpoint_id}</source>
-      <translation type="unfinished" />
+      <translation>图像与空洞 – {viewpoint_id}</translation>
     </message>
     <message>
       <source>Images and holes: {viewpoint_id}</source>
-      <translation type="unfinished" />
+      <translation>图像与空洞：{viewpoint_id}</translation>
     </message>
     <message>
       <source>Images – {viewpoint_id}</source>
-      <translation type="unfinished" />
+      <translation>图像 – {viewpoint_id}</translation>
     </message>
     <message>
       <source>Images: {viewpoint_id}</source>
-      <translation type="unfinished" />
+      <translation>图像：{viewpoint_id}</translation>
     </message>
     <message>
       <source>Images…</source>
-      <translation type="unfinished" />
+      <translation>图像…</translation>
     </message>
     <message>
       <source>Kinematic</source>
-      <translation type="unfinished" />
+      <translation>运动学</translation>
     </message>
     <message>
       <source>Limit of the correction</source>
-      <translation type="unfinished" />
+      <translation>修正量限值</translation>
     </message>
     <message>
       <source>Longest unsaturated exposure</source>
-      <translation type="unfinished" />
+      <translation>最长未饱和曝光</translation>
     </message>
     <message>
       <source>Lost in decoding</source>
-      <translation type="unfinished" />
+      <translation>解码时丢失</translation>
     </message>
     <message>
       <source>Lost in matching</source>
-      <translation type="unfinished" />
+      <translation>匹配时丢失</translation>
     </message>
     <message>
       <source>Manual</source>
-      <translation type="unfinished" />
+      <translation>手动</translation>
     </message>
     <message>
       <source>Merged</source>
-      <translation type="unfinished" />
+      <translation>已合并</translation>
     </message>
     <message>
       <source>Merged cloud after filtering</source>
-      <translation type="unfinished" />
+      <translation>过滤后的合并点云</translation>
     </message>
     <message>
       <source>Modulation over noise</source>
-      <translation type="unfinished" />
+      <translation>调制度与噪声之比</translation>
     </message>
     <message>
       <source>Move the mouse over the image, or the arrow keys, to read values.</source>
-      <translation type="unfinished" />
+      <translation>在图像上移动鼠标，或用方向键读取数值。</translation>
     </message>
     <message>
       <source>No</source>
-      <translation type="unfinished" />
+      <translation>否</translation>
     </message>
     <message>
       <source>No clouds yet</source>
-      <translation type="unfinished" />
+      <translation>尚无点云</translation>
     </message>
     <message>
       <source>No views yet.</source>
-      <translation type="unfinished" />
+      <translation>尚无视图。</translation>
     </message>
     <message>
       <source>Noise</source>
-      <translation type="unfinished" />
+      <translation>噪声</translation>
     </message>
     <message>
       <source>Nothing was changed. Recompute to continue.</source>
-      <translation type="unfinished" />
+      <translation>未作任何更改。请重新计算以继续。</translation>
     </message>
     <message>
       <source>One colour per view</source>
-      <translation type="unfinished" />
+      <translation>每个视图一种颜色</translation>
     </message>
     <message>
       <source>Order conflicts</source>
-      <translation type="unfinished" />
+      <translation>级次冲突</translation>
     </message>
     <message>
       <source>Orientation σ</source>
-      <translation type="unfinished" />
+      <translation>姿态 σ</translation>
     </message>
     <message>
       <source>Outliers</source>
-      <translation type="unfinished" />
+      <translation>离群点</translation>
     </message>
     <message>
       <source>Overlap</source>
-      <translation type="unfinished" />
+      <translation>重叠</translation>
     </message>
     <message>
       <source>Phase noise (median)</source>
-      <translation type="unfinished" />
+      <translation>相位噪声（中位数）</translation>
     </message>
     <message>
       <source>Pixels decoded</source>
-      <translation type="unfinished" />
+      <translation>已解码像素</translation>
     </message>
     <message>
       <source>Position σ</source>
-      <translation type="unfinished" />
+      <translation>位置 σ</translation>
     </message>
     <message>
       <source>Reasons</source>
-      <translation type="unfinished" />
+      <translation>原因</translation>
     </message>
     <message>
       <source>Recompute</source>
-      <translation type="unfinished" />
+      <translation>重新计算</translation>
     </message>
     <message>
       <source>Registered</source>
-      <translation type="unfinished" />
+      <translation>已配准</translation>
     </message>
     <message>
       <source>Registration</source>
-      <translation type="unfinished" />
+      <translation>配准</translation>
     </message>
     <message>
       <source>Rejected points</source>
-      <translation type="unfinished" />
+      <translation>剔除的点</translation>
     </message>
     <message>
       <source>Removed by cleaning</source>
-      <translation type="unfinished" />
+      <translation>清理时去除</translation>
     </message>
     <message>
       <source>Row {line}, column {across}</source>
-      <translation type="unfinished" />
+      <translation>第 {line} 行，第 {across} 列</translation>
     </message>
     <message>
       <source>Run the demo</source>
-      <translation type="unfinished" />
+      <translation>运行演示</translation>
     </message>
     <message>
       <source>Saturated pixels are red.</source>
-      <translation type="unfinished" />
+      <translation>饱和像素显示为红色。</translation>
     </message>
     <message>
       <source>Save the profile</source>
-      <translation type="unfinished" />
+      <translation>保存剖面</translation>
     </message>
     <message>
       <source>Saved: {name}</source>
-      <translation type="unfinished" />
+      <translation>已保存：{name}</translation>
     </message>
     <message>
       <source>Share</source>
-      <translation type="unfinished" />
+      <translation>占比</translation>
     </message>
     <message>
       <source>Show all</source>
-      <translation type="unfinished" />
+      <translation>显示全部</translation>
     </message>
     <message>
       <source>Show everything from the front</source>
-      <translation type="unfinished" />
+      <translation>从正面显示全部内容</translation>
     </message>
     <message>
       <source>Show or hide this view</source>
-      <translation type="unfinished" />
+      <translation>显示或隐藏此视图</translation>
     </message>
     <message>
       <source>Signal to noise</source>
-      <translation type="unfinished" />
+      <translation>信噪比</translation>
     </message>
     <message>
       <source>Standard deviation of each point, in mm</source>
-      <translation type="unfinished" />
+      <translation>每个点的标准差，mm</translation>
     </message>
     <message>
       <source>State of the pixels</source>
-      <translation type="unfinished" />
+      <translation>像素状态</translation>
     </message>
     <message>
       <source>Stored images, phase, modulation, σ and exposures of the selected view, and profiles</source>
-      <translation type="unfinished" />
+      <translation>所选视图的已存图像、相位、调制度、σ 和曝光，以及剖面</translation>
     </message>
     <message>
       <source>The first cloud appears when the first viewpoint is processed.</source>
-      <translation type="unfinished" />
+      <translation>处理第一个视点后显示第一片点云。</translation>
     </message>
     <message>
       <source>The images are decoded; the project is not changed.</source>
-      <translation type="unfinished" />
+      <translation>图像已解码；项目未更改。</translation>
     </message>
     <message>
       <source>The images of the selected view, and why pixels have no point</source>
-      <translation type="unfinished" />
+      <translation>所选视图的图像，以及像素没有点的原因</translation>
     </message>
     <message>
       <source>The pixels can be inspected as soon as this is complete.</source>
-      <translation type="unfinished" />
+      <translation>完成后即可检查像素。</translation>
     </message>
     <message>
       <source>The profile was not saved: {error}</source>
-      <translation type="unfinished" />
+      <translation>剖面未保存：{error}</translation>
     </message>
     <message>
       <source>The space bar shows or hides the selected view.</source>
-      <translation type="unfinished" />
+      <translation>空格键显示或隐藏所选视图。</translation>
     </message>
     <message>
       <source>The view is recomputed from its stored images.</source>
-      <translation type="unfinished" />
+      <translation>视图由其已存图像重新计算。</translation>
     </message>
     <message>
       <source>This view has not been analysed yet.</source>
-      <translation type="unfinished" />
+      <translation>此视图尚未分析。</translation>
     </message>
     <message>
       <source>Tracing the point</source>
-      <translation type="unfinished" />
+      <translation>正在追踪该点</translation>
     </message>
     <message>
       <source>Undo</source>
-      <translation type="unfinished" />
+      <translation>撤销</translation>
     </message>
     <message>
       <source>Undo the last change of the colour scale</source>
-      <translation type="unfinished" />
+      <translation>撤销上一次色标更改</translation>
     </message>
     <message>
       <source>Undo the last choice of a view</source>
-      <translation type="unfinished" />
+      <translation>撤销上一次视图选择</translation>
     </message>
     <message>
       <source>Undo the last filter</source>
-      <translation type="unfinished" />
+      <translation>撤销上一次过滤</translation>
     </message>
     <message>
       <source>Undo the last measured point or distance</source>
-      <translation type="unfinished" />
+      <translation>撤销上一个测量点或距离</translation>
     </message>
     <message>
       <source>Use this view anyway</source>
-      <translation type="unfinished" />
+      <translation>仍使用此视图</translation>
     </message>
     <message>
       <source>Used</source>
-      <translation type="unfinished" />
+      <translation>已使用</translation>
     </message>
     <message>
       <source>Used by manual choice. </source>
-      <translation type="unfinished" />
+      <translation>因手动选择而使用。</translation>
     </message>
     <message>
       <source>Used by manual choice. {why}</source>
-      <translation type="unfinished" />
+      <translation>因手动选择而使用。{why}</translation>
     </message>
     <message>
       <source>Valid pixels</source>
-      <translation type="unfinished" />
+      <translation>有效像素</translation>
     </message>
     <message>
       <source>Values along a line, which the mouse or the numbers move</source>
-      <translation type="unfinished" />
+      <translation>沿直线的数值，直线由鼠标或数字移动</translation>
     </message>
     <message>
       <source>Views</source>
-      <translation type="unfinished" />
+      <translation>视图</translation>
     </message>
     <message>
       <source>Weighted mean of all registered clouds</source>
-      <translation type="unfinished" />
+      <translation>所有已配准点云的加权平均</translation>
     </message>
     <message>
       <source>Yes</source>
-      <translation type="unfinished" />
+      <translation>是</translation>
     </message>
     <message>
       <source>accepted by hand</source>
-      <translation type="unfinished" />
+      <translation>手动接受</translation>
     </message>
     <message>
       <source>grey level</source>
-      <translation type="unfinished" />
+      <translation>灰度</translation>
     </message>
     <message>
       <source>per mm²</source>
-      <translation type="unfinished" />
+      <translation>每 mm²</translation>
     </message>
     <message>
       <source>phase noise</source>
-      <translation type="unfinished" />
+      <translation>相位噪声</translation>
     </message>
     <message>
       <source>point σ</source>
-      <translation type="unfinished" />
+      <translation>点 σ</translation>
     </message>
     <message>
       <source>projector column</source>
-      <translation type="unfinished" />
+      <translation>投影仪列</translation>
     </message>
     <message>
       <source>refused by hand</source>
-      <translation type="unfinished" />
+      <translation>手动拒绝</translation>
     </message>
     <message>
       <source>view</source>
-      <translation type="unfinished" />
+      <translation>个视图</translation>
     </message>
     <message>
       <source>{counted} points. Pixels with measured surface: {said}.</source>
-      <translation type="unfinished" />
+      <translation>{counted} 个点。有测量表面的像素：{said}。</translation>
     </message>
     <message>
       <source>{count}, {total} points</source>
-      <translation type="unfinished" />
+      <translation>{count}，{total} 个点</translation>
     </message>
     <message>
       <source>{quantity} decoded from all unsaturated exposures, {quantity_2} from the brightest unsaturated one alone (rule of the paper).</source>
-      <translation type="unfinished" />
+      <translation>由全部未饱和曝光解码 {quantity}，仅由最亮的未饱和曝光解码 {quantity_2}（论文规则）。</translation>
     </message>
     <message>
       <source>{words}, kinematic positions.</source>
-      <translation type="unfinished" />
+      <translation>{words}，运动学位置。</translation>
     </message>
     <message>
       <source>{words}; merged {counted}</source>
-      <translation type="unfinished" />
+      <translation>{words}；合并后 {counted}</translation>
     </message>
   </context>
   <context>
     <name>controllers</name>
     <message>
       <source> It is stored in the project.</source>
-      <translation type="unfinished" />
+      <translation>它已保存在项目中。</translation>
     </message>
     <message>
       <source>, blur {blur_px}</source>
-      <translation type="unfinished" />
+      <translation>，模糊 {blur_px}</translation>
     </message>
     <message>
       <source>3-D report (HTML)</source>
-      <translation type="unfinished" />
+      <translation>三维报告 (HTML)</translation>
     </message>
     <message>
       <source>Add {id}</source>
-      <translation type="unfinished" />
+      <translation>添加 {id}</translation>
     </message>
     <message>
       <source>Adding to the series</source>
-      <translation type="unfinished" />
+      <translation>正在加入系列</translation>
     </message>
     <message>
       <source>All devices are connected and ready.</source>
-      <translation type="unfinished" />
+      <translation>所有设备已连接并就绪。</translation>
     </message>
     <message>
       <source>All images are taken.</source>
-      <translation type="unfinished" />
+      <translation>所有图像已采集。</translation>
     </message>
     <message>
       <source>Allowing the driver</source>
-      <translation type="unfinished" />
+      <translation>正在允许驱动</translation>
     </message>
     <message>
       <source>Analysing {viewpoint_id}</source>
-      <translation type="unfinished" />
+      <translation>正在分析 {viewpoint_id}</translation>
     </message>
     <message>
       <source>Another task is running: {busy_with}. Save the rig when it has ended.</source>
-      <translation type="unfinished" />
+      <translation>另一任务正在运行：{busy_with}。请在其结束后保存测量系统。</translation>
     </message>
     <message>
       <source>Another: {words}</source>
-      <translation type="unfinished" />
+      <translation>其他：{words}</translation>
     </message>
     <message>
       <source>Being measured again</source>
-      <translation type="unfinished" />
+      <translation>正在重新测量</translation>
     </message>
     <message>
       <source>Calibrate again.</source>
-      <translation type="unfinished" />
+      <translation>请重新标定。</translation>
     </message>
     <message>
       <source>Calibrate the rig, then press Recompute on the page Scan.</source>
-      <translation type="unfinished" />
+      <translation>请标定测量系统，然后在“扫描”页按“重新计算”。</translation>
     </message>
     <message>
       <source>Calibration of the rig</source>
-      <translation type="unfinished" />
+      <translation>测量系统标定</translation>
     </message>
     <message>
       <source>Call the engineer.</source>
-      <translation type="unfinished" />
+      <translation>请呼叫工程师。</translation>
     </message>
     <message>
       <source>Camera {name}</source>
-      <translation type="unfinished" />
+      <translation>相机 {name}</translation>
     </message>
     <message>
       <source>Changing the nominal</source>
-      <translation type="unfinished" />
+      <translation>正在更改名义模型</translation>
     </message>
     <message>
       <source>Checking before the start</source>
-      <translation type="unfinished" />
+      <translation>正在进行启动前检查</translation>
     </message>
     <message>
       <source>Checking the PIN</source>
-      <translation type="unfinished" />
+      <translation>正在检查 PIN</translation>
     </message>
     <message>
       <source>Checking the plan</source>
-      <translation type="unfinished" />
+      <translation>正在检查计划</translation>
     </message>
     <message>
       <source>Checking the scan</source>
-      <translation type="unfinished" />
+      <translation>正在检查扫描</translation>
     </message>
     <message>
       <source>Checking with views held back</source>
-      <translation type="unfinished" />
+      <translation>正在用保留的视图检验</translation>
     </message>
     <message>
       <source>Choice undone. Views stitched again.</source>
-      <translation type="unfinished" />
+      <translation>选择已撤销。视图已重新拼接。</translation>
     </message>
     <message>
       <source>Choose a new folder, or the folder of a project.</source>
-      <translation type="unfinished" />
+      <translation>请选择新文件夹或项目文件夹。</translation>
     </message>
     <message>
       <source>Choose a rig on the page Rig first.</source>
-      <translation type="unfinished" />
+      <translation>请先在“测量系统”页选择测量系统。</translation>
     </message>
     <message>
       <source>Choose files of the same part, or other units.</source>
-      <translation type="unfinished" />
+      <translation>请选择同一工件的文件，或其他单位。</translation>
     </message>
     <message>
       <source>Choose one on the page Rig.</source>
-      <translation type="unfinished" />
+      <translation>请在“测量系统”页选择一个。</translation>
     </message>
     <message>
       <source>Choose the nominal of the part to see the predicted coverage.</source>
-      <translation type="unfinished" />
+      <translation>选择工件的名义模型以查看预计覆盖率。</translation>
     </message>
     <message>
       <source>Choose the nominal of this part, or export it in millimetres.</source>
-      <translation type="unfinished" />
+      <translation>请选择此工件的名义模型，或以毫米导出。</translation>
     </message>
     <message>
       <source>Click another point, or choose another shape.</source>
-      <translation type="unfinished" />
+      <translation>请单击另一点，或选择另一形状。</translation>
     </message>
     <message>
       <source>Comparing the measurements</source>
-      <translation type="unfinished" />
+      <translation>正在比较测量结果</translation>
     </message>
     <message>
       <source>Comparing the scan with its nominal</source>
-      <translation type="unfinished" />
+      <translation>正在将扫描与名义模型比较</translation>
     </message>
     <message>
       <source>Comparing with the nominal</source>
-      <translation type="unfinished" />
+      <translation>正在与名义模型比较</translation>
     </message>
     <message>
       <source>Connect the rig on the page Rig first.</source>
-      <translation type="unfinished" />
+      <translation>请先在“测量系统”页连接测量系统。</translation>
     </message>
     <message>
       <source>Connected, but not ready: {list}.</source>
-      <translation type="unfinished" />
+      <translation>已连接，但未就绪：{list}。</translation>
     </message>
     <message>
       <source>Connecting the devices</source>
-      <translation type="unfinished" />
+      <translation>正在连接设备</translation>
     </message>
     <message>
       <source>Connecting the rig</source>
-      <translation type="unfinished" />
+      <translation>正在连接测量系统</translation>
     </message>
     <message>
       <source>Connecting {name}</source>
-      <translation type="unfinished" />
+      <translation>正在连接 {name}</translation>
     </message>
     <message>
       <source>Copying the project</source>
-      <translation type="unfinished" />
+      <translation>正在复制项目</translation>
     </message>
     <message>
       <source>Could not be measured</source>
-      <translation type="unfinished" />
+      <translation>无法测量</translation>
     </message>
     <message>
       <source>Coverage is predicted for up to {most_viewpoints} viewpoints.</source>
-      <translation type="unfinished" />
+      <translation>最多预测 {most_viewpoints} 个视点的覆盖率。</translation>
     </message>
     <message>
       <source>Current</source>
-      <translation type="unfinished" />
+      <translation>当前</translation>
     </message>
     <message>
       <source>Data stored so far is kept.</source>
-      <translation type="unfinished" />
+      <translation>已存储的数据会保留。</translation>
     </message>
     <message>
       <source>Decoding {viewpoint_id}</source>
-      <translation type="unfinished" />
+      <translation>正在解码 {viewpoint_id}</translation>
     </message>
     <message>
       <source>Demo: {stem}</source>
-      <translation type="unfinished" />
+      <translation>演示：{stem}</translation>
     </message>
     <message>
       <source>Detecting the board in {name}</source>
-      <translation type="unfinished" />
+      <translation>正在 {name} 中检测标定板</translation>
     </message>
     <message>
       <source>Dimensions still refer to the stitched cloud.</source>
-      <translation type="unfinished" />
+      <translation>尺寸仍以拼接点云为准。</translation>
     </message>
     <message>
       <source>Disconnecting</source>
-      <translation type="unfinished" />
+      <translation>正在断开</translation>
     </message>
     <message>
       <source>Disconnecting the rig</source>
-      <translation type="unfinished" />
+      <translation>正在断开测量系统</translation>
     </message>
     <message>
       <source>Distortion</source>
-      <translation type="unfinished" />
+      <translation>畸变</translation>
     </message>
     <message>
       <source>Documents</source>
-      <translation type="unfinished" />
+      <translation>文档</translation>
     </message>
     <message>
       <source>Drawing</source>
-      <translation type="unfinished" />
+      <translation>图纸</translation>
     </message>
     <message>
       <source>Duplicate</source>
-      <translation type="unfinished" />
+      <translation>复制</translation>
     </message>
     <message>
       <source>Evaluating the result</source>
-      <translation type="unfinished" />
+      <translation>正在评定结果</translation>
     </message>
     <message>
       <source>Everything as JSON</source>
-      <translation type="unfinished" />
+      <translation>全部内容 (JSON)</translation>
     </message>
     <message>
       <source>Everything was stopped.</source>
-      <translation type="unfinished" />
+      <translation>已全部停止。</translation>
     </message>
     <message>
       <source>Exporting {name}</source>
-      <translation type="unfinished" />
+      <translation>正在导出 {name}</translation>
     </message>
     <message>
       <source>Exposures</source>
-      <translation type="unfinished" />
+      <translation>曝光</translation>
     </message>
     <message>
       <source>Extending the plan</source>
-      <translation type="unfinished" />
+      <translation>正在扩展计划</translation>
     </message>
     <message>
       <source>Filing the result</source>
-      <translation type="unfinished" />
+      <translation>正在归档结果</translation>
     </message>
     <message>
       <source>Filtering</source>
-      <translation type="unfinished" />
+      <translation>正在过滤</translation>
     </message>
     <message>
       <source>Finding the face</source>
-      <translation type="unfinished" />
+      <translation>正在查找面</translation>
     </message>
     <message>
       <source>Finding the references</source>
-      <translation type="unfinished" />
+      <translation>正在查找参考点</translation>
     </message>
     <message>
       <source>Generate</source>
-      <translation type="unfinished" />
+      <translation>生成</translation>
     </message>
     <message>
       <source>Generating a plan</source>
-      <translation type="unfinished" />
+      <translation>正在生成计划</translation>
     </message>
     <message>
       <source>Go on with the page Scan.</source>
-      <translation type="unfinished" />
+      <translation>请在“扫描”页继续。</translation>
     </message>
     <message>
       <source>Growing a feature</source>
-      <translation type="unfinished" />
+      <translation>正在生长特征</translation>
     </message>
     <message>
       <source>Guide and table find their references</source>
-      <translation type="unfinished" />
+      <translation>导轨和转台回参考点</translation>
     </message>
     <message>
       <source>Inspection program changed.</source>
-      <translation type="unfinished" />
+      <translation>检测程序已更改。</translation>
     </message>
     <message>
       <source>It is one of {own}; the rig has {rig}.</source>
-      <translation type="unfinished" />
+      <translation>它是 {own} 的；此测量系统有 {rig}。</translation>
     </message>
     <message>
       <source>Its images are stored.</source>
-      <translation type="unfinished" />
+      <translation>其图像已保存。</translation>
     </message>
     <message>
       <source>Largest residual</source>
-      <translation type="unfinished" />
+      <translation>最大残差</translation>
     </message>
     <message>
       <source>Last change undone.</source>
-      <translation type="unfinished" />
+      <translation>已撤销上一次更改。</translation>
     </message>
     <message>
       <source>Last filter undone.</source>
-      <translation type="unfinished" />
+      <translation>已撤销上一次过滤。</translation>
     </message>
     <message>
       <source>Live images</source>
-      <translation type="unfinished" />
+      <translation>实时图像</translation>
     </message>
     <message>
       <source>Loading the drivers</source>
-      <translation type="unfinished" />
+      <translation>正在加载驱动</translation>
     </message>
     <message>
       <source>Loading the rig</source>
-      <translation type="unfinished" />
+      <translation>正在加载测量系统</translation>
     </message>
     <message>
       <source>Make one on the page Plan, or choose a plan file.</source>
-      <translation type="unfinished" />
+      <translation>请在“计划”页制定一个，或选择计划文件。</translation>
     </message>
     <message>
       <source>Making the project</source>
-      <translation type="unfinished" />
+      <translation>正在创建项目</translation>
     </message>
     <message>
       <source>Measurement</source>
-      <translation type="unfinished" />
+      <translation>测量</translation>
     </message>
     <message>
       <source>Measuring again</source>
-      <translation type="unfinished" />
+      <translation>正在重新测量</translation>
     </message>
     <message>
       <source>Measuring {name}</source>
-      <translation type="unfinished" />
+      <translation>正在测量 {name}</translation>
     </message>
     <message>
       <source>Moving by hand</source>
-      <translation type="unfinished" />
+      <translation>手动移动中</translation>
     </message>
     <message>
       <source>New project</source>
-      <translation type="unfinished" />
+      <translation>新建项目</translation>
     </message>
     <message>
       <source>New projects start from it: New project from a template.</source>
-      <translation type="unfinished" />
+      <translation>新项目以此为基础：从模板新建项目。</translation>
     </message>
     <message>
       <source>No PDF viewer is installed.</source>
-      <translation type="unfinished" />
+      <translation>未安装 PDF 阅读器。</translation>
     </message>
     <message>
       <source>No PIN is set: anyone can leave operator mode.</source>
-      <translation type="unfinished" />
+      <translation>未设置 PIN：任何人都可离开操作模式。</translation>
     </message>
     <message>
       <source>No image shows the board</source>
-      <translation type="unfinished" />
+      <translation>没有图像拍到标定板</translation>
     </message>
     <message>
       <source>No project folder is chosen.</source>
-      <translation type="unfinished" />
+      <translation>未选择项目文件夹。</translation>
     </message>
     <message>
       <source>No project is open.</source>
-      <translation type="unfinished" />
+      <translation>没有打开的项目。</translation>
     </message>
     <message>
       <source>No rig is chosen.</source>
-      <translation type="unfinished" />
+      <translation>未选择测量系统。</translation>
     </message>
     <message>
       <source>No rig is known yet.</source>
-      <translation type="unfinished" />
+      <translation>尚无已知的测量系统。</translation>
     </message>
     <message>
       <source>No surface: {reason}</source>
-      <translation type="unfinished" />
+      <translation>没有表面：{reason}</translation>
     </message>
     <message>
       <source>No view of the board shows the fringes</source>
-      <translation type="unfinished" />
+      <translation>没有标定板视图显示条纹</translation>
     </message>
     <message>
       <source>No {shape} found there: {reason}.</source>
-      <translation type="unfinished" />
+      <translation>那里未找到{shape}：{reason}。</translation>
     </message>
     <message>
       <source>Noise of a corner (1 σ)</source>
-      <translation type="unfinished" />
+      <translation>角点噪声（1 σ）</translation>
     </message>
     <message>
       <source>Noise of a mark (1 σ)</source>
-      <translation type="unfinished" />
+      <translation>标记点噪声（1 σ）</translation>
     </message>
     <message>
       <source>Nominal changed back.</source>
-      <translation type="unfinished" />
+      <translation>名义模型已改回。</translation>
     </message>
     <message>
       <source>Nominal changed to {name}.</source>
-      <translation type="unfinished" />
+      <translation>名义模型已改为 {name}。</translation>
     </message>
     <message>
       <source>Nothing can be scanned or recomputed here until that has ended. Then open the project again.</source>
-      <translation type="unfinished" />
+      <translation>在其结束之前无法在此扫描或重新计算。之后请重新打开项目。</translation>
     </message>
     <message>
       <source>Open a calibrated project with a plan, or scan the part first.</source>
-      <translation type="unfinished" />
+      <translation>请打开带计划的已标定项目，或先扫描工件。</translation>
     </message>
     <message>
       <source>Open a project or run the demo first.</source>
-      <translation type="unfinished" />
+      <translation>请先打开项目或运行演示。</translation>
     </message>
     <message>
       <source>Open patch (STL)</source>
-      <translation type="unfinished" />
+      <translation>开放面片 (STL)</translation>
     </message>
     <message>
       <source>Open the project's plan</source>
-      <translation type="unfinished" />
+      <translation>打开项目的计划</translation>
     </message>
     <message>
       <source>Open {name}</source>
-      <translation type="unfinished" />
+      <translation>打开 {name}</translation>
     </message>
     <message>
       <source>Opening project</source>
-      <translation type="unfinished" />
+      <translation>正在打开项目</translation>
     </message>
     <message>
       <source>Opening the calibration</source>
-      <translation type="unfinished" />
+      <translation>正在打开标定</translation>
     </message>
     <message>
       <source>Opening the sample project</source>
-      <translation type="unfinished" />
+      <translation>正在打开示例项目</translation>
     </message>
     <message>
       <source>Opening the session</source>
-      <translation type="unfinished" />
+      <translation>正在打开会话</translation>
     </message>
     <message>
       <source>Opening {name}</source>
-      <translation type="unfinished" />
+      <translation>正在打开 {name}</translation>
     </message>
     <message>
       <source>Operator mode again: there was no input for a while.</source>
-      <translation type="unfinished" />
+      <translation>已回到操作模式：一段时间没有输入。</translation>
     </message>
     <message>
       <source>Order</source>
-      <translation type="unfinished" />
+      <translation>订单</translation>
     </message>
     <message>
       <source>Ordering the viewpoints</source>
-      <translation type="unfinished" />
+      <translation>正在排列视点</translation>
     </message>
     <message>
       <source>PDF report</source>
-      <translation type="unfinished" />
+      <translation>PDF 报告</translation>
     </message>
     <message>
       <source>Preparing the 3-D view</source>
-      <translation type="unfinished" />
+      <translation>正在准备三维视图</translation>
     </message>
     <message>
       <source>Preparing the measurement</source>
-      <translation type="unfinished" />
+      <translation>正在准备测量</translation>
     </message>
     <message>
       <source>Preparing the measurement: </source>
-      <translation type="unfinished" />
+      <translation>正在准备测量：</translation>
     </message>
     <message>
       <source>Preparing the scan</source>
-      <translation type="unfinished" />
+      <translation>正在准备扫描</translation>
     </message>
     <message>
       <source>Press Recompute on the page Scan; no new scan is needed.</source>
-      <translation type="unfinished" />
+      <translation>请在“扫描”页按“重新计算”；无需重新扫描。</translation>
     </message>
     <message>
       <source>Program and results saved.</source>
-      <translation type="unfinished" />
+      <translation>程序和结果已保存。</translation>
     </message>
     <message>
       <source>Program saved as {name}.</source>
-      <translation type="unfinished" />
+      <translation>程序已保存为 {name}。</translation>
     </message>
     <message>
       <source>Program saved.</source>
-      <translation type="unfinished" />
+      <translation>程序已保存。</translation>
     </message>
     <message>
       <source>Reading clouds</source>
-      <translation type="unfinished" />
+      <translation>正在读取点云</translation>
     </message>
     <message>
       <source>Reading images</source>
-      <translation type="unfinished" />
+      <translation>正在读取图像</translation>
     </message>
     <message>
       <source>Reading the devices</source>
-      <translation type="unfinished" />
+      <translation>正在读取设备</translation>
     </message>
     <message>
       <source>Reading the driver</source>
-      <translation type="unfinished" />
+      <translation>正在读取驱动</translation>
     </message>
     <message>
       <source>Reading the files</source>
-      <translation type="unfinished" />
+      <translation>正在读取文件</translation>
     </message>
     <message>
       <source>Reading the images of {viewpoint_id}</source>
-      <translation type="unfinished" />
+      <translation>正在读取 {viewpoint_id} 的图像</translation>
     </message>
     <message>
       <source>Reading the measurements</source>
-      <translation type="unfinished" />
+      <translation>正在读取测量结果</translation>
     </message>
     <message>
       <source>Reading the mesh</source>
-      <translation type="unfinished" />
+      <translation>正在读取网格</translation>
     </message>
     <message>
       <source>Reading the part programs</source>
-      <translation type="unfinished" />
+      <translation>正在读取工件程序</translation>
     </message>
     <message>
       <source>Reading the program</source>
-      <translation type="unfinished" />
+      <translation>正在读取程序</translation>
     </message>
     <message>
       <source>Reading the project</source>
-      <translation type="unfinished" />
+      <translation>正在读取项目</translation>
     </message>
     <message>
       <source>Reading the report header</source>
-      <translation type="unfinished" />
+      <translation>正在读取报告抬头</translation>
     </message>
     <message>
       <source>Reading the series</source>
-      <translation type="unfinished" />
+      <translation>正在读取系列</translation>
     </message>
     <message>
       <source>Reading view {id}</source>
-      <translation type="unfinished" />
+      <translation>正在读取视图 {id}</translation>
     </message>
     <message>
       <source>Reading {name}</source>
-      <translation type="unfinished" />
+      <translation>正在读取 {name}</translation>
     </message>
     <message>
       <source>Recompute the project to create its documents.</source>
-      <translation type="unfinished" />
+      <translation>请重新计算项目以生成其文档。</translation>
     </message>
     <message>
       <source>Recompute the project to create one.</source>
-      <translation type="unfinished" />
+      <translation>请重新计算项目以生成。</translation>
     </message>
     <message>
       <source>Recomputing</source>
-      <translation type="unfinished" />
+      <translation>正在重新计算</translation>
     </message>
     <message>
       <source>Releasing the part programs</source>
-      <translation type="unfinished" />
+      <translation>正在发布工件程序</translation>
     </message>
     <message>
       <source>Rendering the pages</source>
-      <translation type="unfinished" />
+      <translation>正在渲染页面</translation>
     </message>
     <message>
       <source>Rendering the report</source>
-      <translation type="unfinished" />
+      <translation>正在渲染报告</translation>
     </message>
     <message>
       <source>Repeat {number} of {count}</source>
-      <translation type="unfinished" />
+      <translation>第 {number} 次重复，共 {count} 次</translation>
     </message>
     <message>
       <source>Report header</source>
-      <translation type="unfinished" />
+      <translation>报告抬头</translation>
     </message>
     <message>
       <source>Reprojection (rms)</source>
-      <translation type="unfinished" />
+      <translation>重投影（均方根）</translation>
     </message>
     <message>
       <source>Reset the stop on the Rig page before anything moves again.</source>
-      <translation type="unfinished" />
+      <translation>在任何运动之前，请在“测量系统”页复位停止。</translation>
     </message>
     <message>
       <source>Retake it if you need it after all.</source>
-      <translation type="unfinished" />
+      <translation>若仍需要，请重拍。</translation>
     </message>
     <message>
       <source>Run `python3 installer/bootstrap.py run` to repair the installation.</source>
-      <translation type="unfinished" />
+      <translation>运行 `python3 installer/bootstrap.py run` 修复安装。</translation>
     </message>
     <message>
       <source>Run the demo, or open a project.</source>
-      <translation type="unfinished" />
+      <translation>请运行演示，或打开项目。</translation>
     </message>
     <message>
       <source>Run the demo, or recompute the project.</source>
-      <translation type="unfinished" />
+      <translation>请运行演示，或重新计算项目。</translation>
     </message>
     <message>
       <source>Saved to {words}.</source>
-      <translation type="unfinished" />
+      <translation>已保存到 {words}。</translation>
     </message>
     <message>
       <source>Saving the program</source>
-      <translation type="unfinished" />
+      <translation>正在保存程序</translation>
     </message>
     <message>
       <source>Saving the report header</source>
-      <translation type="unfinished" />
+      <translation>正在保存报告抬头</translation>
     </message>
     <message>
       <source>Saving the rig</source>
-      <translation type="unfinished" />
+      <translation>正在保存测量系统</translation>
     </message>
     <message>
       <source>Saving the template</source>
-      <translation type="unfinished" />
+      <translation>正在保存模板</translation>
     </message>
     <message>
       <source>Saving {name}</source>
-      <translation type="unfinished" />
+      <translation>正在保存 {name}</translation>
     </message>
     <message>
       <source>Scan</source>
-      <translation type="unfinished" />
+      <translation>扫描</translation>
     </message>
     <message>
       <source>See the list on the page Scan.</source>
-      <translation type="unfinished" />
+      <translation>请查看“扫描”页的列表。</translation>
     </message>
     <message>
       <source>See the remedy in the table of devices.</source>
-      <translation type="unfinished" />
+      <translation>请参见设备表中的补救措施。</translation>
     </message>
     <message>
       <source>Set one by the button beside the role.</source>
-      <translation type="unfinished" />
+      <translation>请用角色旁的按钮设置。</translation>
     </message>
     <message>
       <source>Solving</source>
-      <translation type="unfinished" />
+      <translation>正在求解</translation>
     </message>
     <message>
       <source>Stale: the program has changed since this was measured</source>
-      <translation type="unfinished" />
+      <translation>过期：测量之后程序已更改</translation>
     </message>
     <message>
       <source>Stitched cloud (PLY)</source>
-      <translation type="unfinished" />
+      <translation>拼接点云 (PLY)</translation>
     </message>
     <message>
       <source>Stitching again</source>
-      <translation type="unfinished" />
+      <translation>正在重新拼接</translation>
     </message>
     <message>
       <source>Stop was pressed.</source>
-      <translation type="unfinished" />
+      <translation>已按下停止。</translation>
     </message>
     <message>
       <source>Storing</source>
-      <translation type="unfinished" />
+      <translation>正在保存</translation>
     </message>
     <message>
       <source>Storing raw images as the project states</source>
-      <translation type="unfinished" />
+      <translation>正在按项目规定保存原始图像</translation>
     </message>
     <message>
       <source>Storing the PIN</source>
-      <translation type="unfinished" />
+      <translation>正在保存 PIN</translation>
     </message>
     <message>
       <source>Storing the plan</source>
-      <translation type="unfinished" />
+      <translation>正在保存计划</translation>
     </message>
     <message>
       <source>Storing the settings</source>
-      <translation type="unfinished" />
+      <translation>正在保存设置</translation>
     </message>
     <message>
       <source>Surface mesh (STL)</source>
-      <translation type="unfinished" />
+      <translation>表面网格 (STL)</translation>
     </message>
     <message>
       <source>Table of dimensions (CSV)</source>
-      <translation type="unfinished" />
+      <translation>尺寸表 (CSV)</translation>
     </message>
     <message>
       <source>Table of dimensions (XLSX)</source>
-      <translation type="unfinished" />
+      <translation>尺寸表 (XLSX)</translation>
     </message>
     <message>
       <source>Taking images of the board</source>
-      <translation type="unfinished" />
+      <translation>正在拍摄标定板图像</translation>
     </message>
     <message>
       <source>The 3-D view could not be loaded. Install the graphics libraries listed in the help.</source>
-      <translation type="unfinished" />
+      <translation>无法加载三维视图。请安装帮助中列出的图形库。</translation>
     </message>
     <message>
       <source>The calibration and the disk are being checked.</source>
-      <translation type="unfinished" />
+      <translation>正在检查标定和磁盘。</translation>
     </message>
     <message>
       <source>The calibration is accepted.</source>
-      <translation type="unfinished" />
+      <translation>标定已接受。</translation>
     </message>
     <message>
       <source>The calibration of the last session is in use again.</source>
-      <translation type="unfinished" />
+      <translation>重新使用上次会话的标定。</translation>
     </message>
     <message>
       <source>The clouds are computed and stitched.</source>
-      <translation type="unfinished" />
+      <translation>点云已计算并拼接。</translation>
     </message>
     <message>
       <source>The code {shown} belongs to no part program. Choose the part by its card, or call the engineer.</source>
-      <translation type="unfinished" />
+      <translation>代码 {shown} 不属于任何工件程序。请按卡片选择工件，或呼叫工程师。</translation>
     </message>
     <message>
       <source>The code {shown} fits several part programs: {list}. Choose one by its card.</source>
-      <translation type="unfinished" />
+      <translation>代码 {shown} 适合多个工件程序：{list}。请按卡片选择。</translation>
     </message>
     <message>
       <source>The code {shown} is not one of part {value}. Nothing was entered.</source>
-      <translation type="unfinished" />
+      <translation>代码 {shown} 不是工件 {value} 的。未输入任何内容。</translation>
     </message>
     <message>
       <source>The coverage is being predicted…</source>
-      <translation type="unfinished" />
+      <translation>正在预测覆盖率…</translation>
     </message>
     <message>
       <source>The disk has {value:.1f} GB free, and this part needs {value_2:.1f} GB.</source>
-      <translation type="unfinished" />
+      <translation>磁盘可用 {value:.1f} GB，而此工件需要 {value_2:.1f} GB。</translation>
     </message>
     <message>
       <source>The file manager could not be opened.</source>
-      <translation type="unfinished" />
+      <translation>无法打开文件管理器。</translation>
     </message>
     <message>
       <source>The filter removes no points.</source>
-      <translation type="unfinished" />
+      <translation>过滤器未去除任何点。</translation>
     </message>
     <message>
       <source>The images are stored. They are not processed, because the project has no calibration.</source>
-      <translation type="unfinished" />
+      <translation>图像已存储。由于项目没有标定，未作处理。</translation>
     </message>
     <message>
       <source>The images of this view are not on disk. Open the project that contains them.</source>
-      <translation type="unfinished" />
+      <translation>此视图的图像不在磁盘上。请打开包含它们的项目。</translation>
     </message>
     <message>
       <source>The inspection program has edits that are not saved.</source>
-      <translation type="unfinished" />
+      <translation>检测程序有未保存的编辑。</translation>
     </message>
     <message>
       <source>The measurement was stopped.</source>
-      <translation type="unfinished" />
+      <translation>测量已停止。</translation>
     </message>
     <message>
       <source>The next scan uses this plan of {count} viewpoints.{where}</source>
-      <translation type="unfinished" />
+      <translation>下次扫描使用此计划，共 {count} 个视点。{where}</translation>
     </message>
     <message>
       <source>The package {name} is missing.</source>
-      <translation type="unfinished" />
+      <translation>缺少软件包 {name}。</translation>
     </message>
     <message>
       <source>The page Inspect shows the worst dimension first.</source>
-      <translation type="unfinished" />
+      <translation>“检测”页首先显示最差的尺寸。</translation>
     </message>
     <message>
       <source>The part programs in {folder} cannot be read: {value}.</source>
-      <translation type="unfinished" />
+      <translation>无法读取 {folder} 中的工件程序：{value}。</translation>
     </message>
     <message>
       <source>The plan is saved as {name}.</source>
-      <translation type="unfinished" />
+      <translation>计划已保存为 {name}。</translation>
     </message>
     <message>
       <source>The position of the rig is not known.</source>
-      <translation type="unfinished" />
+      <translation>测量系统的位置未知。</translation>
     </message>
     <message>
       <source>The project is saved to {folder}.</source>
-      <translation type="unfinished" />
+      <translation>项目已保存到 {folder}。</translation>
     </message>
     <message>
       <source>The project was recomputed from the stored images.</source>
-      <translation type="unfinished" />
+      <translation>已由存储的图像重新计算项目。</translation>
     </message>
     <message>
       <source>The report is saved to {path}.</source>
-      <translation type="unfinished" />
+      <translation>报告已保存到 {path}。</translation>
     </message>
     <message>
       <source>The report of repeats is saved as {name}, with a table (CSV) and JSON beside it.</source>
-      <translation type="unfinished" />
+      <translation>重复测量报告已保存为 {name}，旁有表格 (CSV) 和 JSON。</translation>
     </message>
     <message>
       <source>The report of the series is saved as {name}, with a table (CSV) and JSON beside it.</source>
-      <translation type="unfinished" />
+      <translation>系列报告已保存为 {name}，旁有表格 (CSV) 和 JSON。</translation>
     </message>
     <message>
       <source>The result is filed; its report could not be copied to {target}: {error}.</source>
-      <translation type="unfinished" />
+      <translation>结果已归档；其报告无法复制到 {target}：{error}。</translation>
     </message>
     <message>
       <source>The result is saved, but the rig keeps its own cameras.</source>
-      <translation type="unfinished" />
+      <translation>结果已保存，但测量系统保留自己的相机。</translation>
     </message>
     <message>
       <source>The rig is being loaded.</source>
-      <translation type="unfinished" />
+      <translation>正在加载测量系统。</translation>
     </message>
     <message>
       <source>The rig is calibrated.</source>
-      <translation type="unfinished" />
+      <translation>测量系统已标定。</translation>
     </message>
     <message>
       <source>The rig is calibrated. {sentence}</source>
-      <translation type="unfinished" />
+      <translation>测量系统已标定。{sentence}</translation>
     </message>
     <message>
       <source>The rig was saved to {path}.</source>
-      <translation type="unfinished" />
+      <translation>测量系统已保存到 {path}。</translation>
     </message>
     <message>
       <source>The rig was stopped: {stopped} {call}</source>
-      <translation type="unfinished" />
+      <translation>测量系统已停止：{stopped} {call}</translation>
     </message>
     <message>
       <source>The scan continues with the next one.</source>
-      <translation type="unfinished" />
+      <translation>扫描继续下一个。</translation>
     </message>
     <message>
       <source>The scan continues.</source>
-      <translation type="unfinished" />
+      <translation>扫描继续。</translation>
     </message>
     <message>
       <source>The scan failed.</source>
-      <translation type="unfinished" />
+      <translation>扫描失败。</translation>
     </message>
     <message>
       <source>The scan pauses before its first viewpoint; what comes before it can only be cancelled.</source>
-      <translation type="unfinished" />
+      <translation>扫描在第一个视点之前暂停；之前的步骤只能取消。</translation>
     </message>
     <message>
       <source>The scan started.</source>
-      <translation type="unfinished" />
+      <translation>扫描已开始。</translation>
     </message>
     <message>
       <source>The stored results are those of the program before.</source>
-      <translation type="unfinished" />
+      <translation>存储的结果属于之前的程序。</translation>
     </message>
     <message>
       <source>The template is saved to {path}.</source>
-      <translation type="unfinished" />
+      <translation>模板已保存到 {path}。</translation>
     </message>
     <message>
       <source>The {subject} is complete.</source>
-      <translation type="unfinished" />
+      <translation>{subject}已完成。</translation>
     </message>
     <message>
       <source>There is no PDF report yet.</source>
-      <translation type="unfinished" />
+      <translation>尚无 PDF 报告。</translation>
     </message>
     <message>
       <source>There is no measurement to repeat.</source>
-      <translation type="unfinished" />
+      <translation>没有可重复的测量。</translation>
     </message>
     <message>
       <source>There is no measurement yet.</source>
-      <translation type="unfinished" />
+      <translation>尚无测量结果。</translation>
     </message>
     <message>
       <source>There is no scan plan.</source>
-      <translation type="unfinished" />
+      <translation>没有扫描计划。</translation>
     </message>
     <message>
       <source>This document does not exist yet.</source>
-      <translation type="unfinished" />
+      <translation>此文档尚不存在。</translation>
     </message>
     <message>
       <source>This measurement has no surface mesh.</source>
-      <translation type="unfinished" />
+      <translation>此测量没有表面网格。</translation>
     </message>
     <message>
       <source>This project's: {words}</source>
-      <translation type="unfinished" />
+      <translation>本项目的：{words}</translation>
     </message>
     <message>
       <source>Times of the moves</source>
-      <translation type="unfinished" />
+      <translation>移动时间</translation>
     </message>
     <message>
       <source>Undoing the filter</source>
-      <translation type="unfinished" />
+      <translation>正在撤销过滤</translation>
     </message>
     <message>
       <source>Unpacking the sample project</source>
-      <translation type="unfinished" />
+      <translation>正在解压示例项目</translation>
     </message>
     <message>
       <source>Up to {most_ordered} can be.</source>
-      <translation type="unfinished" />
+      <translation>最多可以 {most_ordered} 个。</translation>
     </message>
     <message>
       <source>Use stricter limits, or another filter.</source>
-      <translation type="unfinished" />
+      <translation>请使用更严格的限值，或其他过滤器。</translation>
     </message>
     <message>
       <source>Viewpoint {viewpoint_id} failed: {reason}</source>
-      <translation type="unfinished" />
+      <translation>视点 {viewpoint_id} 失败：{reason}</translation>
     </message>
     <message>
       <source>Viewpoint {viewpoint_id} has no cloud: {reason}</source>
-      <translation type="unfinished" />
+      <translation>视点 {viewpoint_id} 没有点云：{reason}</translation>
     </message>
     <message>
       <source>Viewpoint {viewpoint_id} is taken again: {reason}</source>
-      <translation type="unfinished" />
+      <translation>重拍视点 {viewpoint_id}：{reason}</translation>
     </message>
     <message>
       <source>Viewpoint {viewpoint_id} was skipped.</source>
-      <translation type="unfinished" />
+      <translation>已跳过视点 {viewpoint_id}。</translation>
     </message>
     <message>
       <source>Viewpoint {viewpoint_id}: exposures</source>
-      <translation type="unfinished" />
+      <translation>视点 {viewpoint_id}：曝光</translation>
     </message>
     <message>
       <source>Viewpoint {viewpoint_id}: {reason}</source>
-      <translation type="unfinished" />
+      <translation>视点 {viewpoint_id}：{reason}</translation>
     </message>
     <message>
       <source>Views stitched again. The choice is saved with the project.</source>
-      <translation type="unfinished" />
+      <translation>视图已重新拼接。选择随项目保存。</translation>
     </message>
     <message>
       <source>Views used</source>
-      <translation type="unfinished" />
+      <translation>使用的视图</translation>
     </message>
     <message>
       <source>Wait until it is loaded, or use recorded images.</source>
-      <translation type="unfinished" />
+      <translation>请等待加载完成，或使用录制的图像。</translation>
     </message>
     <message>
       <source>What was measured so far is kept.</source>
-      <translation type="unfinished" />
+      <translation>至今测得的内容会保留。</translation>
     </message>
     <message>
       <source>Writing the report</source>
-      <translation type="unfinished" />
+      <translation>正在生成报告</translation>
     </message>
     <message>
       <source>Writing the report of repeats</source>
-      <translation type="unfinished" />
+      <translation>正在生成重复测量报告</translation>
     </message>
     <message>
       <source>Writing the report of the series</source>
-      <translation type="unfinished" />
+      <translation>正在生成系列报告</translation>
     </message>
     <message>
       <source>Wrong PIN.</source>
-      <translation type="unfinished" />
+      <translation>PIN 错误。</translation>
     </message>
     <message>
       <source>Wrong part: the code is of part {part}, this program measures part {part_number}.</source>
-      <translation type="unfinished" />
+      <translation>工件不符：代码属于工件 {part}，此程序测量工件 {part_number}。</translation>
     </message>
     <message>
       <source>Your own: {name}, version {version}</source>
-      <translation type="unfinished" />
+      <translation>您自己的：{name}，版本 {version}</translation>
     </message>
     <message>
       <source>a layout (Typst)</source>
-      <translation type="unfinished" />
+      <translation>版式 (Typst)</translation>
     </message>
     <message>
       <source>earlier images kept</source>
-      <translation type="unfinished" />
+      <translation>保留了先前的图像</translation>
     </message>
     <message>
       <source>job: {title}</source>
-      <translation type="unfinished" />
+      <translation>任务：{title}</translation>
     </message>
     <message>
       <source>no board</source>
-      <translation type="unfinished" />
+      <translation>没有标定板</translation>
     </message>
     <message>
       <source>no reason stated</source>
-      <translation type="unfinished" />
+      <translation>未说明原因</translation>
     </message>
     <message>
       <source>not measured</source>
-      <translation type="unfinished" />
+      <translation>未测量</translation>
     </message>
     <message>
       <source>not proven</source>
-      <translation type="unfinished" />
+      <translation>未证实</translation>
     </message>
     <message>
       <source>statistics of the deviations</source>
-      <translation type="unfinished" />
+      <translation>偏差统计</translation>
     </message>
     <message>
       <source>stop the rig</source>
-      <translation type="unfinished" />
+      <translation>停止测量系统</translation>
     </message>
     <message>
       <source>thing prevents</source>
-      <translation type="unfinished" />
+      <translation>项问题阻止</translation>
     </message>
     <message>
       <source>things prevent</source>
-      <translation type="unfinished" />
+      <translation>项问题阻止</translation>
     </message>
     <message>
       <source>viewpoint measures</source>
-      <translation type="unfinished" />
+      <translation>个视点测量</translation>
     </message>
     <message>
       <source>viewpoints measure</source>
-      <translation type="unfinished" />
+      <translation>个视点测量</translation>
     </message>
     <message>
       <source>without serial number</source>
-      <translation type="unfinished" />
+      <translation>无序列号</translation>
     </message>
     <message>
       <source>wrong part</source>
-      <translation type="unfinished" />
+      <translation>工件不符</translation>
     </message>
     <message>
       <source>{counted} of {before} points removed.</source>
-      <translation type="unfinished" />
+      <translation>从 {before} 个点中去除了 {counted} 个。</translation>
     </message>
     <message>
       <source>{count} the scan.</source>
-      <translation type="unfinished" />
+      <translation>{count}扫描。</translation>
     </message>
     <message>
       <source>{count} viewpoints are too many to be ordered.</source>
-      <translation type="unfinished" />
+      <translation>{count} 个视点太多，无法排序。</translation>
     </message>
     <message>
       <source>{count} {planned_share} of the surface, {planned_of_allowed} of what the rig can.</source>
-      <translation type="unfinished" />
+      <translation>{count} 占表面的 {planned_share}，占测量系统可测部分的 {planned_of_allowed}。</translation>
     </message>
     <message>
       <source>{decodable_share} of the lit pixels decodable, {planned_share} as planned</source>
-      <translation type="unfinished" />
+      <translation>照亮像素中 {decodable_share} 可解码，按计划为 {planned_share}</translation>
     </message>
     <message>
       <source>{folder} cannot be written to: {value}.</source>
-      <translation type="unfinished" />
+      <translation>无法写入 {folder}：{value}。</translation>
     </message>
     <message>
       <source>{folder} holds no calibration of cameras or a rig.</source>
-      <translation type="unfinished" />
+      <translation>{folder} 中没有相机或测量系统的标定。</translation>
     </message>
     <message>
       <source>{name} added to the inspection program.</source>
-      <translation type="unfinished" />
+      <translation>{name} 已添加到检测程序。</translation>
     </message>
     <message>
       <source>{name} has no calibration.</source>
-      <translation type="unfinished" />
+      <translation>{name} 没有标定。</translation>
     </message>
     <message>
       <source>{name} is open read-only: it is in use by {holder}.</source>
-      <translation type="unfinished" />
+      <translation>{name} 以只读方式打开：{holder} 正在使用。</translation>
     </message>
     <message>
       <source>{name} is open.</source>
-      <translation type="unfinished" />
+      <translation>{name} 已打开。</translation>
     </message>
     <message>
       <source>{name} is open: {count} viewpoints.</source>
-      <translation type="unfinished" />
+      <translation>{name} 已打开：{count} 个视点。</translation>
     </message>
     <message>
       <source>{name} removed from the inspection program.</source>
-      <translation type="unfinished" />
+      <translation>{name} 已从检测程序中移除。</translation>
     </message>
     <message>
       <source>{name} saved to {parent}.</source>
-      <translation type="unfinished" />
+      <translation>{name} 已保存到 {parent}。</translation>
     </message>
     <message>
       <source>{name} was inspected against {name_2}.</source>
-      <translation type="unfinished" />
+      <translation>{name} 已按 {name_2} 检测。</translation>
     </message>
     <message>
       <source>{name}, version {version}</source>
-      <translation type="unfinished" />
+      <translation>{name}，版本 {version}</translation>
     </message>
     <message>
       <source>{title} is still running.</source>
-      <translation type="unfinished" />
+      <translation>{title}仍在运行。</translation>
     </message>
     <message>
       <source>{where} of {times} ms chosen by a probe: {shares}.</source>
-      <translation type="unfinished" />
+      <translation>{where}：{times} ms，由试测选择：{shares}。</translation>
     </message>
     <message>
       <source>{words} Not saved with the project: {message}</source>
-      <translation type="unfinished" />
+      <translation>{words} 未随项目保存：{message}</translation>
     </message>
   </context>
   <context>
     <name>core.acquire</name>
     <message>
       <source>Black and white by turns</source>
-      <translation type="unfinished" />
+      <translation>黑白交替</translation>
     </message>
     <message>
       <source>Camera {v1} is saturated even at {v2} µs.</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1} 在 {v2} µs 时仍饱和。</translation>
     </message>
     <message>
       <source>Images of the board from {v1}</source>
-      <translation type="unfinished" />
+      <translation>来自 {v1} 的标定板图像</translation>
     </message>
     <message>
       <source>Name a viewpoint of the plan.</source>
-      <translation type="unfinished" />
+      <translation>请指定计划中的视点。</translation>
     </message>
     <message>
       <source>No viewpoint is left to be skipped.</source>
-      <translation type="unfinished" />
+      <translation>没有可跳过的视点。</translation>
     </message>
     <message>
       <source>Point the cameras at a stationary surface (--plan), and check the projector.</source>
-      <translation type="unfinished" />
+      <translation>请将相机对准静止表面 (--plan)，并检查投影仪。</translation>
     </message>
     <message>
       <source>Reduce the light, or close the aperture.</source>
-      <translation type="unfinished" />
+      <translation>请减弱光线，或缩小光圈。</translation>
     </message>
     <message>
       <source>Set sequence = "software" in [head] of the rig description.</source>
-      <translation type="unfinished" />
+      <translation>请在测量系统描述的 [head] 中设置 sequence = "software"。</translation>
     </message>
     <message>
       <source>Skip a viewpoint that is still to be taken.</source>
-      <translation type="unfinished" />
+      <translation>请跳过尚未拍摄的视点。</translation>
     </message>
     <message>
       <source>Start it again to take further viewpoints.</source>
-      <translation type="unfinished" />
+      <translation>请再次启动以拍摄更多视点。</translation>
     </message>
     <message>
       <source>Start the run again.</source>
-      <translation type="unfinished" />
+      <translation>请重新启动运行。</translation>
     </message>
     <message>
       <source>The control of a run cannot be used for another one.</source>
-      <translation type="unfinished" />
+      <translation>一次运行的控制不能用于另一次。</translation>
     </message>
     <message>
       <source>The image of camera {v1} is dark at {v2} µs.</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1} 的图像在 {v2} µs 时过暗。</translation>
     </message>
     <message>
       <source>The rig {v1} is in use by another task.</source>
-      <translation type="unfinished" />
+      <translation>测量系统 {v1} 正被另一任务使用。</translation>
     </message>
     <message>
       <source>The run has ended.</source>
-      <translation type="unfinished" />
+      <translation>运行已结束。</translation>
     </message>
     <message>
       <source>The run has no viewpoint {v1}.</source>
-      <translation type="unfinished" />
+      <translation>运行中没有视点 {v1}。</translation>
     </message>
     <message>
       <source>The run has not started yet.</source>
-      <translation type="unfinished" />
+      <translation>运行尚未开始。</translation>
     </message>
     <message>
       <source>Viewpoint {v1} cannot be skipped: it is {v2}.</source>
-      <translation type="unfinished" />
+      <translation>视点 {v1} 不能跳过：{v2}。</translation>
     </message>
     <message>
       <source>Viewpoint {v1} is being taken.</source>
-      <translation type="unfinished" />
+      <translation>正在拍摄视点 {v1}。</translation>
     </message>
     <message>
       <source>Wait until it is stored.</source>
-      <translation type="unfinished" />
+      <translation>请等待其存储完成。</translation>
     </message>
     <message>
       <source>Wait until it moves.</source>
-      <translation type="unfinished" />
+      <translation>请等待其移动。</translation>
     </message>
     <message>
       <source>Wait until that has finished, or stop it.</source>
-      <translation type="unfinished" />
+      <translation>请等待其完成，或停止。</translation>
     </message>
     <message>
       <source>exposure {v1} ms</source>
-      <translation type="unfinished" />
+      <translation>曝光 {v1} ms</translation>
     </message>
     <message>
       <source>noise of camera {v1}</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1} 的噪声</translation>
     </message>
     <message>
       <source>probe: image {v1} at {v2} ms</source>
-      <translation type="unfinished" />
+      <translation>试测：图像 {v1}，{v2} ms</translation>
     </message>
     <message>
       <source>{v1} cannot trigger cameras, as the hardware sequence of {v2} needs.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 不能触发相机，而 {v2} 的硬件序列需要触发。</translation>
     </message>
     <message>
       <source>{v1}: image {v2} at {v3} ms</source>
-      <translation type="unfinished" />
+      <translation>{v1}：图像 {v2}，{v3} ms</translation>
     </message>
   </context>
   <context>
     <name>core.axis_modbus</name>
     <message>
       <source>Check its emergency stop, its supply and its interlocks.</source>
-      <translation type="unfinished" />
+      <translation>请检查其急停、电源和联锁。</translation>
     </message>
     <message>
       <source>Check port or address, cable and power, and that no other program uses it.</source>
-      <translation type="unfinished" />
+      <translation>请检查端口或地址、电缆和电源，并确认没有其他程序使用。</translation>
     </message>
     <message>
       <source>Check station number, port and drive map.</source>
-      <translation type="unfinished" />
+      <translation>请检查站号、端口和驱动器映射表。</translation>
     </message>
     <message>
       <source>Check that the map fits this drive, and the state of the drive.</source>
-      <translation type="unfinished" />
+      <translation>请检查映射表是否适合此驱动器，以及驱动器状态。</translation>
     </message>
     <message>
       <source>Check the map of the drive.</source>
-      <translation type="unfinished" />
+      <translation>请检查驱动器的映射表。</translation>
     </message>
     <message>
       <source>Correct the file.</source>
-      <translation type="unfinished" />
+      <translation>请更正文件。</translation>
     </message>
     <message>
       <source>Correct this field; the README describes the form.</source>
-      <translation type="unfinished" />
+      <translation>请更正此字段；README 说明了格式。</translation>
     </message>
     <message>
       <source>Name one of {v1}, or the path of a map (.toml).</source>
-      <translation type="unfinished" />
+      <translation>请指定 {v1} 之一，或映射表 (.toml) 的路径。</translation>
     </message>
     <message>
       <source>There is no drive map {v1}.</source>
-      <translation type="unfinished" />
+      <translation>没有驱动器映射表 {v1}。</translation>
     </message>
     <message>
       <source>[links]: {v1}.</source>
-      <translation type="unfinished" />
+      <translation>[links]：{v1}。</translation>
     </message>
     <message>
       <source>{v1} (station {v2} at {v3}) {v4} (Modbus exception {v5}).</source>
-      <translation type="unfinished" />
+      <translation>{v1}（站 {v2}，{v3}）{v4}（Modbus 异常 {v5}）。</translation>
     </message>
     <message>
       <source>{v1} answered {v2} instead of {v3} registers ({v4}).</source>
-      <translation type="unfinished" />
+      <translation>{v1} 返回 {v2} 个寄存器，而非 {v3} 个 ({v4})。</translation>
     </message>
     <message>
       <source>{v1} cannot be opened.</source>
-      <translation type="unfinished" />
+      <translation>无法打开 {v1}。</translation>
     </message>
     <message>
       <source>{v1} cannot be read as a drive map: {v2}.</source>
-      <translation type="unfinished" />
+      <translation>无法将 {v1} 读作驱动器映射表：{v2}。</translation>
     </message>
     <message>
       <source>{v1} does not switch its servo on.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 无法接通伺服。</translation>
     </message>
     <message>
       <source>{v1}: register {v2} reads {v3}, which is not a {v4}.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：寄存器 {v2} 为 {v3}，不是 {v4}。</translation>
     </message>
   </context>
   <context>
     <name>core.calibrate</name>
     <message>
       <source>A camera is called {v1}.</source>
-      <translation type="unfinished" />
+      <translation>有相机名为 {v1}。</translation>
     </message>
     <message>
       <source>A folder with images such as left01.png, right01.png: images with the same number show the same position of the board.</source>
-      <translation type="unfinished" />
+      <translation>含 left01.png、right01.png 等图像的文件夹：编号相同的图像显示标定板的同一位置。</translation>
     </message>
     <message>
       <source>A folder with one folder per position of the board, each with its fringe images of both directions and a MANIFEST.toml.</source>
-      <translation type="unfinished" />
+      <translation>每个标定板位置一个子文件夹，各含两个方向的条纹图像和 MANIFEST.toml。</translation>
     </message>
     <message>
       <source>A {v1} is symmetric under half a turn, so {v2} cannot use it.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 在半转下对称，因此 {v2} 不能使用。</translation>
     </message>
     <message>
       <source>According to its angles the table turned by {v1}°, but the board turned by {v2}°.</source>
-      <translation type="unfinished" />
+      <translation>按其角度转台转动了 {v1}°，但标定板转动了 {v2}°。</translation>
     </message>
     <message>
       <source>Add observations from other distances, tilts and positions.</source>
-      <translation type="unfinished" />
+      <translation>请添加其他距离、倾斜和位置的观测。</translation>
     </message>
     <message>
       <source>Add observations that show it.</source>
-      <translation type="unfinished" />
+      <translation>请添加显示它的观测。</translation>
     </message>
     <message>
       <source>Add poses turned about a second axis, best at right angles to it.</source>
-      <translation type="unfinished" />
+      <translation>请添加绕第二轴转动的位姿，最好与之垂直。</translation>
     </message>
     <message>
       <source>Add poses turned about different axes.</source>
-      <translation type="unfinished" />
+      <translation>请添加绕不同轴转动的位姿。</translation>
     </message>
     <message>
       <source>Add poses turned by 20° to 90° about different axes.</source>
-      <translation type="unfinished" />
+      <translation>请添加绕不同轴转动 20° 至 90° 的位姿。</translation>
     </message>
     <message>
       <source>Add poses with larger rotations and translations.</source>
-      <translation type="unfinished" />
+      <translation>请添加旋转和平移更大的位姿。</translation>
     </message>
     <message>
       <source>Add sharp views with the board tilted in different directions.</source>
-      <translation type="unfinished" />
+      <translation>请添加标定板向不同方向倾斜的清晰视图。</translation>
     </message>
     <message>
       <source>Add views in which both it and another camera see the whole board.</source>
-      <translation type="unfinished" />
+      <translation>请添加它与另一相机都看到整块标定板的视图。</translation>
     </message>
     <message>
       <source>Add views with the board tilted in different directions.</source>
-      <translation type="unfinished" />
+      <translation>请添加标定板向不同方向倾斜的视图。</translation>
     </message>
     <message>
       <source>All motions turn about nearly the same axis of the flange ({v1}; {v2}° from parallel): the camera's position along that axis is not observable.</source>
-      <translation type="unfinished" />
+      <translation>所有运动几乎绕法兰的同一轴转动（{v1}；与平行相差 {v2}°）：相机沿该轴的位置不可观测。</translation>
     </message>
     <message>
       <source>Bring the board to the borders of the projector's image, not only of the camera images.</source>
-      <translation type="unfinished" />
+      <translation>请将标定板移到投影图像的边缘，而不仅是相机图像的边缘。</translation>
     </message>
     <message>
       <source>Calibrate hand-eye first.</source>
-      <translation type="unfinished" />
+      <translation>请先标定手眼。</translation>
     </message>
     <message>
       <source>Calibrate hand–eye</source>
-      <translation type="unfinished" />
+      <translation>标定手眼</translation>
     </message>
     <message>
       <source>Calibrate it: `measureapp calibrate projector`.</source>
-      <translation type="unfinished" />
+      <translation>请标定：`measureapp calibrate projector`。</translation>
     </message>
     <message>
       <source>Calibrate the cameras</source>
-      <translation type="unfinished" />
+      <translation>标定相机</translation>
     </message>
     <message>
       <source>Calibrate the cameras first.</source>
-      <translation type="unfinished" />
+      <translation>请先标定相机。</translation>
     </message>
     <message>
       <source>Calibrate the cameras with 4, 5 or 8 coefficients.</source>
-      <translation type="unfinished" />
+      <translation>请用 4、5 或 8 个系数标定相机。</translation>
     </message>
     <message>
       <source>Calibrate the linear guide</source>
-      <translation type="unfinished" />
+      <translation>标定直线导轨</translation>
     </message>
     <message>
       <source>Calibrate the projector</source>
-      <translation type="unfinished" />
+      <translation>标定投影仪</translation>
     </message>
     <message>
       <source>Calibrate the table axis</source>
-      <translation type="unfinished" />
+      <translation>标定转台轴线</translation>
     </message>
     <message>
       <source>Calibrate the whole rig</source>
-      <translation type="unfinished" />
+      <translation>标定整个测量系统</translation>
     </message>
     <message>
       <source>Calibrate the whole rig first.</source>
-      <translation type="unfinished" />
+      <translation>请先标定整个测量系统。</translation>
     </message>
     <message>
       <source>Camera {v1} has no images yet.</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1} 尚无图像。</translation>
     </message>
     <message>
       <source>Camera {v1} has no view of the board in common with the other cameras.</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1} 没有与其他相机共同的标定板视图。</translation>
     </message>
     <message>
       <source>Camera {v1} has {v2} usable views of the board; at least {v3} are needed.{v4}</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1} 有 {v2} 个可用的标定板视图；至少需要 {v3} 个。{v4}</translation>
     </message>
     <message>
       <source>Camera {v1} has {v2} views left that fit the others; at least {v3} are needed.</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1} 只剩 {v2} 个与其他一致的视图；至少需要 {v3} 个。</translation>
     </message>
     <message>
       <source>Camera {v1} is not calibrated.</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1} 未标定。</translation>
     </message>
     <message>
       <source>Cameras</source>
-      <translation type="unfinished" />
+      <translation>相机</translation>
     </message>
     <message>
       <source>Cameras, hand–eye, linear guide and table axis in one automatic run</source>
-      <translation type="unfinished" />
+      <translation>一次自动运行标定相机、手眼、直线导轨和转台轴线</translation>
     </message>
     <message>
       <source>Check that guide positions and poses are in mm, in the same order, and that the board did not move.</source>
-      <translation type="unfinished" />
+      <translation>请检查导轨位置和位姿是否以 mm 为单位、顺序一致，且标定板未移动。</translation>
     </message>
     <message>
       <source>Check that robot and board poses are in the same order, and that the rotations are unit quaternions, not degrees.</source>
-      <translation type="unfinished" />
+      <translation>请检查机器人与标定板位姿顺序是否一致，旋转是否为单位四元数而非角度。</translation>
     </message>
     <message>
       <source>Check that the board is fixed on the table, and that tables and images are in the same order.</source>
-      <translation type="unfinished" />
+      <translation>请检查标定板是否固定在转台上，表格与图像顺序是否一致。</translation>
     </message>
     <message>
       <source>Check that the images show the same rigid board, sharp and in the same order for all cameras.</source>
-      <translation type="unfinished" />
+      <translation>请检查图像是否显示同一刚性标定板，清晰且各相机顺序一致。</translation>
     </message>
     <message>
       <source>Check the order of the positions, the unit (degrees) of the angles, and that the board did not move on the table.</source>
-      <translation type="unfinished" />
+      <translation>请检查位置顺序、角度单位（度），且标定板未在转台上移动。</translation>
     </message>
     <message>
       <source>Check the size of the board: its squares seem to be {v1} times as large as stated.</source>
-      <translation type="unfinished" />
+      <translation>请检查标定板的尺寸：其方格似乎是所述的 {v1} 倍。</translation>
     </message>
     <message>
       <source>Check the unit (degrees) and the order of the table angles, and that the board did not move on the table.</source>
-      <translation type="unfinished" />
+      <translation>请检查转台角度的单位（度）和顺序，且标定板未在转台上移动。</translation>
     </message>
     <message>
       <source>Choose 4, 5 or 8.</source>
-      <translation type="unfinished" />
+      <translation>请选择 4、5 或 8。</translation>
     </message>
     <message>
       <source>Choose one of: </source>
-      <translation type="unfinished" />
+      <translation>请选择其一：</translation>
     </message>
     <message>
       <source>Choose the calibration of these cameras as they are set now, or calibrate them.</source>
-      <translation type="unfinished" />
+      <translation>请选择这些相机当前设置的标定，或标定它们。</translation>
     </message>
     <message>
       <source>Compare axes in the same frame.</source>
-      <translation type="unfinished" />
+      <translation>请比较同一坐标系中的轴线。</translation>
     </message>
     <message>
       <source>Compare calibrations of the same cameras.</source>
-      <translation type="unfinished" />
+      <translation>请比较相同相机的标定。</translation>
     </message>
     <message>
       <source>Cover the images to their borders and corners: lens distortion is largest there.</source>
-      <translation type="unfinished" />
+      <translation>请覆盖图像直至边缘和角落：那里镜头畸变最大。</translation>
     </message>
     <message>
       <source>Coverage of the image</source>
-      <translation type="unfinished" />
+      <translation>图像的覆盖</translation>
     </message>
     <message>
       <source>Determines direction and scale of the guide, with cameras and hand–eye as calibrated. Fix the board on the table; the guide moves the robot past it.</source>
-      <translation type="unfinished" />
+      <translation>以已标定的相机和手眼确定导轨的方向和比例。将标定板固定在转台上；导轨使机器人从旁经过。</translation>
     </message>
     <message>
       <source>Determines lens and pose of every camera from images of a board seen from many sides. Fill the images to their borders, and tilt the board.</source>
-      <translation type="unfinished" />
+      <translation>由多个方向看到的标定板图像确定每台相机的镜头和位姿。请充满图像直至边缘，并倾斜标定板。</translation>
     </message>
     <message>
       <source>Determines lens and pose of the projector from fringes of both directions on the board, with the cameras as calibrated. The phases around a corner of the board identify the projector pixel that lights it.</source>
-      <translation type="unfinished" />
+      <translation>以已标定的相机，由标定板上两个方向的条纹确定投影仪的镜头和位姿。标定板角点周围的相位确定照亮它的投影仪像素。</translation>
     </message>
     <message>
       <source>Determines the pose of the head on the flange, with the cameras as calibrated. Fix the board on the table; the robot turns the head.</source>
-      <translation type="unfinished" />
+      <translation>以已标定的相机确定测头在法兰上的位姿。将标定板固定在转台上；机器人转动测头。</translation>
     </message>
     <message>
       <source>Determines the table's axis, with cameras and robot as calibrated. Fix the board on the table; the table turns it.</source>
-      <translation type="unfinished" />
+      <translation>以已标定的相机和机器人确定转台轴线。将标定板固定在转台上；转台转动它。</translation>
     </message>
     <message>
       <source>Direction</source>
-      <translation type="unfinished" />
+      <translation>方向</translation>
     </message>
     <message>
       <source>Direction and scale of the guide</source>
-      <translation type="unfinished" />
+      <translation>导轨的方向和比例</translation>
     </message>
     <message>
       <source>Every camera needs a name of its own.</source>
-      <translation type="unfinished" />
+      <translation>每台相机须有自己的名称。</translation>
     </message>
     <message>
       <source>Fix the board on the table so that it cannot slip.</source>
-      <translation type="unfinished" />
+      <translation>将标定板固定在转台上，使其不会滑动。</translation>
     </message>
     <message>
       <source>Fix the board on the table. The rig views it from all sides, moves along the guide and turns the table, and everything is solved together.</source>
-      <translation type="unfinished" />
+      <translation>将标定板固定在转台上。测量系统从各个方向观察它，沿导轨移动并转动转台，一并求解。</translation>
     </message>
     <message>
       <source>Flange and camera turn by different angles (median difference {v1}°).</source>
-      <translation type="unfinished" />
+      <translation>法兰与相机转动的角度不同（中位差 {v1}°）。</translation>
     </message>
     <message>
       <source>Focal length x</source>
-      <translation type="unfinished" />
+      <translation>焦距 x</translation>
     </message>
     <message>
       <source>Focal length y</source>
-      <translation type="unfinished" />
+      <translation>焦距 y</translation>
     </message>
     <message>
       <source>Focal length, image centre, distortion and pose of every camera</source>
-      <translation type="unfinished" />
+      <translation>每台相机的焦距、图像中心、畸变和位姿</translation>
     </message>
     <message>
       <source>Give at least 3, better 10 or more.</source>
-      <translation type="unfinished" />
+      <translation>请至少给出 3 个，最好 10 个以上。</translation>
     </message>
     <message>
       <source>Give at least {v1} positions of at least 3 corners.</source>
-      <translation type="unfinished" />
+      <translation>请至少给出 {v1} 个位置，每个至少 3 个角点。</translation>
     </message>
     <message>
       <source>Give at least {v1} positions over {v2} mm or more.</source>
-      <translation type="unfinished" />
+      <translation>请至少给出 {v1} 个位置，跨越 {v2} mm 以上。</translation>
     </message>
     <message>
       <source>Give at least {v1} with different robot poses, and turn the table by 60° or more.</source>
-      <translation type="unfinished" />
+      <translation>请至少给出 {v1} 个，机器人位姿不同，转台转动 60° 以上。</translation>
     </message>
     <message>
       <source>Give at least {v1}, with different poses of the robot, slide positions and table angles.</source>
-      <translation type="unfinished" />
+      <translation>请至少给出 {v1} 个，机器人位姿、滑台位置和转台角度各不相同。</translation>
     </message>
     <message>
       <source>Give columns and rows of the projector.</source>
-      <translation type="unfinished" />
+      <translation>请给出投影仪的列数和行数。</translation>
     </message>
     <message>
       <source>Give guide positions in mm.</source>
-      <translation type="unfinished" />
+      <translation>请以 mm 给出导轨位置。</translation>
     </message>
     <message>
       <source>Give images of calibrated cameras.</source>
-      <translation type="unfinished" />
+      <translation>请给出已标定相机的图像。</translation>
     </message>
     <message>
       <source>Give one angle per position.</source>
-      <translation type="unfinished" />
+      <translation>请每个位置给出一个角度。</translation>
     </message>
     <message>
       <source>Give one image per camera with every observation.</source>
-      <translation type="unfinished" />
+      <translation>请每次观测每台相机给出一幅图像。</translation>
     </message>
     <message>
       <source>Give one of each per position.</source>
-      <translation type="unfinished" />
+      <translation>请每个位置各给出一个。</translation>
     </message>
     <message>
       <source>Give poses the robot can reach and from which the board is visible.</source>
-      <translation type="unfinished" />
+      <translation>请给出机器人可达且能看到标定板的位姿。</translation>
     </message>
     <message>
       <source>Give the camera Jacobian of every board pose, or no camera prior.</source>
-      <translation type="unfinished" />
+      <translation>请给出每个标定板位姿的相机雅可比，或不给相机先验。</translation>
     </message>
     <message>
       <source>Give the camera another name.</source>
-      <translation type="unfinished" />
+      <translation>请给相机起另一个名称。</translation>
     </message>
     <message>
       <source>Give the distance at which parts are measured.</source>
-      <translation type="unfinished" />
+      <translation>请给出测量工件的距离。</translation>
     </message>
     <message>
       <source>Give the images of all cameras in the same order, one of each camera per board position.</source>
-      <translation type="unfinished" />
+      <translation>请以相同顺序给出所有相机的图像，每个标定板位置每台相机一幅。</translation>
     </message>
     <message>
       <source>Hand–eye, guide and table axis were determined with the earlier cameras: calibrate the rig next.</source>
-      <translation type="unfinished" />
+      <translation>手眼、导轨和转台轴线是用先前的相机确定的：接下来请标定测量系统。</translation>
     </message>
     <message>
       <source>Hold the board</source>
-      <translation type="unfinished" />
+      <translation>请将标定板</translation>
     </message>
     <message>
       <source>Image centre x</source>
-      <translation type="unfinished" />
+      <translation>图像中心 x</translation>
     </message>
     <message>
       <source>Image centre y</source>
-      <translation type="unfinished" />
+      <translation>图像中心 y</translation>
     </message>
     <message>
       <source>Keep the robot still while the guide moves: the errors of its poses would count as errors of the guide</source>
-      <translation type="unfinished" />
+      <translation>导轨移动时请保持机器人静止：其位姿误差会算作导轨误差</translation>
     </message>
     <message>
       <source>Lens and pose of the projector, relative to calibrated cameras</source>
-      <translation type="unfinished" />
+      <translation>投影仪相对于已标定相机的镜头和位姿</translation>
     </message>
     <message>
       <source>More observations alone will not make it good: sharper images, a larger board, or larger differences between positions are needed.</source>
-      <translation type="unfinished" />
+      <translation>仅增加观测不会使其良好：需要更清晰的图像、更大的标定板或更大的位置差异。</translation>
     </message>
     <message>
       <source>More views for the projector alone will not make it good: {added} of it come from the calibration of the cameras. Calibrate the cameras from more views first.</source>
-      <translation type="unfinished" />
+      <translation>仅增加投影仪视图不会使其良好：其中 {added} 来自相机标定。请先用更多视图标定相机。</translation>
     </message>
     <message>
       <source>Move the guide as far as the board stays in view: a longer travel determines its direction better.</source>
-      <translation type="unfinished" />
+      <translation>在标定板保持可见的范围内尽量移动导轨：行程越长，方向确定得越好。</translation>
     </message>
     <message>
       <source>Move the guide further</source>
-      <translation type="unfinished" />
+      <translation>请将导轨移得更远</translation>
     </message>
     <message>
       <source>Name a result of the same kind of calibration.</source>
-      <translation type="unfinished" />
+      <translation>请指定同类标定的结果。</translation>
     </message>
     <message>
       <source>Name one of the cameras given.</source>
-      <translation type="unfinished" />
+      <translation>请指定所给相机之一。</translation>
     </message>
     <message>
       <source>Name the cameras once each, the reference first.</source>
-      <translation type="unfinished" />
+      <translation>请每台相机列出一次，参考相机在前。</translation>
     </message>
     <message>
       <source>Neither the board nor the robot's arm moves; only the guide does.</source>
-      <translation type="unfinished" />
+      <translation>标定板和机器人手臂都不动；只有导轨移动。</translation>
     </message>
     <message>
       <source>No camera saw the board.</source>
-      <translation type="unfinished" />
+      <translation>没有相机看到标定板。</translation>
     </message>
     <message>
       <source>No pose of the robot is further than {v1} mm from its base.</source>
-      <translation type="unfinished" />
+      <translation>没有机器人位姿距其基座超过 {v1} mm。</translation>
     </message>
     <message>
       <source>Nothing may move while the fringes of one view are taken. White should be bright, but not clipped.</source>
-      <translation type="unfinished" />
+      <translation>拍摄一个视图的条纹时不得有任何移动。白色应明亮，但不过饱和。</translation>
     </message>
     <message>
       <source>Observations changed since it was solved: solve again.</source>
-      <translation type="unfinished" />
+      <translation>求解之后观测已更改：请重新求解。</translation>
     </message>
     <message>
       <source>Only {v1} of the {v2} marks of the {v3} can be seen.</source>
-      <translation type="unfinished" />
+      <translation>只能看到 {v3} 的 {v2} 个标记中的 {v1} 个。</translation>
     </message>
     <message>
       <source>Only {v1} points of the working volume {v2} mm in front of the cameras are seen by two of them.</source>
-      <translation type="unfinished" />
+      <translation>相机前 {v2} mm 的工作空间中只有 {v1} 个点被两台相机看到。</translation>
     </message>
     <message>
       <source>Pose of the head on the robot's flange</source>
-      <translation type="unfinished" />
+      <translation>测头在机器人法兰上的位姿</translation>
     </message>
     <message>
       <source>Position and direction of the rotary table's axis</source>
-      <translation type="unfinished" />
+      <translation>转台轴线的位置和方向</translation>
     </message>
     <message>
       <source>Position {v1} turned by {v2}° against the first, but its angle says {v3}°.</source>
-      <translation type="unfinished" />
+      <translation>位置 {v1} 相对第一个转动了 {v2}°，但其角度为 {v3}°。</translation>
     </message>
     <message>
       <source>Recorded fringes</source>
-      <translation type="unfinished" />
+      <translation>录制的条纹</translation>
     </message>
     <message>
       <source>Recorded images</source>
-      <translation type="unfinished" />
+      <translation>录制的图像</translation>
     </message>
     <message>
       <source>Roll the camera about its line of sight: it was rolled by only</source>
-      <translation type="unfinished" />
+      <translation>请绕光轴滚转相机：它只滚转了</translation>
     </message>
     <message>
       <source>Rotation</source>
-      <translation type="unfinished" />
+      <translation>旋转</translation>
     </message>
     <message>
       <source>Scale</source>
-      <translation type="unfinished" />
+      <translation>比例</translation>
     </message>
     <message>
       <source>Set the board up steeply on the table, so that its corners lie at different heights, and turn the table further.</source>
-      <translation type="unfinished" />
+      <translation>请将标定板陡立在转台上，使其角点处于不同高度，并进一步转动转台。</translation>
     </message>
     <message>
       <source>Show it nearer and farther, sharp, evenly lit and not so bright that its white is clipped.</source>
-      <translation type="unfinished" />
+      <translation>请在更近和更远处显示，清晰、照明均匀，且白色不过亮。</translation>
     </message>
     <message>
       <source>Show more of the board.</source>
-      <translation type="unfinished" />
+      <translation>请显示更多标定板。</translation>
     </message>
     <message>
       <source>Show the board</source>
-      <translation type="unfinished" />
+      <translation>显示标定板</translation>
     </message>
     <message>
       <source>Show the fixed board from the first robot pose</source>
-      <translation type="unfinished" />
+      <translation>从第一个机器人位姿显示固定的标定板</translation>
     </message>
     <message>
       <source>Show the whole board, evenly lit.</source>
-      <translation type="unfinished" />
+      <translation>请显示整块标定板，照明均匀。</translation>
     </message>
     <message>
       <source>Solve again.</source>
-      <translation type="unfinished" />
+      <translation>请重新求解。</translation>
     </message>
     <message>
       <source>Solve what was collected first.</source>
-      <translation type="unfinished" />
+      <translation>请先求解已采集的内容。</translation>
     </message>
     <message>
       <source>Spread of distances</source>
-      <translation type="unfinished" />
+      <translation>距离的分布</translation>
     </message>
     <message>
       <source>Start without calibrated cameras; compare with them later.</source>
-      <translation type="unfinished" />
+      <translation>请不用已标定相机开始；稍后再比较。</translation>
     </message>
     <message>
       <source>Sweep of the table</source>
-      <translation type="unfinished" />
+      <translation>转台的扫过角度</translation>
     </message>
     <message>
       <source>Table positions</source>
-      <translation type="unfinished" />
+      <translation>转台位置</translation>
     </message>
     <message>
       <source>Take a board with {v1}.</source>
-      <translation type="unfinished" />
+      <translation>请使用有 {v1} 的标定板。</translation>
     </message>
     <message>
       <source>Take a sharper image, or move closer so that the squares appear larger.</source>
-      <translation type="unfinished" />
+      <translation>请拍摄更清晰的图像，或靠近使方格更大。</translation>
     </message>
     <message>
       <source>Take poses</source>
-      <translation type="unfinished" />
+      <translation>请拍摄位姿</translation>
     </message>
     <message>
       <source>Take ten poses or more: the robot's own errors average out.</source>
-      <translation type="unfinished" />
+      <translation>请拍摄十个以上位姿：机器人自身误差会被平均。</translation>
     </message>
     <message>
       <source>Take ten views or more.</source>
-      <translation type="unfinished" />
+      <translation>请拍摄十个以上视图。</translation>
     </message>
     <message>
       <source>Take the board at</source>
-      <translation type="unfinished" />
+      <translation>请在以下位置拍摄标定板</translation>
     </message>
     <message>
       <source>Take the board from</source>
-      <translation type="unfinished" />
+      <translation>请从以下方向拍摄标定板</translation>
     </message>
     <message>
       <source>Take the views</source>
-      <translation type="unfinished" />
+      <translation>请拍摄视图</translation>
     </message>
     <message>
       <source>The board lies behind the camera: the board poses seem to be board_from_camera.</source>
-      <translation type="unfinished" />
+      <translation>标定板位于相机后方：标定板位姿似乎是 board_from_camera。</translation>
     </message>
     <message>
       <source>The board moved {v1} times as far as the robot.</source>
-      <translation type="unfinished" />
+      <translation>标定板移动的距离是机器人的 {v1} 倍。</translation>
     </message>
     <message>
       <source>The board must not move between the views.</source>
-      <translation type="unfinished" />
+      <translation>视图之间标定板不得移动。</translation>
     </message>
     <message>
       <source>The board poses put the board {v1} mm from the camera.</source>
-      <translation type="unfinished" />
+      <translation>标定板位姿使其距相机 {v1} mm。</translation>
     </message>
     <message>
       <source>The board turned by only {v1}° in all.</source>
-      <translation type="unfinished" />
+      <translation>标定板总共只转动了 {v1}°。</translation>
     </message>
     <message>
       <source>The cameras are what is to be calibrated.</source>
-      <translation type="unfinished" />
+      <translation>要标定的正是相机。</translation>
     </message>
     <message>
       <source>The centres of the corners' arcs do not form a line (they spread {v1} times as far along the axis as across it; {v2} are needed).</source>
-      <translation type="unfinished" />
+      <translation>角点圆弧的中心不成一线（沿轴分布为横向的 {v1} 倍；需要 {v2} 倍）。</translation>
     </message>
     <message>
       <source>The contribution of robot and hand–eye does not shrink with more observations. Calibrate the whole rig, which averages over many robot poses, or let registration correct it.</source>
-      <translation type="unfinished" />
+      <translation>机器人和手眼的贡献不随观测增多而减小。请标定整个测量系统，它对许多机器人位姿取平均，或由配准修正。</translation>
     </message>
     <message>
       <source>The corners of the board cannot be refined.</source>
-      <translation type="unfinished" />
+      <translation>无法细化标定板的角点。</translation>
     </message>
     <message>
       <source>The derivatives of the board poses with respect to the cameras are missing.</source>
-      <translation type="unfinished" />
+      <translation>缺少标定板位姿对相机的导数。</translation>
     </message>
     <message>
       <source>The given cameras have {v1} distortion coefficients, at most {v2} are offered.</source>
-      <translation type="unfinished" />
+      <translation>所给相机有 {v1} 个畸变系数，最多提供 {v2} 个。</translation>
     </message>
     <message>
       <source>The guide travelled {v1} mm, but the board moved 1000 times as far.</source>
-      <translation type="unfinished" />
+      <translation>导轨移动了 {v1} mm，但标定板移动了 1000 倍。</translation>
     </message>
     <message>
       <source>The images of camera {v1} are {v2} × {v3} px, it was calibrated for {v4} × {v5} px.</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1} 的图像为 {v2} × {v3} px，而标定时为 {v4} × {v5} px。</translation>
     </message>
     <message>
       <source>The images of cameras {v1} and {v2} do not belong together: in {v3} of {v4} views they show different board positions.</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1} 与 {v2} 的图像不匹配：{v4} 个视图中有 {v3} 个显示不同的标定板位置。</translation>
     </message>
     <message>
       <source>The marks of the board that are visible are too few, or lie on one line.</source>
-      <translation type="unfinished" />
+      <translation>可见的标定板标记太少，或位于一条直线上。</translation>
     </message>
     <message>
       <source>The motions do not determine the rotation.</source>
-      <translation type="unfinished" />
+      <translation>这些运动不能确定旋转。</translation>
     </message>
     <message>
       <source>The observations do not determine the rig: {v1}.</source>
-      <translation type="unfinished" />
+      <translation>这些观测不能确定测量系统：{v1}。</translation>
     </message>
     <message>
       <source>The observations leave a parameter undetermined.</source>
-      <translation type="unfinished" />
+      <translation>这些观测使某参数无法确定。</translation>
     </message>
     <message>
       <source>The observations of the solution are no longer there.</source>
-      <translation type="unfinished" />
+      <translation>解的观测已不存在。</translation>
     </message>
     <message>
       <source>The pose of the board in observation {v1} is not known.</source>
-      <translation type="unfinished" />
+      <translation>观测 {v1} 中标定板的位姿未知。</translation>
     </message>
     <message>
       <source>The poses do not determine the hand-eye transform.</source>
-      <translation type="unfinished" />
+      <translation>这些位姿不能确定手眼变换。</translation>
     </message>
     <message>
       <source>The poses do not determine the rotation.</source>
-      <translation type="unfinished" />
+      <translation>这些位姿不能确定旋转。</translation>
     </message>
     <message>
       <source>The positions of a corner lie on a line, not on an arc.</source>
-      <translation type="unfinished" />
+      <translation>角点的位置成直线，而非圆弧。</translation>
     </message>
     <message>
       <source>The previous axis is given in frame {v1}, the new one in {v2}.</source>
-      <translation type="unfinished" />
+      <translation>先前的轴线以坐标系 {v1} 给出，新的以 {v2} 给出。</translation>
     </message>
     <message>
       <source>The previous calibration is not one of {v1}.</source>
-      <translation type="unfinished" />
+      <translation>先前的标定不是 {v1} 的。</translation>
     </message>
     <message>
       <source>The previous calibration is one of {v1} with {v2} as reference, the new one of {v3} with {v4}.</source>
-      <translation type="unfinished" />
+      <translation>先前的标定属于 {v1}，以 {v2} 为参考，新的属于 {v3}，以 {v4} 为参考。</translation>
     </message>
     <message>
       <source>The projector is not calibrated.</source>
-      <translation type="unfinished" />
+      <translation>投影仪未标定。</translation>
     </message>
     <message>
       <source>The projector was calibrated with the earlier cameras: calibrate it again.</source>
-      <translation type="unfinished" />
+      <translation>投影仪是用先前的相机标定的：请重新标定。</translation>
     </message>
     <message>
       <source>The reference camera {v1} has no images.</source>
-      <translation type="unfinished" />
+      <translation>参考相机 {v1} 没有图像。</translation>
     </message>
     <message>
       <source>The rest of the rig is not calibrated yet.</source>
-      <translation type="unfinished" />
+      <translation>测量系统其余部分尚未标定。</translation>
     </message>
     <message>
       <source>The robot moved {v1} mm per displayed millimetre of the guide.</source>
-      <translation type="unfinished" />
+      <translation>导轨每显示一毫米，机器人移动 {v1} mm。</translation>
     </message>
     <message>
       <source>The robot poses seem to be flange_from_base (or the board poses board_from_camera).</source>
-      <translation type="unfinished" />
+      <translation>机器人位姿似乎是 flange_from_base（或标定板位姿为 board_from_camera）。</translation>
     </message>
     <message>
       <source>The robot poses seem to be in metres: give mm.</source>
-      <translation type="unfinished" />
+      <translation>机器人位姿似乎以米为单位：请给出 mm。</translation>
     </message>
     <message>
       <source>The size of the projector's image is not known.</source>
-      <translation type="unfinished" />
+      <translation>投影仪图像的尺寸未知。</translation>
     </message>
     <message>
       <source>The translations of the {v1} poses are about {v2} times too small for those of the others.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 位姿的平移约比其他的小 {v2} 倍。</translation>
     </message>
     <message>
       <source>The uncertainty of the cameras themselves is not known: it comes in addition.</source>
-      <translation type="unfinished" />
+      <translation>相机自身的不确定度未知：须另外计入。</translation>
     </message>
     <message>
       <source>The views of camera {v1} do not determine its focal length ({v2} ± {v3} px).</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1} 的视图不能确定其焦距（{v2} ± {v3} px）。</translation>
     </message>
     <message>
       <source>The views of camera {v1} do not determine its lens.</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1} 的视图不能确定其镜头。</translation>
     </message>
     <message>
       <source>The {v1} poses seem to be in metres: give mm.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 位姿似乎以米为单位：请给出 mm。</translation>
     </message>
     <message>
       <source>The {v1} was not detected yet.</source>
-      <translation type="unfinished" />
+      <translation>尚未检测到 {v1}。</translation>
     </message>
     <message>
       <source>There are no candidate poses.</source>
-      <translation type="unfinished" />
+      <translation>没有候选位姿。</translation>
     </message>
     <message>
       <source>There are: </source>
-      <translation type="unfinished" />
+      <translation>有：</translation>
     </message>
     <message>
       <source>There is no solution yet.</source>
-      <translation type="unfinished" />
+      <translation>尚无解。</translation>
     </message>
     <message>
       <source>They seem to be in metres: give mm.</source>
-      <translation type="unfinished" />
+      <translation>它们似乎以米为单位：请给出 mm。</translation>
     </message>
     <message>
       <source>Tilt it by 20° to 45° to all four sides, and show it nearer and farther.</source>
-      <translation type="unfinished" />
+      <translation>请向四个方向倾斜 20° 至 45°，并在更近和更远处显示。</translation>
     </message>
     <message>
       <source>Tilt the board by 20° to 45° in several directions.</source>
-      <translation type="unfinished" />
+      <translation>请向多个方向将标定板倾斜 20° 至 45°。</translation>
     </message>
     <message>
       <source>Tilt the board by 20° to 45° to all four sides: this separates the focal length from the distance.</source>
-      <translation type="unfinished" />
+      <translation>请向四个方向将标定板倾斜 20° 至 45°：这可区分焦距与距离。</translation>
     </message>
     <message>
       <source>Tilt the board in several directions and fill the image.</source>
-      <translation type="unfinished" />
+      <translation>请向多个方向倾斜标定板并充满图像。</translation>
     </message>
     <message>
       <source>Tilt the board in several directions.</source>
-      <translation type="unfinished" />
+      <translation>请向多个方向倾斜标定板。</translation>
     </message>
     <message>
       <source>Tilt, all directions</source>
-      <translation type="unfinished" />
+      <translation>倾斜，所有方向</translation>
     </message>
     <message>
       <source>To calibrate the linear guide, the hand-eye transform is needed.</source>
-      <translation type="unfinished" />
+      <translation>标定直线导轨需要手眼变换。</translation>
     </message>
     <message>
       <source>To calibrate {v1}, calibrated cameras are needed.</source>
-      <translation type="unfinished" />
+      <translation>标定{v1}需要已标定的相机。</translation>
     </message>
     <message>
       <source>Travel of the guide</source>
-      <translation type="unfinished" />
+      <translation>导轨行程</translation>
     </message>
     <message>
       <source>Turn the head about all three axes: up and down, sideways, and about its line of sight.</source>
-      <translation type="unfinished" />
+      <translation>请绕三个轴转动测头：上下、左右和绕其光轴。</translation>
     </message>
     <message>
       <source>Turn the table as far as the board stays in view: short arcs leave their centre uncertain.</source>
-      <translation type="unfinished" />
+      <translation>在标定板保持可见的范围内尽量转动转台：短弧使其中心不确定。</translation>
     </message>
     <message>
       <source>Turn the table further</source>
-      <translation type="unfinished" />
+      <translation>请进一步转动转台</translation>
     </message>
     <message>
       <source>Turn the table further between the positions.</source>
-      <translation type="unfinished" />
+      <translation>请在位置之间更多地转动转台。</translation>
     </message>
     <message>
       <source>Turn the table further, best by 60° or more.</source>
-      <translation type="unfinished" />
+      <translation>请进一步转动转台，最好 60° 以上。</translation>
     </message>
     <message>
       <source>Turns about the line of sight</source>
-      <translation type="unfinished" />
+      <translation>绕光轴转动</translation>
     </message>
     <message>
       <source>Turns left and right</source>
-      <translation type="unfinished" />
+      <translation>左右转动</translation>
     </message>
     <message>
       <source>Turns up and down</source>
-      <translation type="unfinished" />
+      <translation>上下转动</translation>
     </message>
     <message>
       <source>Use the calibration of the cameras that took the images.</source>
-      <translation type="unfinished" />
+      <translation>请使用拍摄这些图像的相机的标定。</translation>
     </message>
     <message>
       <source>View the board from higher up and from lower down: the camera was tilted up and down by only</source>
-      <translation type="unfinished" />
+      <translation>请从更高和更低处观察标定板：相机上下只倾斜了</translation>
     </message>
     <message>
       <source>View the board more from the left and from the right: the camera was swung sideways by only</source>
-      <translation type="unfinished" />
+      <translation>请更多地从左侧和右侧观察标定板：相机左右只摆动了</translation>
     </message>
     <message>
       <source>Whole rig</source>
-      <translation type="unfinished" />
+      <translation>整个测量系统</translation>
     </message>
     <message>
       <source>axis direction</source>
-      <translation type="unfinished" />
+      <translation>轴线方向</translation>
     </message>
     <message>
       <source>axis point</source>
-      <translation type="unfinished" />
+      <translation>轴线上的点</translation>
     </message>
     <message>
       <source>axis, across</source>
-      <translation type="unfinished" />
+      <translation>轴线，横向</translation>
     </message>
     <message>
       <source>camera on the flange, place</source>
-      <translation type="unfinished" />
+      <translation>法兰上的相机，位置</translation>
     </message>
     <message>
       <source>camera on the flange, rotation</source>
-      <translation type="unfinished" />
+      <translation>法兰上的相机，旋转</translation>
     </message>
     <message>
       <source>camera {v1}</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1}</translation>
     </message>
     <message>
       <source>guide direction</source>
-      <translation type="unfinished" />
+      <translation>导轨方向</translation>
     </message>
     <message>
       <source>guide scale</source>
-      <translation type="unfinished" />
+      <translation>导轨比例</translation>
     </message>
     <message>
       <source>in the lower left corner</source>
-      <translation type="unfinished" />
+      <translation>在左下角</translation>
     </message>
     <message>
       <source>in the lower part</source>
-      <translation type="unfinished" />
+      <translation>在下部</translation>
     </message>
     <message>
       <source>in the lower right corner</source>
-      <translation type="unfinished" />
+      <translation>在右下角</translation>
     </message>
     <message>
       <source>in the middle</source>
-      <translation type="unfinished" />
+      <translation>在中间</translation>
     </message>
     <message>
       <source>in the upper left corner</source>
-      <translation type="unfinished" />
+      <translation>在左上角</translation>
     </message>
     <message>
       <source>in the upper part</source>
-      <translation type="unfinished" />
+      <translation>在上部</translation>
     </message>
     <message>
       <source>in the upper right corner</source>
-      <translation type="unfinished" />
+      <translation>在右上角</translation>
     </message>
     <message>
       <source>iteration {v1}</source>
-      <translation type="unfinished" />
+      <translation>迭代 {v1}</translation>
     </message>
     <message>
       <source>joint solution of the rig</source>
-      <translation type="unfinished" />
+      <translation>测量系统联合求解</translation>
     </message>
     <message>
       <source>maximum likelihood</source>
-      <translation type="unfinished" />
+      <translation>最大似然</translation>
     </message>
     <message>
       <source>of a measurement uncertainty of 0.05 mm, 0.02 mm is hardly noticeable and 0.05 mm is all of it</source>
-      <translation type="unfinished" />
+      <translation>测量不确定度为 0.05 mm 时，0.02 mm 几乎察觉不到，而 0.05 mm 即为全部</translation>
     </message>
     <message>
       <source>on the left side</source>
-      <translation type="unfinished" />
+      <translation>在左侧</translation>
     </message>
     <message>
       <source>on the right side</source>
-      <translation type="unfinished" />
+      <translation>在右侧</translation>
     </message>
     <message>
       <source>once more</source>
-      <translation type="unfinished" />
+      <translation>再一次</translation>
     </message>
     <message>
       <source>one more view with</source>
-      <translation type="unfinished" />
+      <translation>再拍一个视图，包含</translation>
     </message>
     <message>
       <source>points from the projector complement those of two cameras and should be as certain</source>
-      <translation type="unfinished" />
+      <translation>投影仪的点补充两台相机的点，应同样确定</translation>
     </message>
     <message>
       <source>points of the volume relative to each other (rms)</source>
-      <translation type="unfinished" />
+      <translation>空间各点的相对位置（均方根）</translation>
     </message>
     <message>
       <source>projector's image</source>
-      <translation type="unfinished" />
+      <translation>投影仪图像</translation>
     </message>
     <message>
       <source>registration of overlapping views corrects 0.1 mm with ease, and starts safely up to 0.5 mm</source>
-      <translation type="unfinished" />
+      <translation>重叠视图的配准可轻松修正 0.1 mm，并能从不超过 0.5 mm 可靠开始</translation>
     </message>
     <message>
       <source>several cameras</source>
-      <translation type="unfinished" />
+      <translation>多台相机</translation>
     </message>
     <message>
       <source>straight line of the guide</source>
-      <translation type="unfinished" />
+      <translation>导轨的直线</translation>
     </message>
     <message>
       <source>straight line through the positions</source>
-      <translation type="unfinished" />
+      <translation>过各位置的直线</translation>
     </message>
     <message>
       <source>the hand-eye transform</source>
-      <translation type="unfinished" />
+      <translation>手眼变换</translation>
     </message>
     <message>
       <source>the linear guide</source>
-      <translation type="unfinished" />
+      <translation>直线导轨</translation>
     </message>
     <message>
       <source>the projector</source>
-      <translation type="unfinished" />
+      <translation>投影仪</translation>
     </message>
     <message>
       <source>the rig</source>
-      <translation type="unfinished" />
+      <translation>测量系统</translation>
     </message>
     <message>
       <source>the rotation axis</source>
-      <translation type="unfinished" />
+      <translation>旋转轴线</translation>
     </message>
     <message>
       <source>to the left</source>
-      <translation type="unfinished" />
+      <translation>向左</translation>
     </message>
     <message>
       <source>to the right</source>
-      <translation type="unfinished" />
+      <translation>向右</translation>
     </message>
     <message>
       <source>views of one part relative to each other (rms)</source>
-      <translation type="unfinished" />
+      <translation>同一工件各视图的相对位置（均方根）</translation>
     </message>
     <message>
       <source>views that are off by less than 0.05 mm need no registration, those up to 0.2 mm register safely</source>
-      <translation type="unfinished" />
+      <translation>偏差小于 0.05 mm 的视图无需配准，不超过 0.2 mm 的可可靠配准</translation>
     </message>
     <message>
       <source>{v1} angles do not belong to {v2} table positions.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 个角度与 {v2} 个转台位置不符。</translation>
     </message>
     <message>
       <source>{v1} distortion coefficients are not offered.</source>
-      <translation type="unfinished" />
+      <translation>不提供 {v1} 个畸变系数。</translation>
     </message>
     <message>
       <source>{v1} has {v2} {v3} of the board; at least {v4} are needed.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 有 {v2} 个标定板{v3}；至少需要 {v4} 个。</translation>
     </message>
     <message>
       <source>{v1} is not a kind of calibration.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 不是一种标定。</translation>
     </message>
     <message>
       <source>{v1} observations of the board over {v2}° of the table do not determine the rig.</source>
-      <translation type="unfinished" />
+      <translation>在转台 {v2}° 范围内 {v1} 次标定板观测不能确定测量系统。</translation>
     </message>
     <message>
       <source>{v1} poses do not determine the hand-eye transform.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 个位姿不能确定手眼变换。</translation>
     </message>
     <message>
       <source>{v1} robot poses do not belong to {v2} board poses.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 个机器人位姿与 {v2} 个标定板位姿不符。</translation>
     </message>
     <message>
       <source>{v1} slide positions over {v2} mm do not determine the guide.</source>
-      <translation type="unfinished" />
+      <translation>{v2} mm 范围内 {v1} 个滑台位置不能确定导轨。</translation>
     </message>
     <message>
       <source>{v1} table positions with {v2} corners do not determine the axis.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 个转台位置、{v2} 个角点不能确定轴线。</translation>
     </message>
     <message>
       <source>{v1} views are too few to hold some back.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 个视图太少，无法保留一部分。</translation>
     </message>
     <message>
       <source>{v1} views of the board do not check a calibration.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 个标定板视图不能检验标定。</translation>
     </message>
     <message>
       <source>{v1} {v2} could not be used; {v3}: {v4}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 个{v2}无法使用；{v3}：{v4}。</translation>
     </message>
   </context>
   <context>
     <name>core.calibration_session</name>
     <message>
       <source>Add observations first.</source>
-      <translation type="unfinished" />
+      <translation>请先添加观测。</translation>
     </message>
     <message>
       <source>An image ({v1}) cannot be encoded.</source>
-      <translation type="unfinished" />
+      <translation>图像 ({v1}) 无法编码。</translation>
     </message>
     <message>
       <source>An observation needs an image.</source>
-      <translation type="unfinished" />
+      <translation>观测需要图像。</translation>
     </message>
     <message>
       <source>Check the permissions.</source>
-      <translation type="unfinished" />
+      <translation>请检查权限。</translation>
     </message>
     <message>
       <source>Choose a new folder, or continue the session that is there.</source>
-      <translation type="unfinished" />
+      <translation>请选择新文件夹，或继续已有的会话。</translation>
     </message>
     <message>
       <source>Choose a table with one line per position of the board, or the folder in which a project keeps its views of the board.</source>
-      <translation type="unfinished" />
+      <translation>请选择每个标定板位置一行的表格，或项目保存其标定板视图的文件夹。</translation>
     </message>
     <message>
       <source>Fringes calibrate a projector only.</source>
-      <translation type="unfinished" />
+      <translation>条纹只能标定投影仪。</translation>
     </message>
     <message>
       <source>Give fringes instead.</source>
-      <translation type="unfinished" />
+      <translation>请改为给出条纹。</translation>
     </message>
     <message>
       <source>Give fringes of one projector.</source>
-      <translation type="unfinished" />
+      <translation>请给出同一投影仪的条纹。</translation>
     </message>
     <message>
       <source>Give images of one camera at one resolution.</source>
-      <translation type="unfinished" />
+      <translation>请给出同一相机同一分辨率的图像。</translation>
     </message>
     <message>
       <source>Give it with every observation.</source>
-      <translation type="unfinished" />
+      <translation>请随每次观测给出。</translation>
     </message>
     <message>
       <source>Give one image per camera.</source>
-      <translation type="unfinished" />
+      <translation>请每台相机给出一幅图像。</translation>
     </message>
     <message>
       <source>Give one line per board position.</source>
-      <translation type="unfinished" />
+      <translation>请每个标定板位置给出一行。</translation>
     </message>
     <message>
       <source>Give plain images of the board.</source>
-      <translation type="unfinished" />
+      <translation>请给出标定板的普通图像。</translation>
     </message>
     <message>
       <source>It was recorded with an earlier version: record the position again.</source>
-      <translation type="unfinished" />
+      <translation>它由较早版本录制：请重新录制该位置。</translation>
     </message>
     <message>
       <source>Observation {v1} was removed before.</source>
-      <translation type="unfinished" />
+      <translation>观测 {v1} 此前已移除。</translation>
     </message>
     <message>
       <source>Only what was undone, and nothing changed since, can be redone.</source>
-      <translation type="unfinished" />
+      <translation>只有被撤销且之后无更改的操作才能重做。</translation>
     </message>
     <message>
       <source>Record vertical and horizontal fringes at every position: `measureapp patterns export` writes such a set.</source>
-      <translation type="unfinished" />
+      <translation>请在每个位置录制垂直和水平条纹：`measureapp patterns export` 写出这样的图案集。</translation>
     </message>
     <message>
       <source>Restore it from a backup, or start again.</source>
-      <translation type="unfinished" />
+      <translation>请从备份恢复，或重新开始。</translation>
     </message>
     <message>
       <source>Restore it from a backup.</source>
-      <translation type="unfinished" />
+      <translation>请从备份恢复。</translation>
     </message>
     <message>
       <source>Start one by naming the kind, the board and images.</source>
-      <translation type="unfinished" />
+      <translation>请指定类型、标定板和图像以开始。</translation>
     </message>
     <message>
       <source>Take it again.</source>
-      <translation type="unfinished" />
+      <translation>请重新拍摄。</translation>
     </message>
     <message>
       <source>The fringes of observation {v1} were not kept, so the projector's marks cannot be read again.</source>
-      <translation type="unfinished" />
+      <translation>观测 {v1} 的条纹未保留，因此无法再次读取投影仪的标记。</translation>
     </message>
     <message>
       <source>The fringes of {v1} run over {v2} × {v3} px of the projector, those before over {v4} × {v5} px.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 的条纹覆盖投影仪的 {v2} × {v3} px，此前的为 {v4} × {v5} px。</translation>
     </message>
     <message>
       <source>The image of camera {v1} is {v2} × {v3} px; {v4} × {v5} px are expected.</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1} 的图像为 {v2} × {v3} px；应为 {v4} × {v5} px。</translation>
     </message>
     <message>
       <source>The image {v1} of session {v2}, from which the calibration was made, {v3}.</source>
-      <translation type="unfinished" />
+      <translation>进行标定的会话 {v2} 的图像 {v1} {v3}。</translation>
     </message>
     <message>
       <source>The images have no read-back of: {v1}.</source>
-      <translation type="unfinished" />
+      <translation>图像没有以下各项的读回：{v1}。</translation>
     </message>
     <message>
       <source>The name {v1} is not in both {v2} and {v3}.</source>
-      <translation type="unfinished" />
+      <translation>名称 {v1} 未同时出现在 {v2} 和 {v3} 中。</translation>
     </message>
     <message>
       <source>There are: {v1}.</source>
-      <translation type="unfinished" />
+      <translation>有：{v1}。</translation>
     </message>
     <message>
       <source>There is no camera {v1} here.</source>
-      <translation type="unfinished" />
+      <translation>这里没有相机 {v1}。</translation>
     </message>
     <message>
       <source>There is no observation {v1}.</source>
-      <translation type="unfinished" />
+      <translation>没有观测 {v1}。</translation>
     </message>
     <message>
       <source>There is nothing to redo.</source>
-      <translation type="unfinished" />
+      <translation>没有可重做的操作。</translation>
     </message>
     <message>
       <source>There is nothing to undo.</source>
-      <translation type="unfinished" />
+      <translation>没有可撤销的操作。</translation>
     </message>
     <message>
       <source>Undo restores it.</source>
-      <translation type="unfinished" />
+      <translation>撤销可恢复。</translation>
     </message>
     <message>
       <source>Use the same names.</source>
-      <translation type="unfinished" />
+      <translation>请使用相同的名称。</translation>
     </message>
     <message>
       <source>board in {v1}</source>
-      <translation type="unfinished" />
+      <translation>{v1} 中的标定板</translation>
     </message>
     <message>
       <source>detecting the board in {v1}</source>
-      <translation type="unfinished" />
+      <translation>正在 {v1} 中检测标定板</translation>
     </message>
     <message>
       <source>fringes of {v1}</source>
-      <translation type="unfinished" />
+      <translation>{v1} 的条纹</translation>
     </message>
     <message>
       <source>{v1} cannot be read: {v2}.</source>
-      <translation type="unfinished" />
+      <translation>无法读取 {v1}：{v2}。</translation>
     </message>
     <message>
       <source>{v1} cannot be removed: {v2}.</source>
-      <translation type="unfinished" />
+      <translation>无法移除 {v1}：{v2}。</translation>
     </message>
     <message>
       <source>{v1} cannot be used: {v2}.</source>
-      <translation type="unfinished" />
+      <translation>无法使用 {v1}：{v2}。</translation>
     </message>
     <message>
       <source>{v1} has changed since it was saved: its checksum differs.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 自保存后已更改：其校验和不同。</translation>
     </message>
     <message>
       <source>{v1} has {v2} fringes only; the projector needs those of both directions.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 只有{v2}条纹；投影仪需要两个方向的条纹。</translation>
     </message>
     <message>
       <source>{v1} has {v2} lines for {v3} board positions.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 有 {v2} 行，而标定板位置有 {v3} 个。</translation>
     </message>
     <message>
       <source>{v1} holds no calibration session.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 中没有标定会话。</translation>
     </message>
     <message>
       <source>{v1} holds no calibration.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 中没有标定。</translation>
     </message>
     <message>
       <source>{v1} holds no calibration: {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 中没有标定：{v2}。</translation>
     </message>
     <message>
       <source>{v1} is calibrated from fringes on the board.</source>
-      <translation type="unfinished" />
+      <translation>{v1}由标定板上的条纹标定。</translation>
     </message>
     <message>
       <source>{v1} is not JSON: {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 不是 JSON：{v2}。</translation>
     </message>
     <message>
       <source>{v1} is not an empty folder.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 不是空文件夹。</translation>
     </message>
     <message>
       <source>{v1} is taken again. {v2}</source>
-      <translation type="unfinished" />
+      <translation>重拍 {v1}。{v2}</translation>
     </message>
     <message>
       <source>{v1} of {v2} viewpoints failed: {v3}</source>
-      <translation type="unfinished" />
+      <translation>{v2} 个视点中 {v1} 个失败：{v3}</translation>
     </message>
   </context>
   <context>
     <name>core.camera_basler</name>
     <message>
       <source>All {v1} images of the sequence of camera {v2} are triggered.</source>
-      <translation type="unfinished" />
+      <translation>相机 {v2} 序列的全部 {v1} 幅图像已触发。</translation>
     </message>
     <message>
       <source>Arm it first.</source>
-      <translation type="unfinished" />
+      <translation>请先使其就绪。</translation>
     </message>
     <message>
       <source>Arm it for more images.</source>
-      <translation type="unfinished" />
+      <translation>请使其为更多图像就绪。</translation>
     </message>
     <message>
       <source>Camera {v1} ({v2}) cannot be opened: {v3}.</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1} ({v2}) 无法打开：{v3}。</translation>
     </message>
     <message>
       <source>Camera {v1} ({v2}) is controlled by another program; it was tried for {v3} s.</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1} ({v2}) 被另一程序控制；已尝试 {v3} s。</translation>
     </message>
     <message>
       <source>Camera {v1} did not answer within {v2} s of connecting.</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1} 在连接后 {v2} s 内没有应答。</translation>
     </message>
     <message>
       <source>Camera {v1} does not accept triggers after {v2} s.</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1} 在 {v2} s 后仍不接受触发。</translation>
     </message>
     <message>
       <source>Camera {v1} does not accept {v2} {v3} at {v4} {v5}.</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1} 在 {v4} {v5} 时不接受 {v2} {v3}。</translation>
     </message>
     <message>
       <source>Camera {v1} failed: {v2}.</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1} 失败：{v2}。</translation>
     </message>
     <message>
       <source>Camera {v1} got an image of another camera.</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1} 收到另一相机的图像。</translation>
     </message>
     <message>
       <source>Camera {v1} has no setting {v2}.</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1} 没有设置 {v2}。</translation>
     </message>
     <message>
       <source>Camera {v1} has no {v2} {v3} (it has: {v4}).</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1} 没有 {v2} {v3}（有：{v4}）。</translation>
     </message>
     <message>
       <source>Camera {v1} has {v2} pixels of {v3}, fewer than the {v4} of the rig description.</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1} 有 {v2} 像素{v3}，少于测量系统描述的 {v4}。</translation>
     </message>
     <message>
       <source>Camera {v1} is not armed for triggers by the program.</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1} 未由程序为触发就绪。</translation>
     </message>
     <message>
       <source>Camera {v1} is not armed.</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1} 未就绪。</translation>
     </message>
     <message>
       <source>Camera {v1} reads back {v2} = {v3} after {v4} was set: it ignored or limited the value.</source>
-      <translation type="unfinished" />
+      <translation>设置 {v4} 后相机 {v1} 读回 {v2} = {v3}：它忽略或限制了该值。</translation>
     </message>
     <message>
       <source>Camera {v1} refused {v2} = {v3}: {v4}.</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1} 拒绝 {v2} = {v3}：{v4}。</translation>
     </message>
     <message>
       <source>Check its power and its cable.</source>
-      <translation type="unfinished" />
+      <translation>请检查其电源和电缆。</translation>
     </message>
     <message>
       <source>Check its trigger settings.</source>
-      <translation type="unfinished" />
+      <translation>请检查其触发设置。</translation>
     </message>
     <message>
       <source>Check power and cables, and that network card and cameras have addresses in one subnet.</source>
-      <translation type="unfinished" />
+      <translation>请检查电源和电缆，并确认网卡与相机在同一子网。</translation>
     </message>
     <message>
       <source>Choose a value that the camera supports, and close other programs that may set it.</source>
-      <translation type="unfinished" />
+      <translation>请选择相机支持的值，并关闭可能设置它的其他程序。</translation>
     </message>
     <message>
       <source>Choose multiples of its step (often 2 or 16).</source>
-      <translation type="unfinished" />
+      <translation>请选择其步长的倍数（常为 2 或 16）。</translation>
     </message>
     <message>
       <source>Close the other program (pylon Viewer, another MeasureApp, also on another computer), then connect again.</source>
-      <translation type="unfinished" />
+      <translation>请关闭另一程序（pylon Viewer、另一个 MeasureApp，也包括另一台计算机上的），然后重新连接。</translation>
     </message>
     <message>
       <source>Correct the serial number in the rig description, or check power, cable and IP address: camera and network card need one subnet.</source>
-      <translation type="unfinished" />
+      <translation>请更正测量系统描述中的序列号，或检查电源、电缆和 IP 地址：相机与网卡须在同一子网。</translation>
     </message>
     <message>
       <source>Correct width_px and height_px in the rig description, or offset_px in the settings.</source>
-      <translation type="unfinished" />
+      <translation>请更正测量系统描述中的 width_px 和 height_px，或设置中的 offset_px。</translation>
     </message>
     <message>
       <source>Restart the program.</source>
-      <translation type="unfinished" />
+      <translation>请重新启动程序。</translation>
     </message>
   </context>
   <context>
     <name>core.camera_folder</name>
     <message>
       <source>Copy them, or correct the manifest.</source>
-      <translation type="unfinished" />
+      <translation>请复制它们，或更正清单。</translation>
     </message>
     <message>
       <source>Correct bit_depth in the rig description, or convert the images.</source>
-      <translation type="unfinished" />
+      <translation>请更正测量系统描述中的 bit_depth，或转换图像。</translation>
     </message>
     <message>
       <source>Correct exposure_in_name.</source>
-      <translation type="unfinished" />
+      <translation>请更正 exposure_in_name。</translation>
     </message>
     <message>
       <source>Correct the setting files, or the folder.</source>
-      <translation type="unfinished" />
+      <translation>请更正设置 files，或文件夹。</translation>
     </message>
     <message>
       <source>Correct the setting folder.</source>
-      <translation type="unfinished" />
+      <translation>请更正设置 folder。</translation>
     </message>
     <message>
       <source>Correct the setting manifest, or the file.</source>
-      <translation type="unfinished" />
+      <translation>请更正设置 manifest，或文件。</translation>
     </message>
     <message>
       <source>Correct the size in the rig description, or choose images of this camera.</source>
-      <translation type="unfinished" />
+      <translation>请更正测量系统描述中的尺寸，或选择此相机的图像。</translation>
     </message>
     <message>
       <source>Give every exposure.</source>
-      <translation type="unfinished" />
+      <translation>请给出每个曝光。</translation>
     </message>
     <message>
       <source>Image {v1} has {v2} × {v3} px, and camera {v4} {v5} × {v6} px.</source>
-      <translation type="unfinished" />
+      <translation>图像 {v1} 为 {v2} × {v3} px，而相机 {v4} 为 {v5} × {v6} px。</translation>
     </message>
     <message>
       <source>Image {v1} has {v2}, which does not fit the {v3} bit of camera {v4}.</source>
-      <translation type="unfinished" />
+      <translation>图像 {v1} 为 {v2}，不适合相机 {v4} 的 {v3} 位。</translation>
     </message>
     <message>
       <source>Rename it, or correct exposure_in_name or files.</source>
-      <translation type="unfinished" />
+      <translation>请重命名，或更正 exposure_in_name 或 files。</translation>
     </message>
     <message>
       <source>Set at_end = "loop" to begin again.</source>
-      <translation type="unfinished" />
+      <translation>请设置 at_end = "loop" 以重新开始。</translation>
     </message>
     <message>
       <source>Some images of {v1} have an exposure and some have none.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 的部分图像有曝光，部分没有。</translation>
     </message>
     <message>
       <source>The exposure in the name of {v1} is not a number.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 名称中的曝光不是数字。</translation>
     </message>
     <message>
       <source>The folder {v1} has no file {v2}.</source>
-      <translation type="unfinished" />
+      <translation>文件夹 {v1} 中没有文件 {v2}。</translation>
     </message>
     <message>
       <source>The folder {v1} of recorded images does not exist.</source>
-      <translation type="unfinished" />
+      <translation>录制图像的文件夹 {v1} 不存在。</translation>
     </message>
     <message>
       <source>The manifest {v1} cannot be read: {v2}.</source>
-      <translation type="unfinished" />
+      <translation>无法读取清单 {v1}：{v2}。</translation>
     </message>
     <message>
       <source>The manifest {v1} is not valid TOML: {v2}.</source>
-      <translation type="unfinished" />
+      <translation>清单 {v1} 不是有效的 TOML：{v2}。</translation>
     </message>
     <message>
       <source>The manifest {v1}: {v2}.</source>
-      <translation type="unfinished" />
+      <translation>清单 {v1}：{v2}。</translation>
     </message>
     <message>
       <source>The name of {v1} has no exposure by the pattern {v2}.</source>
-      <translation type="unfinished" />
+      <translation>按模式 {v2}，{v1} 的名称没有曝光。</translation>
     </message>
     <message>
       <source>The recording of camera {v1} in {v2} has ended after {v3} images.</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1} 在 {v2} 中的录制在 {v3} 幅图像后结束。</translation>
     </message>
     <message>
       <source>{v1} images of {v2} are missing, the first is {v3}.</source>
-      <translation type="unfinished" />
+      <translation>{v2} 缺少 {v1} 幅图像，首先是 {v3}。</translation>
     </message>
   </context>
   <context>
     <name>core.camera_genicam</name>
     <message>
       <source>Camera {v1} has no feature {v2}.</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1} 没有功能 {v2}。</translation>
     </message>
     <message>
       <source>Camera {v1} has no pixel format for {v2} bit (setting: {v3}; the camera has {v4}).</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1} 没有 {v2} 位的像素格式（设置：{v3}；相机有 {v4}）。</translation>
     </message>
     <message>
       <source>Camera {v1} is not armed for software triggers.</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1} 未为软件触发就绪。</translation>
     </message>
     <message>
       <source>Camera {v1}: no camera with serial number {v2} was found (found: {v3}).</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1}：未找到序列号为 {v2} 的相机（找到：{v3}）。</translation>
     </message>
     <message>
       <source>Camera {v1}: packets have {v2} bytes and a delay of {v3} µs, instead of {v4} bytes and {v5} µs.</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1}：数据包为 {v2} 字节、间隔 {v3} µs，而非 {v4} 字节和 {v5} µs。</translation>
     </message>
     <message>
       <source>Camera {v1}: {v2} cannot be {v3} (possible: {v4}).</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1}：{v2} 不能为 {v3}（可用：{v4}）。</translation>
     </message>
     <message>
       <source>Camera {v1}: {v2} is {v3} after {v4} was written.</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1}：写入 {v4} 后 {v2} 为 {v3}。</translation>
     </message>
     <message>
       <source>Camera {v1}: {v2}.</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1}：{v2}。</translation>
     </message>
     <message>
       <source>Check the setting named, and what this camera supports.</source>
-      <translation type="unfinished" />
+      <translation>请检查所指设置，以及此相机支持的内容。</translation>
     </message>
     <message>
       <source>Choose a packet size and a delay that the camera supports.</source>
-      <translation type="unfinished" />
+      <translation>请选择相机支持的数据包大小和间隔。</translation>
     </message>
     <message>
       <source>Choose a value that the camera keeps.</source>
-      <translation type="unfinished" />
+      <translation>请选择相机能保持的值。</translation>
     </message>
     <message>
       <source>Choose one.</source>
-      <translation type="unfinished" />
+      <translation>请选择一个。</translation>
     </message>
     <message>
       <source>Close that program. If it crashed, wait a few seconds, then connect again.</source>
-      <translation type="unfinished" />
+      <translation>请关闭该程序。若它已崩溃，请等几秒后重新连接。</translation>
     </message>
     <message>
       <source>Correct bit_depth in the rig description, or pixel_format in the camera's settings.</source>
-      <translation type="unfinished" />
+      <translation>请更正测量系统描述中的 bit_depth，或相机设置中的 pixel_format。</translation>
     </message>
     <message>
       <source>Correct the serial number in the rig description, or check power, cable and the network address of the camera.</source>
-      <translation type="unfinished" />
+      <translation>请更正测量系统描述中的序列号，或检查相机的电源、电缆和网络地址。</translation>
     </message>
     <message>
       <source>Update its firmware, or use another driver.</source>
-      <translation type="unfinished" />
+      <translation>请更新其固件，或使用另一驱动。</translation>
     </message>
     <message>
       <source>{v1} controls camera {v2} ({v3}).</source>
-      <translation type="unfinished" />
+      <translation>{v1} 正在控制相机 {v2} ({v3})。</translation>
     </message>
   </context>
   <context>
     <name>core.campaign</name>
     <message>
       <source>Check the permissions and the disk.</source>
-      <translation type="unfinished" />
+      <translation>请检查权限和磁盘。</translation>
     </message>
     <message>
       <source>Check the shared storage, then start the job again.</source>
-      <translation type="unfinished" />
+      <translation>请检查共享存储，然后重新开始任务。</translation>
     </message>
     <message>
       <source>Dask distributed is not installed.</source>
-      <translation type="unfinished" />
+      <translation>未安装 Dask distributed。</translation>
     </message>
     <message>
       <source>Give a campaign file in TOML.</source>
-      <translation type="unfinished" />
+      <translation>请给出 TOML 格式的批量文件。</translation>
     </message>
     <message>
       <source>Give folders that contain a project.json, relative to the file.</source>
-      <translation type="unfinished" />
+      <translation>请给出含 project.json 的文件夹，相对于该文件。</translation>
     </message>
     <message>
       <source>Install the same one everywhere.</source>
-      <translation type="unfinished" />
+      <translation>请在各处安装相同的。</translation>
     </message>
     <message>
       <source>Install the same version everywhere.</source>
-      <translation type="unfinished" />
+      <translation>请在各处安装相同版本。</translation>
     </message>
     <message>
       <source>No cluster answers at {v1}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 处没有集群应答。</translation>
     </message>
     <message>
       <source>Process it without --cluster.</source>
-      <translation type="unfinished" />
+      <translation>请不用 --cluster 处理。</translation>
     </message>
     <message>
       <source>Read its log, and start it again.</source>
-      <translation type="unfinished" />
+      <translation>请查看其日志，并重新开始。</translation>
     </message>
     <message>
       <source>Read the logs of the workers, then start the job again.</source>
-      <translation type="unfinished" />
+      <translation>请查看工作进程的日志，然后重新开始任务。</translation>
     </message>
     <message>
       <source>Start fewer workers on it, or give them more: dask worker --memory-limit.</source>
-      <translation type="unfinished" />
+      <translation>请少启动一些工作进程，或给其更多内存：dask worker --memory-limit。</translation>
     </message>
     <message>
       <source>Start it with `dask scheduler` and `dask worker ADDRESS`, or use `--cluster local`.</source>
-      <translation type="unfinished" />
+      <translation>请用 `dask scheduler` 和 `dask worker ADDRESS` 启动，或使用 `--cluster local`。</translation>
     </message>
     <message>
       <source>Start some with: dask worker {v1}</source>
-      <translation type="unfinished" />
+      <translation>请启动一些：dask worker {v1}</translation>
     </message>
     <message>
       <source>Start the job again.</source>
-      <translation type="unfinished" />
+      <translation>请重新开始任务。</translation>
     </message>
     <message>
       <source>The cloud {v1} cannot be read: {v2}.</source>
-      <translation type="unfinished" />
+      <translation>无法读取点云 {v1}：{v2}。</translation>
     </message>
     <message>
       <source>The cloud {v1} is damaged.</source>
-      <translation type="unfinished" />
+      <translation>点云 {v1} 已损坏。</translation>
     </message>
     <message>
       <source>The cluster at {v1} has no worker.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 处的集群没有工作进程。</translation>
     </message>
     <message>
       <source>The cluster gave it up: {v1}.</source>
-      <translation type="unfinished" />
+      <translation>集群放弃了它：{v1}。</translation>
     </message>
     <message>
       <source>The folder {v1} cannot be seen by {v2} of the workers, such as {v3}.</source>
-      <translation type="unfinished" />
+      <translation>{v2} 个工作进程看不到文件夹 {v1}，例如 {v3}。</translation>
     </message>
     <message>
       <source>The worker {v1} does not answer: {v2}.</source>
-      <translation type="unfinished" />
+      <translation>工作进程 {v1} 没有应答：{v2}。</translation>
     </message>
     <message>
       <source>The worker {v1} does not have this program: {v2}.</source>
-      <translation type="unfinished" />
+      <translation>工作进程 {v1} 没有此程序：{v2}。</translation>
     </message>
     <message>
       <source>The worker {v1} has another version of the program: {v2}; this is {v3}.</source>
-      <translation type="unfinished" />
+      <translation>工作进程 {v1} 的程序版本不同：{v2}；本机为 {v3}。</translation>
     </message>
     <message>
       <source>The worker {v1} may use {v2} GiB of memory, and a task needs about {v3} GiB.</source>
-      <translation type="unfinished" />
+      <translation>工作进程 {v1} 可用内存 {v2} GiB，而一个任务约需 {v3} GiB。</translation>
     </message>
     <message>
       <source>Use a storage that all computers mount under the same path.</source>
-      <translation type="unfinished" />
+      <translation>请使用所有计算机以相同路径挂载的存储。</translation>
     </message>
     <message>
       <source>{v1} cannot be written to: {v2}.</source>
-      <translation type="unfinished" />
+      <translation>无法写入 {v1}：{v2}。</translation>
     </message>
     <message>
       <source>{v1} is not a text.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 不是文本。</translation>
     </message>
     <message>
       <source>{v1} is not valid TOML: {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 不是有效的 TOML：{v2}。</translation>
     </message>
     <message>
       <source>{v1} is {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 为 {v2}。</translation>
     </message>
     <message>
       <source>{v1} names no job.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 没有指定任务。</translation>
     </message>
     <message>
       <source>{v1} of {v2} jobs, {v3} of {v4} tasks</source>
-      <translation type="unfinished" />
+      <translation>{v2} 个作业中的 {v1} 个，{v4} 个任务中的 {v3} 个</translation>
     </message>
     <message>
       <source>{v1}: no project lies at {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：{v2} 处没有项目。</translation>
     </message>
   </context>
   <context>
     <name>core.compiled</name>
     <message>
       <source>The environment variable {v1} is {v2}, but must be {v3} or {v4}.</source>
-      <translation type="unfinished" />
+      <translation>环境变量 {v1} 为 {v2}，但必须为 {v3} 或 {v4}。</translation>
     </message>
   </context>
   <context>
     <name>core.data</name>
     <message>
       <source>Give robot pose, guide position and table angle.</source>
-      <translation type="unfinished" />
+      <translation>请给出机器人位姿、导轨位置和转台角度。</translation>
     </message>
     <message>
       <source>The read-back of an axis is missing.</source>
-      <translation type="unfinished" />
+      <translation>缺少某轴的读回。</translation>
     </message>
     <message>
       <source>The reference camera {v1} is not among the calibrated cameras.</source>
-      <translation type="unfinished" />
+      <translation>参考相机 {v1} 不在已标定的相机中。</translation>
     </message>
     <message>
       <source>The rotation axis is given in frame {v1}, not in the guide frame.</source>
-      <translation type="unfinished" />
+      <translation>旋转轴以坐标系 {v1} 给出，而非导轨坐标系。</translation>
     </message>
     <message>
       <source>Transform it to the guide frame.</source>
-      <translation type="unfinished" />
+      <translation>请将其变换到导轨坐标系。</translation>
     </message>
   </context>
   <context>
     <name>core.devices</name>
     <message>
       <source>A travel of {v1} {v2} is too small for a reading uncertainty of {v3} {v4}.</source>
-      <translation type="unfinished" />
+      <translation>对读数不确定度 {v3} {v4} 而言，行程 {v1} {v2} 太小。</translation>
     </message>
     <message>
       <source>Add a table [links.{v1}] to the rig description.</source>
-      <translation type="unfinished" />
+      <translation>请在测量系统描述中添加表 [links.{v1}]。</translation>
     </message>
     <message>
       <source>All flips are to the same level.</source>
-      <translation type="unfinished" />
+      <translation>所有切换都到同一电平。</translation>
     </message>
     <message>
       <source>Black and white of the projector differ by {v1} grey levels, and images of the same one scatter by {v2}.</source>
-      <translation type="unfinished" />
+      <translation>投影仪的黑白相差 {v1} 灰度级，而同一图案的图像离散 {v2}。</translation>
     </message>
     <message>
       <source>Camera {v1} ends the exposure of its rows one after the other (global reset), and {v2} stays lit meanwhile: the last row would get {v3} ms more light.</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1} 逐行结束曝光（全局复位），而此时{v2}仍亮：最后一行会多得 {v3} ms 的光。</translation>
     </message>
     <message>
       <source>Camera {v1} exposes its rows one after the other over {v2} ms, and {v3} is lit during the exposure of {v4} ms only: no instant of light is common to all rows.</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1} 在 {v2} ms 内逐行曝光，而{v3}只在 {v4} ms 曝光期间点亮：没有所有行共同的照明时刻。</translation>
     </message>
     <message>
       <source>Camera {v1} set {v2} µs instead of the requested {v3} µs.</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1} 设置了 {v2} µs，而非要求的 {v3} µs。</translation>
     </message>
     <message>
       <source>Check that the axis moved; command a longer step.</source>
-      <translation type="unfinished" />
+      <translation>请确认该轴已移动；请发出更长的步长。</translation>
     </message>
     <message>
       <source>Check that the device is on and connected; if it is, report the error to the author of the driver.</source>
-      <translation type="unfinished" />
+      <translation>请检查设备已开启并连接；若是，请将错误报告给驱动作者。</translation>
     </message>
     <message>
       <source>Check unit and decimal point. If the travel is right, set counts_per_unit = {v1} and repeat the step.</source>
-      <translation type="unfinished" />
+      <translation>请检查单位和小数点。若行程正确，请设置 counts_per_unit = {v1} 并重复该步。</translation>
     </message>
     <message>
       <source>Choose an exposure that the camera supports, and switch its automatic exposure off.</source>
-      <translation type="unfinished" />
+      <translation>请选择相机支持的曝光，并关闭其自动曝光。</translation>
     </message>
     <message>
       <source>Command a step that can be seen, and enter its travel; check that the axis moved.</source>
-      <translation type="unfinished" />
+      <translation>请发出可见的步长并输入其行程；确认该轴已移动。</translation>
     </message>
     <message>
       <source>Correct it in the rig description.</source>
-      <translation type="unfinished" />
+      <translation>请在测量系统描述中更正。</translation>
     </message>
     <message>
       <source>Disconnect the rig there first. Projects can be opened, processed and reported here meanwhile, without the rig.</source>
-      <translation type="unfinished" />
+      <translation>请先在那里断开测量系统。其间可在此不用测量系统打开、处理项目和出报告。</translation>
     </message>
     <message>
       <source>Enter a number.</source>
-      <translation type="unfinished" />
+      <translation>请输入数字。</translation>
     </message>
     <message>
       <source>Fewer than two images were taken between two flips.</source>
-      <translation type="unfinished" />
+      <translation>两次切换之间拍摄的图像少于两幅。</translation>
     </message>
     <message>
       <source>Flip between black and white.</source>
-      <translation type="unfinished" />
+      <translation>请在黑白之间切换。</translation>
     </message>
     <message>
       <source>Give drivers of different kinds links of their own.</source>
-      <translation type="unfinished" />
+      <translation>请给不同类型的驱动各自的连接。</translation>
     </message>
     <message>
       <source>Give one level for each time.</source>
-      <translation type="unfinished" />
+      <translation>请为每个时刻给出一个电平。</translation>
     </message>
     <message>
       <source>Hold every level longer, or take images more often.</source>
-      <translation type="unfinished" />
+      <translation>请延长每个电平，或更频繁地拍摄。</translation>
     </message>
     <message>
       <source>Link {v1} is a {v2}, and a driver needs a {v3}.</source>
-      <translation type="unfinished" />
+      <translation>连接 {v1} 是 {v2}，而驱动需要 {v3}。</translation>
     </message>
     <message>
       <source>No serial adapter with {v1} was found (adapters here: {v2}).</source>
-      <translation type="unfinished" />
+      <translation>未找到{v1}的串行适配器（此处有：{v2}）。</translation>
     </message>
     <message>
       <source>Plug it in, or set port, host or usb_serial in [links].</source>
-      <translation type="unfinished" />
+      <translation>请插上它，或在 [links] 中设置 port、host 或 usb_serial。</translation>
     </message>
     <message>
       <source>Point the camera at what the projector lights, and shut out ambient light that flickers.</source>
-      <translation type="unfinished" />
+      <translation>请将相机对准投影仪照亮处，并遮挡闪烁的环境光。</translation>
     </message>
     <message>
       <source>Process its project with `measureapp process PROJECT`, or name the description of a connected rig.</source>
-      <translation type="unfinished" />
+      <translation>请用 `measureapp process PROJECT` 处理其项目，或给出已连接测量系统的描述。</translation>
     </message>
     <message>
       <source>Remove the cause, check that nothing is in the way, then reset the stop.</source>
-      <translation type="unfinished" />
+      <translation>请排除原因，确认无障碍，然后复位停止。</translation>
     </message>
     <message>
       <source>Rig {v1} is a recording: it has no devices that could be connected, moved or triggered.</source>
-      <translation type="unfinished" />
+      <translation>测量系统 {v1} 是录制：没有可连接、移动或触发的设备。</translation>
     </message>
     <message>
       <source>Rig {v1} is in use: {v2} has connected {v3}.</source>
-      <translation type="unfinished" />
+      <translation>测量系统 {v1} 正被使用：{v2} 已连接 {v3}。</translation>
     </message>
     <message>
       <source>Rig {v1}: the driver {v2} of {v3} failed: {v4}: {v5}.</source>
-      <translation type="unfinished" />
+      <translation>测量系统 {v1}：{v3} 的驱动 {v2} 失败：{v4}：{v5}。</translation>
     </message>
     <message>
       <source>Rig {v1}: {v2}: {v3} (driver {v4}).</source>
-      <translation type="unfinished" />
+      <translation>测量系统 {v1}：{v2}：{v3}（驱动 {v4}）。</translation>
     </message>
     <message>
       <source>Scale in use and reading uncertainty must be positive.</source>
-      <translation type="unfinished" />
+      <translation>所用比例和读数不确定度必须为正。</translation>
     </message>
     <message>
       <source>Set port in [links] instead of usb_serial.</source>
-      <translation type="unfinished" />
+      <translation>请在 [links] 中设置 port 而非 usb_serial。</translation>
     </message>
     <message>
       <source>Set the camera to global reset, or the projector to hold each pattern for the whole period.</source>
-      <translation type="unfinished" />
+      <translation>请将相机设为全局复位，或让投影仪在整个周期保持每个图案。</translation>
     </message>
     <message>
       <source>Set the camera to rolling shutter, or use a projector that is dark after the exposure.</source>
-      <translation type="unfinished" />
+      <translation>请将相机设为滚动快门，或使用曝光后变暗的投影仪。</translation>
     </message>
     <message>
       <source>State the direction by the sign of the travel.</source>
-      <translation type="unfinished" />
+      <translation>请用行程的符号表示方向。</translation>
     </message>
     <message>
       <source>Take {v1}.</source>
-      <translation type="unfinished" />
+      <translation>请拍摄 {v1}。</translation>
     </message>
     <message>
       <source>The axis was commanded to move {v1} {v2} and a travel of {v3} {v4} was entered: {v5} by a factor of {v6}.</source>
-      <translation type="unfinished" />
+      <translation>该轴被命令移动 {v1} {v2}，而输入的行程为 {v3} {v4}：{v5}，倍数 {v6}。</translation>
     </message>
     <message>
       <source>The rig has no link {v1} (described: {v2}).</source>
-      <translation type="unfinished" />
+      <translation>测量系统没有连接 {v1}（已描述：{v2}）。</translation>
     </message>
     <message>
       <source>The rig was stopped: {v1}</source>
-      <translation type="unfinished" />
+      <translation>测量系统已停止：{v1}</translation>
     </message>
     <message>
       <source>The times of flips or images are not ascending.</source>
-      <translation type="unfinished" />
+      <translation>切换或图像的时刻不是递增的。</translation>
     </message>
     <message>
       <source>The {v1} is zero.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 为零。</translation>
     </message>
     <message>
       <source>The {v1} is {v2}, which is no number.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 为 {v2}，不是数字。</translation>
     </message>
     <message>
       <source>There are {v1} times and {v2} levels of flips, {v3} times and {v4} grey levels of images.</source>
-      <translation type="unfinished" />
+      <translation>切换有 {v1} 个时刻和 {v2} 个电平，图像有 {v3} 个时刻和 {v4} 个灰度。</translation>
     </message>
     <message>
       <source>Use a monotonic clock, the same for both.</source>
-      <translation type="unfinished" />
+      <translation>请对两者使用同一单调时钟。</translation>
     </message>
     <message>
       <source>{v1} flips are too few to find the largest latency.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 次切换太少，无法找到最大延迟。</translation>
     </message>
     <message>
       <source>{v1} of {v2} flips did not settle before the next one.</source>
-      <translation type="unfinished" />
+      <translation>{v2} 次切换中有 {v1} 次在下一次之前未稳定。</translation>
     </message>
     <message>
       <source>{v1} serial ports have the USB serial number {v2} (adapters here: {v3}).</source>
-      <translation type="unfinished" />
+      <translation>{v1} 个串口具有 USB 序列号 {v2}（此处的适配器：{v3}）。</translation>
     </message>
   </context>
   <context>
     <name>core.fringe</name>
     <message>
       <source>A + B = {v1} exceeds the saturation of {v2} grey levels.</source>
-      <translation type="unfinished" />
+      <translation>A + B = {v1} 超过 {v2} 灰度级的饱和值。</translation>
     </message>
     <message>
       <source>A contrast of A = {v1}, B = {v2} grey levels cannot be.</source>
-      <translation type="unfinished" />
+      <translation>对比度 A = {v1}、B = {v2} 灰度级是不可能的。</translation>
     </message>
     <message>
       <source>A single pitch of {v1} px repeats over the {v2} {v3} of the projector.</source>
-      <translation type="unfinished" />
+      <translation>单一间距 {v1} px 在投影仪的 {v2} {v3} 上重复。</translation>
     </message>
     <message>
       <source>Add Gray planes, the most significant first, or a coarser pitch.</source>
-      <translation type="unfinished" />
+      <translation>请添加格雷平面（最高位在前），或更粗的间距。</translation>
     </message>
     <message>
       <source>Add a phase-shift group of at least three images.</source>
-      <translation type="unfinished" />
+      <translation>请添加至少三幅图像的相移组。</translation>
     </message>
     <message>
       <source>Add a second pitch or a Gray code that numbers the periods.</source>
-      <translation type="unfinished" />
+      <translation>请添加第二个间距，或对周期编号的格雷码。</translation>
     </message>
     <message>
       <source>Add all images of one exposure together, 8 or 16 bits without sign.</source>
-      <translation type="unfinished" />
+      <translation>请将一个曝光的所有图像一起添加，8 或 16 位无符号。</translation>
     </message>
     <message>
       <source>Add every exposure of every camera.</source>
-      <translation type="unfinished" />
+      <translation>请添加每台相机的每个曝光。</translation>
     </message>
     <message>
       <source>Add the exposures from long to short, each once.</source>
-      <translation type="unfinished" />
+      <translation>请从长到短添加曝光，每个一次。</translation>
     </message>
     <message>
       <source>Allow at least {v1} s.</source>
-      <translation type="unfinished" />
+      <translation>请至少允许 {v1} s。</translation>
     </message>
     <message>
       <source>Allow longer exposures, open the apertures, or use more steps.</source>
-      <translation type="unfinished" />
+      <translation>请允许更长曝光、开大光圈，或使用更多步数。</translation>
     </message>
     <message>
       <source>Allow more time, or a finer multiple.</source>
-      <translation type="unfinished" />
+      <translation>请允许更多时间，或更细的倍数。</translation>
     </message>
     <message>
       <source>Brightness level {v1}{v2} has a single image.</source>
-      <translation type="unfinished" />
+      <translation>亮度级 {v1}{v2} 只有一幅图像。</translation>
     </message>
     <message>
       <source>Camera {v1} changed size or bit depth between exposures.</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1} 在曝光之间改变了尺寸或位深。</translation>
     </message>
     <message>
       <source>Camera {v1} gave exposure {v2}, but {v3}.</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1} 给出了曝光 {v2}，但 {v3}。</translation>
     </message>
     <message>
       <source>Camera {v1} gave {v2} images of shape {v3}; one exposure has {v4} images.</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1} 给出 {v2} 幅形状为 {v3} 的图像；一个曝光有 {v4} 幅图像。</translation>
     </message>
     <message>
       <source>Camera {v1} has images of shape {v2}; the set needs {v3} exposures of {v4} images.</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1} 的图像形状为 {v2}；图案集需要 {v3} 个曝光，每个 {v4} 幅图像。</translation>
     </message>
     <message>
       <source>Camera {v1} has {v2} images.</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1} 有 {v2} 幅图像。</translation>
     </message>
     <message>
       <source>Change the sign of `shift_sign`, or reverse the order of the shifted images.</source>
-      <translation type="unfinished" />
+      <translation>请改变 `shift_sign` 的符号，或颠倒相移图像的顺序。</translation>
     </message>
     <message>
       <source>Check shift_sign, the order of the images, the pitches and projector_px.</source>
-      <translation type="unfinished" />
+      <translation>请检查 shift_sign、图像顺序、间距和 projector_px。</translation>
     </message>
     <message>
       <source>Check that no image was lost or taken without the pattern; record this group again.</source>
-      <translation type="unfinished" />
+      <translation>请检查没有图像丢失或在无图案时拍摄；请重新录制该组。</translation>
     </message>
     <message>
       <source>Check that the camera took every exposure, without automatic gain.</source>
-      <translation type="unfinished" />
+      <translation>请检查相机拍摄了每个曝光，且无自动增益。</translation>
     </message>
     <message>
       <source>Check that the projector stepped on; record again.</source>
-      <translation type="unfinished" />
+      <translation>请检查投影仪已步进；请重新录制。</translation>
     </message>
     <message>
       <source>Check that the projector stepped on; record this group again.</source>
-      <translation type="unfinished" />
+      <translation>请检查投影仪已步进；请重新录制该组。</translation>
     </message>
     <message>
       <source>Check the projector's lamp, the cameras' triggers and links, and ambient light.</source>
-      <translation type="unfinished" />
+      <translation>请检查投影仪的灯、相机的触发和连接，以及环境光。</translation>
     </message>
     <message>
       <source>Choose pitches closer to each other, add a third pitch or a Gray code.</source>
-      <translation type="unfinished" />
+      <translation>请选择彼此更接近的间距，添加第三个间距或格雷码。</translation>
     </message>
     <message>
       <source>Choose pitches whose longest beat is at least {v1} px.</source>
-      <translation type="unfinished" />
+      <translation>请选择最长拍长至少为 {v1} px 的间距。</translation>
     </message>
     <message>
       <source>Estimate it from a grey ramp, or from six or more steps of one pitch.</source>
-      <translation type="unfinished" />
+      <translation>请由灰度斜坡，或同一间距六步以上估计。</translation>
     </message>
     <message>
       <source>Estimate the projector's response with this pattern set.</source>
-      <translation type="unfinished" />
+      <translation>请用此图案集估计投影仪的响应。</translation>
     </message>
     <message>
       <source>Expose longer, or turn the ambient light off.</source>
-      <translation type="unfinished" />
+      <translation>请延长曝光，或关闭环境光。</translation>
     </message>
     <message>
       <source>Expose shorter.</source>
-      <translation type="unfinished" />
+      <translation>请缩短曝光。</translation>
     </message>
     <message>
       <source>Exposures of camera {v1} are missing.</source>
-      <translation type="unfinished" />
+      <translation>缺少相机 {v1} 的曝光。</translation>
     </message>
     <message>
       <source>Give 0 &lt; B ≤ A.</source>
-      <translation type="unfinished" />
+      <translation>请给出 0 &lt; B ≤ A。</translation>
     </message>
     <message>
       <source>Give 1 for the longest and fractions of it for the others.</source>
-      <translation type="unfinished" />
+      <translation>最长者给 1，其余给其分数。</translation>
     </message>
     <message>
       <source>Give a contrast that the camera can see.</source>
-      <translation type="unfinished" />
+      <translation>请给出相机能看到的对比度。</translation>
     </message>
     <message>
       <source>Give dark images too (lens covered), or switch the black level off.</source>
-      <translation type="unfinished" />
+      <translation>请同时给出暗图像（盖上镜头），或关闭黑电平。</translation>
     </message>
     <message>
       <source>Give each of at least five levels once.</source>
-      <translation type="unfinished" />
+      <translation>请至少五个电平各给出一次。</translation>
     </message>
     <message>
       <source>Image {v1} of camera {v2} at {v3} µs contradicts the other exposures in {v4} of its pixels (it is {v5} times as bright as they predict).</source>
-      <translation type="unfinished" />
+      <translation>相机 {v2} 在 {v3} µs 的图像 {v1} 在其 {v4} 的像素上与其他曝光矛盾（亮度为其预测的 {v5} 倍）。</translation>
     </message>
     <message>
       <source>No camera sees fringes at {v1} µs.</source>
-      <translation type="unfinished" />
+      <translation>在 {v1} µs 时没有相机看到条纹。</translation>
     </message>
     <message>
       <source>No exposure up to {v1} µs makes a pixel decodable.</source>
-      <translation type="unfinished" />
+      <translation>不超过 {v1} µs 的曝光都不能使像素可解码。</translation>
     </message>
     <message>
       <source>No multiple of {v1} µs fits into the budget.</source>
-      <translation type="unfinished" />
+      <translation>没有 {v1} µs 的倍数适合该时间预算。</translation>
     </message>
     <message>
       <source>Nothing needs correcting; or record twelve steps of one pitch to see smaller errors.</source>
-      <translation type="unfinished" />
+      <translation>无需修正；或录制同一间距十二步以看到更小的误差。</translation>
     </message>
     <message>
       <source>Only {v1} pixels show fringes that are neither saturated nor dark; {v2} are needed.</source>
-      <translation type="unfinished" />
+      <translation>只有 {v1} 个像素显示既不饱和也不暗的条纹；需要 {v2} 个。</translation>
     </message>
     <message>
       <source>Pattern set {v1} has no sinusoids.</source>
-      <translation type="unfinished" />
+      <translation>图案集 {v1} 没有正弦条纹。</translation>
     </message>
     <message>
       <source>Pattern set {v1} has {v2} Gray codes.</source>
-      <translation type="unfinished" />
+      <translation>图案集 {v1} 有 {v2} 组格雷码。</translation>
     </message>
     <message>
       <source>Probe with a longer exposure, open the apertures, or check the projector.</source>
-      <translation type="unfinished" />
+      <translation>请用更长曝光试测、开大光圈，或检查投影仪。</translation>
     </message>
     <message>
       <source>Probe with a phase-shift group.</source>
-      <translation type="unfinished" />
+      <translation>请用相移组试测。</translation>
     </message>
     <message>
       <source>Probe with {v1} µs, or dim the projector.</source>
-      <translation type="unfinished" />
+      <translation>请用 {v1} µs 试测，或调暗投影仪。</translation>
     </message>
     <message>
       <source>Put all Gray planes into one group.</source>
-      <translation type="unfinished" />
+      <translation>请将所有格雷平面放在一组中。</translation>
     </message>
     <message>
       <source>Record a bright, matt surface that fills the image.</source>
-      <translation type="unfinished" />
+      <translation>请录制充满图像的明亮哑光表面。</translation>
     </message>
     <message>
       <source>Record a viewpoint in one go.</source>
-      <translation type="unfinished" />
+      <translation>请一次录完一个视点。</translation>
     </message>
     <message>
       <source>Record all cameras with one bit depth and give its saturation.</source>
-      <translation type="unfinished" />
+      <translation>请以同一位深录制所有相机，并给出其饱和值。</translation>
     </message>
     <message>
       <source>Record all cameras with one bit depth.</source>
-      <translation type="unfinished" />
+      <translation>请以同一位深录制所有相机。</translation>
     </message>
     <message>
       <source>Record at least three steps of every pitch.</source>
-      <translation type="unfinished" />
+      <translation>请每个间距至少录制三步。</translation>
     </message>
     <message>
       <source>Record every pattern at every exposure.</source>
-      <translation type="unfinished" />
+      <translation>请在每个曝光录制每个图案。</translation>
     </message>
     <message>
       <source>Record every pattern once; check that no file was copied over another.</source>
-      <translation type="unfinished" />
+      <translation>请每个图案录制一次；检查没有文件被覆盖。</translation>
     </message>
     <message>
       <source>Record six or more steps; twelve are good.</source>
-      <translation type="unfinished" />
+      <translation>请录制六步以上；十二步为佳。</translation>
     </message>
     <message>
       <source>Remove exposures from the bracket.</source>
-      <translation type="unfinished" />
+      <translation>请从包围曝光中去掉一些曝光。</translation>
     </message>
     <message>
       <source>Remove pitches: three are enough for any projector.</source>
-      <translation type="unfinished" />
+      <translation>请去掉一些间距：三个对任何投影仪都足够。</translation>
     </message>
     <message>
       <source>Show the ramp from black to white.</source>
-      <translation type="unfinished" />
+      <translation>请显示从黑到白的斜坡。</translation>
     </message>
     <message>
       <source>Sort the exposures of the stack.</source>
-      <translation type="unfinished" />
+      <translation>请对图像组的曝光排序。</translation>
     </message>
     <message>
       <source>Take at least two images of every brightness.</source>
-      <translation type="unfinished" />
+      <translation>请每个亮度至少拍摄两幅图像。</translation>
     </message>
     <message>
       <source>Take flat images and use `measureapp noise`.</source>
-      <translation type="unfinished" />
+      <translation>请拍摄平场图像并使用 `measureapp noise`。</translation>
     </message>
     <message>
       <source>The beat of the pitches {v1} px is {v2} px, shorter than the {v3} {v4} of the projector.</source>
-      <translation type="unfinished" />
+      <translation>间距 {v1} px 的拍长为 {v2} px，短于投影仪的 {v3} {v4}。</translation>
     </message>
     <message>
       <source>The cameras have images of different bit depths ({v1}).</source>
-      <translation type="unfinished" />
+      <translation>各相机图像的位深不同 ({v1})。</translation>
     </message>
     <message>
       <source>The exposures are not in order from long to short.</source>
-      <translation type="unfinished" />
+      <translation>曝光不是从长到短的顺序。</translation>
     </message>
     <message>
       <source>The exposures {v1} are not relative to the longest.</source>
-      <translation type="unfinished" />
+      <translation>曝光 {v1} 不是相对于最长者的。</translation>
     </message>
     <message>
       <source>The fringe images of camera {v1} do not show its noise: no group of four steps or more with enough light and without harmonics of the projector.</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1} 的条纹图像不显示其噪声：没有四步以上、光线足够且无投影仪谐波的组。</translation>
     </message>
     <message>
       <source>The grey ramp covers the levels {v1}…{v2} of 0…255.</source>
-      <translation type="unfinished" />
+      <translation>灰度斜坡覆盖 0…255 中的 {v1}…{v2}。</translation>
     </message>
     <message>
       <source>The grey ramp ends in equal levels: the camera or the projector saturates.</source>
-      <translation type="unfinished" />
+      <translation>灰度斜坡以相同灰度结束：相机或投影仪饱和。</translation>
     </message>
     <message>
       <source>The grey ramp has {v1} different levels among {v2}.</source>
-      <translation type="unfinished" />
+      <translation>灰度斜坡在 {v2} 个中有 {v1} 个不同灰度。</translation>
     </message>
     <message>
       <source>The grey ramp rises by {v1} grey levels only.</source>
-      <translation type="unfinished" />
+      <translation>灰度斜坡只上升 {v1} 灰度级。</translation>
     </message>
     <message>
       <source>The harmonics of the projector are too strong for {v1} steps: equal phases come from different places.</source>
-      <translation type="unfinished" />
+      <translation>对 {v1} 步而言投影仪的谐波太强：相同相位来自不同位置。</translation>
     </message>
     <message>
       <source>The images of brightness level {v1}{v2} differ by {v3} in brightness.</source>
-      <translation type="unfinished" />
+      <translation>亮度级 {v1}{v2} 的图像亮度相差 {v3}。</translation>
     </message>
     <message>
       <source>The images of camera {v1} at {v2} µs are {v3} times as bright as those at {v4} µs, not {v5} times.</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1} 在 {v2} µs 的图像亮度为 {v4} µs 的 {v3} 倍，而非 {v5} 倍。</translation>
     </message>
     <message>
       <source>The phase correction is for {v1} pitches, pattern set {v2} has {v3}.</source>
-      <translation type="unfinished" />
+      <translation>相位修正适用于 {v1} 个间距，图案集 {v2} 有 {v3} 个。</translation>
     </message>
     <message>
       <source>The phase decreases where the Gray code increases.</source>
-      <translation type="unfinished" />
+      <translation>格雷码增大处相位减小。</translation>
     </message>
     <message>
       <source>The phases of camera {v1} show no error of the projector beyond the unevenness of the scene.</source>
-      <translation type="unfinished" />
+      <translation>除场景不均匀外，相机 {v1} 的相位未显示投影仪误差。</translation>
     </message>
     <message>
       <source>The probe has no sinusoids.</source>
-      <translation type="unfinished" />
+      <translation>试测没有正弦条纹。</translation>
     </message>
     <message>
       <source>The projector is {v1} px {v2}, the pattern set covers {v3} {v4}.</source>
-      <translation type="unfinished" />
+      <translation>投影仪为 {v1} px {v2}，图案集覆盖 {v3} {v4}。</translation>
     </message>
     <message>
       <source>The range of {v1} is {v2} px for {v3} px of the projector: {v4} px of guard band, so that noise turns one edge into the other.</source>
-      <translation type="unfinished" />
+      <translation>对投影仪的 {v3} px，{v1} 的范围为 {v2} px：保护带 {v4} px，噪声会使一边变为另一边。</translation>
     </message>
     <message>
       <source>The response of {v1} has no curve, so patterns cannot be corrected beforehand.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 的响应没有曲线，因此不能预先修正图案。</translation>
     </message>
     <message>
       <source>The steps of the group are out of order: {v1} and {v2} appear to be exchanged.</source>
-      <translation type="unfinished" />
+      <translation>该组的步序不对：{v1} 与 {v2} 似乎互换。</translation>
     </message>
     <message>
       <source>The two exposures appear to be exchanged: check their order.</source>
-      <translation type="unfinished" />
+      <translation>两个曝光似乎互换：请检查其顺序。</translation>
     </message>
     <message>
       <source>The variance of {v1} does not grow with its brightness.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 的方差不随亮度增大。</translation>
     </message>
     <message>
       <source>The variance of {v1} would vanish at grey level {v2}: it has a black level.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 的方差会在灰度 {v2} 处为零：它有黑电平。</translation>
     </message>
     <message>
       <source>Use 8- or 16-bit images without sign.</source>
-      <translation type="unfinished" />
+      <translation>请使用 8 或 16 位无符号图像。</translation>
     </message>
     <message>
       <source>Use a pattern set made for this projector.</source>
-      <translation type="unfinished" />
+      <translation>请使用为此投影仪制作的图案集。</translation>
     </message>
     <message>
       <source>Use a steady lamp (exposures of whole mains periods) and group images of one exposure.</source>
-      <translation type="unfinished" />
+      <translation>请使用稳定的灯（曝光为市电周期的整数倍），并将同一曝光的图像归为一组。</translation>
     </message>
     <message>
       <source>Use more steps, or patterns corrected beforehand.</source>
-      <translation type="unfinished" />
+      <translation>请使用更多步数，或预先修正的图案。</translation>
     </message>
     <message>
       <source>Use raw images: without gamma, denoising, automatic gain or lossy compression.</source>
-      <translation type="unfinished" />
+      <translation>请使用原始图像：无伽马、降噪、自动增益或有损压缩。</translation>
     </message>
     <message>
       <source>decoding {v1}</source>
-      <translation type="unfinished" />
+      <translation>正在解码 {v1}</translation>
     </message>
     <message>
       <source>{v1} Gray planes number {v2} periods of {v3} px: {v4} of {v5} {v6}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 个格雷平面为 {v2} 个 {v3} px 的周期编号：{v6}{v5} 中的 {v4}。</translation>
     </message>
     <message>
       <source>{v1} are saturated, black, or too small everywhere.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 到处饱和、全黑或过小。</translation>
     </message>
     <message>
       <source>{v1} does not fit the other steps of its group.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 与其组的其他步不符。</translation>
     </message>
     <message>
       <source>{v1} exposures are more than {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 个曝光超过 {v2} 个。</translation>
     </message>
     <message>
       <source>{v1} give {v2} usable brightness levels from {v3} to {v4} grey levels: gain and read noise cannot be separated.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 给出从 {v3} 到 {v4} 灰度级的 {v2} 个可用亮度级：无法区分增益与读出噪声。</translation>
     </message>
     <message>
       <source>{v1} has grey levels up to {v2}, but the stack saturates at {v3}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 的灰度达 {v2}，但图像组在 {v3} 饱和。</translation>
     </message>
     <message>
       <source>{v1} is the same as {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 与 {v2} 相同。</translation>
     </message>
     <message>
       <source>{v1} is {v2} everywhere than the others of its group: it shows no fringes.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 到处都比其组的其他图像{v2}：它没有条纹。</translation>
     </message>
     <message>
       <source>{v1} is {v2} everywhere where a coarser Gray code plane has stripes.</source>
-      <translation type="unfinished" />
+      <translation>在更粗的格雷码平面有条纹之处，{v1} 到处为{v2}。</translation>
     </message>
     <message>
       <source>{v1} of the lit pixels are saturated even at {v2} µs.</source>
-      <translation type="unfinished" />
+      <translation>照亮像素的 {v1} 在 {v2} µs 时仍饱和。</translation>
     </message>
     <message>
       <source>{v1} of the phases of camera {v2} lie beyond the projector.</source>
-      <translation type="unfinished" />
+      <translation>相机 {v2} 的相位有 {v1} 超出投影仪。</translation>
     </message>
     <message>
       <source>{v1} pitches are more than {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 个间距超过 {v2} 个。</translation>
     </message>
     <message>
       <source>{v1} s do not suffice for one exposure of {v2} images.</source>
-      <translation type="unfinished" />
+      <translation>{v1} s 不足以进行 {v2} 幅图像的一个曝光。</translation>
     </message>
     <message>
       <source>{v1} shifted images do not determine mean, modulation and phase.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 幅相移图像不能确定均值、调制度和相位。</translation>
     </message>
     <message>
       <source>{v1} shifted images do not separate harmonics from noise.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 幅相移图像不能区分谐波与噪声。</translation>
     </message>
     <message>
       <source>{v1} shows the same Gray code plane as {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 显示与 {v2} 相同的格雷码平面。</translation>
     </message>
     <message>
       <source>{v1} shows the same pattern as {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 显示与 {v2} 相同的图案。</translation>
     </message>
   </context>
   <context>
     <name>core.geometry</name>
     <message>
       <source>Correct the numbers after joint 6.</source>
-      <translation type="unfinished" />
+      <translation>请更正关节 6 之后的数字。</translation>
     </message>
     <message>
       <source>Correct the numbers of this joint.</source>
-      <translation type="unfinished" />
+      <translation>请更正此关节的数字。</translation>
     </message>
     <message>
       <source>Joint {v1} of {v2} has {v3}.</source>
-      <translation type="unfinished" />
+      <translation>{v2} 的关节 {v1} 有 {v3}。</translation>
     </message>
     <message>
       <source>Move it by joint angles.</source>
-      <translation type="unfinished" />
+      <translation>请按关节角移动。</translation>
     </message>
     <message>
       <source>Narrow the limits to the turns in use: at most {v1} equivalent positions.</source>
-      <translation type="unfinished" />
+      <translation>请将限位缩小到所用圈数：最多 {v1} 个等效位置。</translation>
     </message>
     <message>
       <source>The flange of {v1} has no rigid transform.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 的法兰没有刚性变换。</translation>
     </message>
     <message>
       <source>The joint limits of {v1} allow {v2} equivalent positions, whole turns apart, for one pose.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 的关节限位对一个位姿允许 {v2} 个相差整圈的等效位置。</translation>
     </message>
     <message>
       <source>{v1} has no spherical wrist, so its poses have no configuration data.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 没有球形腕，因此其位姿没有构型数据。</translation>
     </message>
   </context>
   <context>
     <name>core.inspection</name>
     <message>
       <source>A local best fit cannot use {v1}: its points are not cut around a nominal.</source>
-      <translation type="unfinished" />
+      <translation>局部最佳拟合不能使用 {v1}：其点不是按名义裁取的。</translation>
     </message>
     <message>
       <source>A spread needs at least two measurements.</source>
-      <translation type="unfinished" />
+      <translation>离散至少需要两次测量。</translation>
     </message>
     <message>
       <source>Add one to the program (nominal = "…"), or set alignment = "none".</source>
-      <translation type="unfinished" />
+      <translation>请向程序添加一个 (nominal = "…")，或设置 alignment = "none"。</translation>
     </message>
     <message>
       <source>Change the entry it names first.</source>
-      <translation type="unfinished" />
+      <translation>请先更改它指出的条目。</translation>
     </message>
     <message>
       <source>Check that this is the nominal of the part, or crop the surroundings from the cloud.</source>
-      <translation type="unfinished" />
+      <translation>请检查这是否为工件的名义模型，或裁去点云的周围部分。</translation>
     </message>
     <message>
       <source>Choose another alignment first.</source>
-      <translation type="unfinished" />
+      <translation>请先选择另一对齐。</translation>
     </message>
     <message>
       <source>Choose another alignment.</source>
-      <translation type="unfinished" />
+      <translation>请选择另一对齐。</translation>
     </message>
     <message>
       <source>Choose another shape, or another seed.</source>
-      <translation type="unfinished" />
+      <translation>请选择另一形状，或另一种子。</translation>
     </message>
     <message>
       <source>Choose measured features.</source>
-      <translation type="unfinished" />
+      <translation>请选择测量的特征。</translation>
     </message>
     <message>
       <source>Choose one of its entries.</source>
-      <translation type="unfinished" />
+      <translation>请选择其条目之一。</translation>
     </message>
     <message>
       <source>Choose other features, or another alignment.</source>
-      <translation type="unfinished" />
+      <translation>请选择其他特征，或另一对齐。</translation>
     </message>
     <message>
       <source>Choose the nominal of this part, or crop the surroundings from the cloud.</source>
-      <translation type="unfinished" />
+      <translation>请选择此工件的名义模型，或裁去点云的周围部分。</translation>
     </message>
     <message>
       <source>Click another place.</source>
-      <translation type="unfinished" />
+      <translation>请单击其他位置。</translation>
     </message>
     <message>
       <source>Compare a cloud that has points.</source>
-      <translation type="unfinished" />
+      <translation>请比较有点的点云。</translation>
     </message>
     <message>
       <source>Datum {v1} constrains nothing beyond {v2}</source>
-      <translation type="unfinished" />
+      <translation>基准 {v1} 除 {v2} 外不约束任何自由度</translation>
     </message>
     <message>
       <source>Enter another name.</source>
-      <translation type="unfinished" />
+      <translation>请输入另一名称。</translation>
     </message>
     <message>
       <source>Enter at least one character.</source>
-      <translation type="unfinished" />
+      <translation>请至少输入一个字符。</translation>
     </message>
     <message>
       <source>Export the cloud again without invalid points.</source>
-      <translation type="unfinished" />
+      <translation>请重新导出不含无效点的点云。</translation>
     </message>
     <message>
       <source>Export the nominal again as STL, PLY or OBJ with triangles.</source>
-      <translation type="unfinished" />
+      <translation>请将名义模型重新导出为含三角形的 STL、PLY 或 OBJ。</translation>
     </message>
     <message>
       <source>Feature {v1} has no direction.</source>
-      <translation type="unfinished" />
+      <translation>特征 {v1} 没有方向。</translation>
     </message>
     <message>
       <source>Give the lower limit first.</source>
-      <translation type="unfinished" />
+      <translation>请先给出下限。</translation>
     </message>
     <message>
       <source>Inspect it with a program that has dimensions.</source>
-      <translation type="unfinished" />
+      <translation>请用有尺寸的程序检测。</translation>
     </message>
     <message>
       <source>Limit it by x_mm, y_mm or z_mm of its cut, or define a nominal.</source>
-      <translation type="unfinished" />
+      <translation>请用其裁剪的 x_mm、y_mm 或 z_mm 限制，或定义名义模型。</translation>
     </message>
     <message>
       <source>Limit it by x_mm, y_mm or z_mm of its cut.</source>
-      <translation type="unfinished" />
+      <translation>请用其裁剪的 x_mm、y_mm 或 z_mm 限制。</translation>
     </message>
     <message>
       <source>Measure it as a plane, cylinder or cone.</source>
-      <translation type="unfinished" />
+      <translation>请将其作为平面、圆柱或圆锥测量。</translation>
     </message>
     <message>
       <source>Move it further inside the surface.</source>
-      <translation type="unfinished" />
+      <translation>请将其移到表面更内侧。</translation>
     </message>
     <message>
       <source>Move the section, or widen its strip.</source>
-      <translation type="unfinished" />
+      <translation>请移动截面，或加宽其条带。</translation>
     </message>
     <message>
       <source>Name each measurement once; a spread needs independent scans.</source>
-      <translation type="unfinished" />
+      <translation>每次测量只列一次；离散需要独立的扫描。</translation>
     </message>
     <message>
       <source>Name two or more projects of the same part.</source>
-      <translation type="unfinished" />
+      <translation>请指定同一工件的两个以上项目。</translation>
     </message>
     <message>
       <source>No shape grows from this place.</source>
-      <translation type="unfinished" />
+      <translation>从此处不能生长任何形状。</translation>
     </message>
     <message>
       <source>Nothing was measured along the section {v1}.</source>
-      <translation type="unfinished" />
+      <translation>沿截面 {v1} 没有测量到任何内容。</translation>
     </message>
     <message>
       <source>Only {v1} of the points lie within {v2} mm of the nominal, in any orientation.</source>
-      <translation type="unfinished" />
+      <translation>在任何方位，只有 {v1} 的点位于名义模型 {v2} mm 以内。</translation>
     </message>
     <message>
       <source>Only {v1} points lie in the features and regions of the local best fit, {v2} are needed.</source>
-      <translation type="unfinished" />
+      <translation>局部最佳拟合的特征和区域中只有 {v1} 个点，需要 {v2} 个。</translation>
     </message>
     <message>
       <source>Only {v1} points were measured within {v2} mm of this place, {v3} are needed.</source>
-      <translation type="unfinished" />
+      <translation>此处 {v2} mm 内只测量了 {v1} 个点，需要 {v3} 个。</translation>
     </message>
     <message>
       <source>Remove these as well, or give them other features first.</source>
-      <translation type="unfinished" />
+      <translation>请同时移除这些，或先给它们其他特征。</translation>
     </message>
     <message>
       <source>Rename it, so that references follow.</source>
-      <translation type="unfinished" />
+      <translation>请重命名，使引用随之更改。</translation>
     </message>
     <message>
       <source>Scan the part first, or check the file.</source>
-      <translation type="unfinished" />
+      <translation>请先扫描工件，或检查文件。</translation>
     </message>
     <message>
       <source>Scan these features, or choose others.</source>
-      <translation type="unfinished" />
+      <translation>请扫描这些特征，或选择其他特征。</translation>
     </message>
     <message>
       <source>Scan this feature, or align by features that were measured.</source>
-      <translation type="unfinished" />
+      <translation>请扫描此特征，或按已测量的特征对齐。</translation>
     </message>
     <message>
       <source>Some measured points are not finite numbers.</source>
-      <translation type="unfinished" />
+      <translation>部分测量点不是有限数值。</translation>
     </message>
     <message>
       <source>The alignment of the program uses {v1}.</source>
-      <translation type="unfinished" />
+      <translation>程序的对齐使用 {v1}。</translation>
     </message>
     <message>
       <source>The alignment {v1} failed: {v2}.</source>
-      <translation type="unfinished" />
+      <translation>对齐 {v1} 失败：{v2}。</translation>
     </message>
     <message>
       <source>The change is not possible: {v1}.</source>
-      <translation type="unfinished" />
+      <translation>无法更改：{v1}。</translation>
     </message>
     <message>
       <source>The datums {v1} do not fix the {v2} of {v3}: free are {v4}</source>
-      <translation type="unfinished" />
+      <translation>基准 {v1} 不能固定 {v3} 的{v2}：自由的有 {v4}</translation>
     </message>
     <message>
       <source>The inspection program has no {v1} {v2}.</source>
-      <translation type="unfinished" />
+      <translation>检测程序没有{v1} {v2}。</translation>
     </message>
     <message>
       <source>The name of {v1} is not one of its values.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 的名称不是其值之一。</translation>
     </message>
     <message>
       <source>The nominal extends from {v1} to {v2} mm: place the section inside.</source>
-      <translation type="unfinished" />
+      <translation>名义模型从 {v1} 延伸到 {v2} mm：请将截面放在其内。</translation>
     </message>
     <message>
       <source>The nominal mesh has no surface.</source>
-      <translation type="unfinished" />
+      <translation>名义网格没有表面。</translation>
     </message>
     <message>
       <source>The nominal of {v1} differs between {v2}: {v3}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 的名义值在 {v2} 之间不同：{v3}。</translation>
     </message>
     <message>
       <source>The points span {v1} mm, the nominal {v2} mm: they are not of the same part.</source>
-      <translation type="unfinished" />
+      <translation>点的范围为 {v1} mm，名义模型为 {v2} mm：不是同一工件。</translation>
     </message>
     <message>
       <source>The program has a {v1} {v2} already.</source>
-      <translation type="unfinished" />
+      <translation>程序已有{v1} {v2}。</translation>
     </message>
     <message>
       <source>The program {v1} aligns by best fit, but there is no nominal mesh.</source>
-      <translation type="unfinished" />
+      <translation>程序 {v1} 按最佳拟合对齐，但没有名义网格。</translation>
     </message>
     <message>
       <source>The section {v1} intersects neither the nominal nor measured points.</source>
-      <translation type="unfinished" />
+      <translation>截面 {v1} 既不与名义模型也不与测量点相交。</translation>
     </message>
     <message>
       <source>The tolerance from {v1} to {v2} mm is empty.</source>
-      <translation type="unfinished" />
+      <translation>从 {v1} 到 {v2} mm 的公差为空。</translation>
     </message>
     <message>
       <source>There are no deviations.</source>
-      <translation type="unfinished" />
+      <translation>没有偏差。</translation>
     </message>
     <message>
       <source>There are no distances from a {v1}.</source>
-      <translation type="unfinished" />
+      <translation>没有到 {v1} 的距离。</translation>
     </message>
     <message>
       <source>There are no measured points to inspect.</source>
-      <translation type="unfinished" />
+      <translation>没有可检测的测量点。</translation>
     </message>
     <message>
       <source>There is no alignment.</source>
-      <translation type="unfinished" />
+      <translation>没有对齐。</translation>
     </message>
     <message>
       <source>Use a plane, sphere, cylinder or cone.</source>
-      <translation type="unfinished" />
+      <translation>请使用平面、球、圆柱或圆锥。</translation>
     </message>
     <message>
       <source>aligning the points to the nominal</source>
-      <translation type="unfinished" />
+      <translation>正在将点与名义模型对齐</translation>
     </message>
     <message>
       <source>distances from the nominal</source>
-      <translation type="unfinished" />
+      <translation>到名义模型的距离</translation>
     </message>
     <message>
       <source>inspection complete</source>
-      <translation type="unfinished" />
+      <translation>检测完成</translation>
     </message>
     <message>
       <source>its region did not converge</source>
-      <translation type="unfinished" />
+      <translation>其区域未收敛</translation>
     </message>
     <message>
       <source>its seed lies on an edge, or the surface there is not a {v1}</source>
-      <translation type="unfinished" />
+      <translation>其种子位于边上，或该处表面不是{v1}</translation>
     </message>
     <message>
       <source>no measured surface lies within {v1} mm of its seed</source>
-      <translation type="unfinished" />
+      <translation>其种子 {v1} mm 内没有测量的表面</translation>
     </message>
     <message>
       <source>only {v1} points around its seed form one surface, {v2} are needed</source>
-      <translation type="unfinished" />
+      <translation>其种子周围只有 {v1} 个点构成一个表面，需要 {v2} 个</translation>
     </message>
     <message>
       <source>only {v1} points of one {v2} are connected to its seed, {v3} are needed</source>
-      <translation type="unfinished" />
+      <translation>只有 {v1} 个{v2}的点与其种子相连，需要 {v3} 个</translation>
     </message>
     <message>
       <source>only {v1} points were measured around its seed, {v2} are needed</source>
-      <translation type="unfinished" />
+      <translation>其种子周围只测量了 {v1} 个点，需要 {v2} 个</translation>
     </message>
     <message>
       <source>the nominal of a {v1} does not follow from features</source>
-      <translation type="unfinished" />
+      <translation>{v1}的名义值不能由特征得出</translation>
     </message>
     <message>
       <source>the region grown from its seed covers the whole part ({v1} of {v2} points)</source>
-      <translation type="unfinished" />
+      <translation>由其种子生长的区域覆盖整个工件（{v2} 个点中的 {v1} 个）</translation>
     </message>
     <message>
       <source>the region grown from its seed is not a {v1}, or too small to determine one</source>
-      <translation type="unfinished" />
+      <translation>由其种子生长的区域不是{v1}，或太小而不能确定</translation>
     </message>
     <message>
       <source>the surface at its seed is not a {v1}: it bends away by {v2} mm over the region</source>
-      <translation type="unfinished" />
+      <translation>其种子处的表面不是{v1}：在该区域内弯离 {v2} mm</translation>
     </message>
     <message>
       <source>{v1} and {v2} are blades of different sections: their pitch is undefined</source>
-      <translation type="unfinished" />
+      <translation>{v1} 与 {v2} 是不同截面的叶片：其节距没有定义</translation>
     </message>
     <message>
       <source>{v1} and {v2} are the same measurement: all values agree to the last digit.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 与 {v2} 是同一次测量：所有值直到末位都一致。</translation>
     </message>
     <message>
       <source>{v1} and {v2} are {v3}° from parallel (limit {v4}°): their distance is undefined</source>
-      <translation type="unfinished" />
+      <translation>{v1} 与 {v2} 偏离平行 {v3}°（限值 {v4}°）：其距离没有定义</translation>
     </message>
     <message>
       <source>{v1} and {v2} do not face opposite directions ({v3}° off): their thickness is undefined</source>
-      <translation type="unfinished" />
+      <translation>{v1} 与 {v2} 不是相对朝向（偏 {v3}°）：其厚度没有定义</translation>
     </message>
     <message>
       <source>{v1} and {v2} do not fix {v3}, and the surface point {v4} fixes a translation only. Use an axis or plane as the line, or reference points</source>
-      <translation type="unfinished" />
+      <translation>{v1} 与 {v2} 不能固定 {v3}，而表面点 {v4} 只固定一个平移。请用轴线或平面作为直线，或用参考点</translation>
     </message>
     <message>
       <source>{v1} and {v2} face opposite directions: measure a distance, not a step</source>
-      <translation type="unfinished" />
+      <translation>{v1} 与 {v2} 朝向相反：请测量距离，而非台阶</translation>
     </message>
     <message>
       <source>{v1} do not have the same dimensions: only one has {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 的尺寸不相同：只有一个有 {v2}。</translation>
     </message>
     <message>
       <source>{v1} has no dimensions.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 没有尺寸。</translation>
     </message>
     <message>
       <source>{v1} has no nominal position</source>
-      <translation type="unfinished" />
+      <translation>{v1} 没有名义位置</translation>
     </message>
     <message>
       <source>{v1} is a constructed feature without a length for its {v2}</source>
-      <translation type="unfinished" />
+      <translation>{v1} 是构造特征，没有其{v2}的长度</translation>
     </message>
     <message>
       <source>{v1} is a constructed feature without a measured surface</source>
-      <translation type="unfinished" />
+      <translation>{v1} 是没有测量表面的构造特征</translation>
     </message>
     <message>
       <source>{v1} is a constructed line without a measured surface</source>
-      <translation type="unfinished" />
+      <translation>{v1} 是没有测量表面的构造直线</translation>
     </message>
     <message>
       <source>{v1} is a plane: its straightness needs `along`, the direction of the lines</source>
-      <translation type="unfinished" />
+      <translation>{v1} 是平面：其直线度需要 `along`，即直线的方向</translation>
     </message>
     <message>
       <source>{v1} is a surface point: a datum must be a plane, an axis or a centre</source>
-      <translation type="unfinished" />
+      <translation>{v1} 是表面点：基准必须是平面、轴线或中心</translation>
     </message>
     <message>
       <source>{v1} is a {v2} and has no cone angle</source>
-      <translation type="unfinished" />
+      <translation>{v1} 是{v2}，没有锥角</translation>
     </message>
     <message>
       <source>{v1} is a {v2} and has no direction</source>
-      <translation type="unfinished" />
+      <translation>{v1} 是{v2}，没有方向</translation>
     </message>
     <message>
       <source>{v1} is a {v2} and has no radius</source>
-      <translation type="unfinished" />
+      <translation>{v1} 是{v2}，没有半径</translation>
     </message>
     <message>
       <source>{v1} is a {v2} and has no slot {v3}</source>
-      <translation type="unfinished" />
+      <translation>{v1} 是{v2}，没有槽{v3}</translation>
     </message>
     <message>
       <source>{v1} is a {v2}, which cannot be a datum for {v3}</source>
-      <translation type="unfinished" />
+      <translation>{v1} 是{v2}，不能作为{v3}的基准</translation>
     </message>
     <message>
       <source>{v1} is a {v2}: 3-2-1 needs {v3} there</source>
-      <translation type="unfinished" />
+      <translation>{v1} 是{v2}：3-2-1 在该处需要{v3}</translation>
     </message>
     <message>
       <source>{v1} is a {v2}: a material condition of a datum requires a measured cylinder</source>
-      <translation type="unfinished" />
+      <translation>{v1} 是{v2}：基准的实体要求需要测量的圆柱</translation>
     </message>
     <message>
       <source>{v1} is a {v2}: a material condition requires a measured cylinder</source>
-      <translation type="unfinished" />
+      <translation>{v1} 是{v2}：实体要求需要测量的圆柱</translation>
     </message>
     <message>
       <source>{v1} is a {v2}: a step is defined between planes</source>
-      <translation type="unfinished" />
+      <translation>{v1} 是{v2}：台阶定义在平面之间</translation>
     </message>
     <message>
       <source>{v1} is a {v2}: as a reference point it needs `along` or `lock`, its constrained directions</source>
-      <translation type="unfinished" />
+      <translation>{v1} 是{v2}：作为参考点，它需要 `along` 或 `lock`，即其受约束的方向</translation>
     </message>
     <message>
       <source>{v1} is a {v2}: it has no nominal surface</source>
-      <translation type="unfinished" />
+      <translation>{v1} 是{v2}：它没有名义表面</translation>
     </message>
     <message>
       <source>{v1} is a {v2}: position is defined for {v3}</source>
-      <translation type="unfinished" />
+      <translation>{v1} 是{v2}：位置度定义于{v3}</translation>
     </message>
     <message>
       <source>{v1} is a {v2}: run-out requires a measured cylinder or plane</source>
-      <translation type="unfinished" />
+      <translation>{v1} 是{v2}：跳动需要测量的圆柱或平面</translation>
     </message>
     <message>
       <source>{v1} is a {v2}: run-out requires an axis as its datum</source>
-      <translation type="unfinished" />
+      <translation>{v1} 是{v2}：跳动需要轴线作为基准</translation>
     </message>
     <message>
       <source>{v1} is a {v2}: {v3} is defined for a {v4}</source>
-      <translation type="unfinished" />
+      <translation>{v1} 是{v2}：{v3}定义于{v4}</translation>
     </message>
     <message>
       <source>{v1} is a {v2}: {v3} is defined for planes and axes</source>
-      <translation type="unfinished" />
+      <translation>{v1} 是{v2}：{v3}定义于平面和轴线</translation>
     </message>
     <message>
       <source>{v1} is a {v2}: {v3} is defined for {v4}</source>
-      <translation type="unfinished" />
+      <translation>{v1} 是{v2}：{v3}的定义对象为 {v4}</translation>
     </message>
     <message>
       <source>{v1} is inclined by {v2}° to {v3}: their distance is undefined</source>
-      <translation type="unfinished" />
+      <translation>{v1} 对 {v3} 倾斜 {v2}°：其距离没有定义</translation>
     </message>
     <message>
       <source>{v1} is used by {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 被 {v2} 使用。</translation>
     </message>
     <message>
       <source>{v1} is {v2}° from the axis of {v3}: its run-out is undefined</source>
-      <translation type="unfinished" />
+      <translation>{v1} 与 {v3} 的轴线相差 {v2}°：其跳动没有定义</translation>
     </message>
     <message>
       <source>{v1} is {v2}° from {v3} to {v4}: check the feature and its datum</source>
-      <translation type="unfinished" />
+      <translation>{v1} 与{v4}的{v3}相差 {v2}°：请检查特征及其基准</translation>
     </message>
     <message>
       <source>{v1} needs a name.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 需要名称。</translation>
     </message>
     <message>
       <source>{v1} was not measured at its section</source>
-      <translation type="unfinished" />
+      <translation>{v1} 在其截面处未测量</translation>
     </message>
     <message>
       <source>{v1} were inspected with different programs: {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 按不同程序检测：{v2}。</translation>
     </message>
     <message>
       <source>{v1}: `along` is perpendicular to the plane, which has no lines in that direction</source>
-      <translation type="unfinished" />
+      <translation>{v1}：`along` 垂直于平面，平面在该方向没有直线</translation>
     </message>
     <message>
       <source>{v1}: a blade profile needs a nominal mesh, and the program has none</source>
-      <translation type="unfinished" />
+      <translation>{v1}：叶片轮廓需要名义网格，而程序没有</translation>
     </message>
     <message>
       <source>{v1}: a mid-plane needs two planes, {v2} and {v3} are not</source>
-      <translation type="unfinished" />
+      <translation>{v1}：中间平面需要两个平面，而 {v2} 和 {v3} 不是</translation>
     </message>
     <message>
       <source>{v1}: a pitch needs at least two measured blades of one section</source>
-      <translation type="unfinished" />
+      <translation>{v1}：节距至少需要同一截面的两个已测叶片</translation>
     </message>
     <message>
       <source>{v1}: a point on an axis needs an axis, and the plane from which its distance counts</source>
-      <translation type="unfinished" />
+      <translation>{v1}：轴线上的点需要轴线，以及计算其距离的平面</translation>
     </message>
     <message>
       <source>{v1}: a projection needs a point or axis, and the plane it is projected onto</source>
-      <translation type="unfinished" />
+      <translation>{v1}：投影需要点或轴线，以及投影所至的平面</translation>
     </message>
     <message>
       <source>{v1}: an average blade needs at least two measured blades of this section</source>
-      <translation type="unfinished" />
+      <translation>{v1}：平均叶片至少需要此截面的两个已测叶片</translation>
     </message>
     <message>
       <source>{v1}: an intersection needs a plane, and a plane or an axis</source>
-      <translation type="unfinished" />
+      <translation>{v1}：相交需要一个平面，以及一个平面或轴线</translation>
     </message>
     <message>
       <source>{v1}: an intersection of three needs planes, {v2} is a {v3}</source>
-      <translation type="unfinished" />
+      <translation>{v1}：三者相交需要平面，而 {v2} 是{v3}</translation>
     </message>
     <message>
       <source>{v1}: an offset needs a plane, {v2} is a {v3}</source>
-      <translation type="unfinished" />
+      <translation>{v1}：偏置需要平面，而 {v2} 是{v3}</translation>
     </message>
     <message>
       <source>{v1}: its axis has only {v2} complete sections, {v3} are needed</source>
-      <translation type="unfinished" />
+      <translation>{v1}：其轴线只有 {v2} 个完整截面，需要 {v3} 个</translation>
     </message>
     <message>
       <source>{v1}: its points are on one line and determine no circle</source>
-      <translation type="unfinished" />
+      <translation>{v1}：其点在一条直线上，不能确定圆</translation>
     </message>
     <message>
       <source>{v1}: its points are on one line and determine no plane</source>
-      <translation type="unfinished" />
+      <translation>{v1}：其点在一条直线上，不能确定平面</translation>
     </message>
     <message>
       <source>{v1}: its points coincide</source>
-      <translation type="unfinished" />
+      <translation>{v1}：其点重合</translation>
     </message>
     <message>
       <source>{v1}: no line is long enough for {v2} cells of {v3} mm</source>
-      <translation type="unfinished" />
+      <translation>{v1}：没有直线足够长以容纳 {v2} 个 {v3} mm 的单元</translation>
     </message>
     <message>
       <source>{v1}: no section is measured over more than {v2} of its circumference, {v3} are needed</source>
-      <translation type="unfinished" />
+      <translation>{v1}：没有截面在其圆周的 {v2} 以上被测量，需要 {v3}</translation>
     </message>
     <message>
       <source>{v1}: only {v2} cells have enough points, {v3} are needed</source>
-      <translation type="unfinished" />
+      <translation>{v1}：只有 {v2} 个单元有足够的点，需要 {v3} 个</translation>
     </message>
     <message>
       <source>{v1}: only {v2} of the circumference is measured, {v3} are needed</source>
-      <translation type="unfinished" />
+      <translation>{v1}：只测量了圆周的 {v2}，需要 {v3}</translation>
     </message>
     <message>
       <source>{v1}: only {v2} segments of its sides have enough points, {v3} are needed</source>
-      <translation type="unfinished" />
+      <translation>{v1}：其侧边只有 {v2} 段有足够的点，需要 {v3} 段</translation>
     </message>
     <message>
       <source>{v1}: symmetry needs two planes, two parallel axes, or two centres</source>
-      <translation type="unfinished" />
+      <translation>{v1}：对称度需要两个平面、两条平行轴线或两个中心</translation>
     </message>
     <message>
       <source>{v1}: the axis runs parallel to the plane and does not meet it</source>
-      <translation type="unfinished" />
+      <translation>{v1}：轴线与平面平行，不相交</translation>
     </message>
     <message>
       <source>{v1}: the axis {v2} is perpendicular to {v3}; its projection is a point: use their intersection</source>
-      <translation type="unfinished" />
+      <translation>{v1}：轴线 {v2} 垂直于 {v3}；其投影是一个点：请用它们的交点</translation>
     </message>
     <message>
       <source>{v1}: the nominal looks like {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：名义模型看来像 {v2}。</translation>
     </message>
     <message>
       <source>{v1}: the planes are parallel and do not meet</source>
-      <translation type="unfinished" />
+      <translation>{v1}：两平面平行，不相交</translation>
     </message>
     <message>
       <source>{v1}: the points look like {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：这些点看来像 {v2}。</translation>
     </message>
     <message>
       <source>{v1}: the three planes do not meet in one point: two are parallel, or all contain one direction</source>
-      <translation type="unfinished" />
+      <translation>{v1}：三平面不交于一点：两个平行，或都含同一方向</translation>
     </message>
     <message>
       <source>{v1}: the {v2} is not determined, most trials with simulated noise fail</source>
-      <translation type="unfinished" />
+      <translation>{v1}：{v2}不能确定，多数模拟噪声试验失败</translation>
     </message>
     <message>
       <source>{v1}: {v2} and {v3} are {v4}° from parallel and have no axis of symmetry</source>
-      <translation type="unfinished" />
+      <translation>{v1}：{v2} 与 {v3} 偏离平行 {v4}°，没有对称轴</translation>
     </message>
     <message>
       <source>{v1}: {v2} is a {v3} and no point: intersect or project it first</source>
-      <translation type="unfinished" />
+      <translation>{v1}：{v2} 是{v3}而非点：请先求交或投影</translation>
     </message>
     <message>
       <source>{v1}: {v2} is undefined, as {v3} ({v4} end)</source>
-      <translation type="unfinished" />
+      <translation>{v1}：{v2}没有定义，因为 {v3}（{v4}端）</translation>
     </message>
   </context>
   <context>
     <name>core.pipeline</name>
     <message>
       <source>Add `nominal = "FILE.stl"`: points are predicted on it.</source>
-      <translation type="unfinished" />
+      <translation>请添加 `nominal = "FILE.stl"`：点在其上预测。</translation>
     </message>
     <message>
       <source>Add board views or a cameras.json to the recording, and import it again.</source>
-      <translation type="unfinished" />
+      <translation>请向录制添加标定板视图或 cameras.json，并重新导入。</translation>
     </message>
     <message>
       <source>Add it on the page Inspect, or scan with a part program.</source>
-      <translation type="unfinished" />
+      <translation>请在“检测”页添加，或用工件程序扫描。</translation>
     </message>
     <message>
       <source>Add it on the page Inspect.</source>
-      <translation type="unfinished" />
+      <translation>请在“检测”页添加。</translation>
     </message>
     <message>
       <source>Add one of them to the recording.</source>
-      <translation type="unfinished" />
+      <translation>请将其中之一添加到录制。</translation>
     </message>
     <message>
       <source>Calibrate again with this version.</source>
-      <translation type="unfinished" />
+      <translation>请用此版本重新标定。</translation>
     </message>
     <message>
       <source>Calibrate again, or set when_exceeded = "warn" in the rig's calibration_rules.</source>
-      <translation type="unfinished" />
+      <translation>请重新标定，或在测量系统的 calibration_rules 中设置 when_exceeded = "warn"。</translation>
     </message>
     <message>
       <source>Calibrate first: measureapp process PROJECT.</source>
-      <translation type="unfinished" />
+      <translation>请先标定：measureapp process PROJECT。</translation>
     </message>
     <message>
       <source>Calibrate into a new project, or use the rig description with which this one was made.</source>
-      <translation type="unfinished" />
+      <translation>请标定到新项目，或使用创建此标定的测量系统描述。</translation>
     </message>
     <message>
       <source>Calibrate into a new project.</source>
-      <translation type="unfinished" />
+      <translation>请标定到新项目。</translation>
     </message>
     <message>
       <source>Calibrate the rig first.</source>
-      <translation type="unfinished" />
+      <translation>请先标定测量系统。</translation>
     </message>
     <message>
       <source>Check permissions and space, or choose another folder.</source>
-      <translation type="unfinished" />
+      <translation>请检查权限和空间，或选择另一文件夹。</translation>
     </message>
     <message>
       <source>Check the images and their manifests.</source>
-      <translation type="unfinished" />
+      <translation>请检查图像及其清单。</translation>
     </message>
     <message>
       <source>Check where the part stands, and the exposures.</source>
-      <translation type="unfinished" />
+      <translation>请检查工件的位置和曝光。</translation>
     </message>
     <message>
       <source>Choose a new or an empty folder for the joined project.</source>
-      <translation type="unfinished" />
+      <translation>请为合并项目选择新的或空的文件夹。</translation>
     </message>
     <message>
       <source>Choose a new or an empty folder for the project.</source>
-      <translation type="unfinished" />
+      <translation>请为项目选择新的或空的文件夹。</translation>
     </message>
     <message>
       <source>Choose another folder, or delete that one first.</source>
-      <translation type="unfinished" />
+      <translation>请选择另一文件夹，或先删除该文件夹。</translation>
     </message>
     <message>
       <source>Choose one of {v1}.</source>
-      <translation type="unfinished" />
+      <translation>请选择 {v1} 之一。</translation>
     </message>
     <message>
       <source>Choose the views in the project of their set-up, then compute this one again: measureapp process PROJECT.</source>
-      <translation type="unfinished" />
+      <translation>请在其装夹的项目中选择视图，然后重新计算此项目：measureapp process PROJECT。</translation>
     </message>
     <message>
       <source>Cloud of {v1}</source>
-      <translation type="unfinished" />
+      <translation>{v1} 的点云</translation>
     </message>
     <message>
       <source>Compute it again: measureapp process {v1}.</source>
-      <translation type="unfinished" />
+      <translation>请重新计算：measureapp process {v1}。</translation>
     </message>
     <message>
       <source>Compute its clouds by `measureapp process PROJECT`, or record what is missing.</source>
-      <translation type="unfinished" />
+      <translation>请用 `measureapp process PROJECT` 计算其点云，或录制缺少的内容。</translation>
     </message>
     <message>
       <source>Connect its disk again or restore the folder, then continue the scan.</source>
-      <translation type="unfinished" />
+      <translation>请重新接上其磁盘或恢复文件夹，然后继续扫描。</translation>
     </message>
     <message>
       <source>Connect its disk again, or restore the folder from a backup.</source>
-      <translation type="unfinished" />
+      <translation>请重新接上其磁盘，或从备份恢复文件夹。</translation>
     </message>
     <message>
       <source>Correct bit_depth in the rig description; images of 10 or 12 bit are stored with 16.</source>
-      <translation type="unfinished" />
+      <translation>请更正测量系统描述中的 bit_depth；10 或 12 位图像以 16 位存储。</translation>
     </message>
     <message>
       <source>Correct cameras.json.</source>
-      <translation type="unfinished" />
+      <translation>请更正 cameras.json。</translation>
     </message>
     <message>
       <source>Correct the size in the rig description, or give the images of this camera at this resolution.</source>
-      <translation type="unfinished" />
+      <translation>请更正测量系统描述中的尺寸，或给出此相机该分辨率的图像。</translation>
     </message>
     <message>
       <source>Disconnect the rig first; it is then connected as the task needs it.</source>
-      <translation type="unfinished" />
+      <translation>请先断开测量系统；之后会按任务需要连接。</translation>
     </message>
     <message>
       <source>Draw one camera only: --camera.</source>
-      <translation type="unfinished" />
+      <translation>请只绘制一台相机：--camera。</translation>
     </message>
     <message>
       <source>Give ROW,COLUMN,ROW,COLUMN of two corners within {v1} rows and {v2} columns.</source>
-      <translation type="unfinished" />
+      <translation>请给出 {v1} 行和 {v2} 列内两个角的 行,列,行,列。</translation>
     </message>
     <message>
       <source>Give a new or an empty folder for the project.</source>
-      <translation type="unfinished" />
+      <translation>请为项目给出新的或空的文件夹。</translation>
     </message>
     <message>
       <source>Give a project that calibrated its rig, or calibrate first.</source>
-      <translation type="unfinished" />
+      <translation>请给出标定了其测量系统的项目，或先标定。</translation>
     </message>
     <message>
       <source>Give every position of the board once.</source>
-      <translation type="unfinished" />
+      <translation>请每个标定板位置给出一次。</translation>
     </message>
     <message>
       <source>Give images of one resolution, that of the calibrated camera.</source>
-      <translation type="unfinished" />
+      <translation>请给出同一分辨率的图像，即已标定相机的分辨率。</translation>
     </message>
     <message>
       <source>Give it one on the Inspect page, and measure again.</source>
-      <translation type="unfinished" />
+      <translation>请在“检测”页给它一个，并重新测量。</translation>
     </message>
     <message>
       <source>Give one: --rig RIG.</source>
-      <translation type="unfinished" />
+      <translation>请给出一个：--rig RIG。</translation>
     </message>
     <message>
       <source>Give stacks of one projector, or its size by --projector-px.</source>
-      <translation type="unfinished" />
+      <translation>请给出同一投影仪的图像组，或用 --projector-px 给出其尺寸。</translation>
     </message>
     <message>
       <source>Import into a new folder, or delete that one first.</source>
-      <translation type="unfinished" />
+      <translation>请导入到新文件夹，或先删除该文件夹。</translation>
     </message>
     <message>
       <source>Import one with `measureapp import`.</source>
-      <translation type="unfinished" />
+      <translation>请用 `measureapp import` 导入一个。</translation>
     </message>
     <message>
       <source>Install the program again.</source>
-      <translation type="unfinished" />
+      <translation>请重新安装程序。</translation>
     </message>
     <message>
       <source>Keep fewer points: a larger --every.</source>
-      <translation type="unfinished" />
+      <translation>请保留较少的点：增大 --every。</translation>
     </message>
     <message>
       <source>Measure it first: measureapp process {v1}.</source>
-      <translation type="unfinished" />
+      <translation>请先测量：measureapp process {v1}。</translation>
     </message>
     <message>
       <source>Name a project of this rig, or omit the calibration.</source>
-      <translation type="unfinished" />
+      <translation>请指定此测量系统的项目，或省略标定。</translation>
     </message>
     <message>
       <source>Name one of: {v1}.</source>
-      <translation type="unfinished" />
+      <translation>请指定其一：{v1}。</translation>
     </message>
     <message>
       <source>Name one: --nominal FILE.</source>
-      <translation type="unfinished" />
+      <translation>请指定：--nominal FILE。</translation>
     </message>
     <message>
       <source>Name projects of one part; if this is one part under two names, add --one-part.</source>
-      <translation type="unfinished" />
+      <translation>请指定同一工件的项目；若为同一工件的两个名称，请加 --one-part。</translation>
     </message>
     <message>
       <source>Name the projects of its set-ups instead.</source>
-      <translation type="unfinished" />
+      <translation>请改为指定其各次装夹的项目。</translation>
     </message>
     <message>
       <source>Name their cameras.json.</source>
-      <translation type="unfinished" />
+      <translation>请指定其 cameras.json。</translation>
     </message>
     <message>
       <source>No viewpoint gives a cloud; the reasons are stated above.</source>
-      <translation type="unfinished" />
+      <translation>没有视点给出点云；原因见上。</translation>
     </message>
     <message>
       <source>No viewpoint of the plan {v1} gives a usable cloud of this part.</source>
-      <translation type="unfinished" />
+      <translation>计划 {v1} 中没有视点给出此工件的可用点云。</translation>
     </message>
     <message>
       <source>Only one set-up is named.</source>
-      <translation type="unfinished" />
+      <translation>只指定了一次装夹。</translation>
     </message>
     <message>
       <source>Plan the scan first.</source>
-      <translation type="unfinished" />
+      <translation>请先规划扫描。</translation>
     </message>
     <message>
       <source>Plan the scan first: a template is a start for scans.</source>
-      <translation type="unfinished" />
+      <translation>请先规划扫描：模板是扫描的起点。</translation>
     </message>
     <message>
       <source>Put the board of the calibration on the table, facing the head, and light it.</source>
-      <translation type="unfinished" />
+      <translation>请将标定用的标定板放在转台上，朝向测头，并照亮。</translation>
     </message>
     <message>
       <source>Raw images of {v1}</source>
-      <translation type="unfinished" />
+      <translation>{v1} 的原始图像</translation>
     </message>
     <message>
       <source>Recompute it: measureapp process {v1}.</source>
-      <translation type="unfinished" />
+      <translation>请重新计算：measureapp process {v1}。</translation>
     </message>
     <message>
       <source>Record vertical and horizontal fringes on the board at {v1} positions at least, better 12, tilted differently.</source>
-      <translation type="unfinished" />
+      <translation>请在至少 {v1} 个位置（最好 12 个，倾斜各异）录制标定板上的垂直和水平条纹。</translation>
     </message>
     <message>
       <source>Recordings of other rigs have none; plan a new scan.</source>
-      <translation type="unfinished" />
+      <translation>其他测量系统的录制没有；请规划新的扫描。</translation>
     </message>
     <message>
       <source>Restore it from a backup, or join the set-ups again.</source>
-      <translation type="unfinished" />
+      <translation>请从备份恢复，或重新合并各次装夹。</translation>
     </message>
     <message>
       <source>Run `measureapp process PROJECT`.</source>
-      <translation type="unfinished" />
+      <translation>请运行 `measureapp process PROJECT`。</translation>
     </message>
     <message>
       <source>Scan first, or recompute it: measureapp process PROJECT.</source>
-      <translation type="unfinished" />
+      <translation>请先扫描，或重新计算：measureapp process PROJECT。</translation>
     </message>
     <message>
       <source>Scan the part first, or restore the project's folder `stacks`.</source>
-      <translation type="unfinished" />
+      <translation>请先扫描工件，或恢复项目的文件夹 `stacks`。</translation>
     </message>
     <message>
       <source>Scan the part, or compute them from stored images: measureapp process PROJECT.</source>
-      <translation type="unfinished" />
+      <translation>请扫描工件，或由存储的图像计算：measureapp process PROJECT。</translation>
     </message>
     <message>
       <source>Scan the part, or compute them: measureapp process PROJECT.</source>
-      <translation type="unfinished" />
+      <translation>请扫描工件，或计算：measureapp process PROJECT。</translation>
     </message>
     <message>
       <source>Stored are: {v1}.</source>
-      <translation type="unfinished" />
+      <translation>已存储：{v1}。</translation>
     </message>
     <message>
       <source>Take them first, or give a calibration.</source>
-      <translation type="unfinished" />
+      <translation>请先拍摄，或给出标定。</translation>
     </message>
     <message>
       <source>The board views of {v1} do not determine a rig any more.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 的标定板视图已不能确定测量系统。</translation>
     </message>
     <message>
       <source>The calibration of {v1} does not name its images.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 的标定未指明其图像。</translation>
     </message>
     <message>
       <source>The calibration of {v1} is needed to match their images.</source>
-      <translation type="unfinished" />
+      <translation>匹配其图像需要 {v1} 的标定。</translation>
     </message>
     <message>
       <source>The cameras do not make a rig: {v1}.</source>
-      <translation type="unfinished" />
+      <translation>这些相机不构成测量系统：{v1}。</translation>
     </message>
     <message>
       <source>The connected rig ({v1}) is described differently than the rig of this task ({v2}).</source>
-      <translation type="unfinished" />
+      <translation>已连接测量系统 ({v1}) 的描述与此任务的测量系统 ({v2}) 不同。</translation>
     </message>
     <message>
       <source>The image {v1} of the board, from which {v2} was calibrated, {v3}.</source>
-      <translation type="unfinished" />
+      <translation>标定 {v2} 所用的标定板图像 {v1} {v3}。</translation>
     </message>
     <message>
       <source>The images of camera {v1} in {v2} are {v3} × {v4} px, not {v5} × {v6} px.</source>
-      <translation type="unfinished" />
+      <translation>{v2} 中相机 {v1} 的图像为 {v3} × {v4} px，而非 {v5} × {v6} px。</translation>
     </message>
     <message>
       <source>The images of {v1}{v2} were stored in {v3} and are gone.</source>
-      <translation type="unfinished" />
+      <translation>{v1}{v2} 的图像曾存储在 {v3}，现已不在。</translation>
     </message>
     <message>
       <source>The part program {v1} has no rig.</source>
-      <translation type="unfinished" />
+      <translation>工件程序 {v1} 没有测量系统。</translation>
     </message>
     <message>
       <source>The plan has no viewpoint {v1}.</source>
-      <translation type="unfinished" />
+      <translation>计划没有视点 {v1}。</translation>
     </message>
     <message>
       <source>The project folder {v1} is gone.</source>
-      <translation type="unfinished" />
+      <translation>项目文件夹 {v1} 已不在。</translation>
     </message>
     <message>
       <source>The region {v1},{v2},{v3},{v4} is not inside the images of camera {v5}.</source>
-      <translation type="unfinished" />
+      <translation>区域 {v1},{v2},{v3},{v4} 不在相机 {v5} 的图像内。</translation>
     </message>
     <message>
       <source>The sample project {v1} is damaged: {v2}.</source>
-      <translation type="unfinished" />
+      <translation>示例项目 {v1} 已损坏：{v2}。</translation>
     </message>
     <message>
       <source>The sample would have {v1} MB.</source>
-      <translation type="unfinished" />
+      <translation>示例将有 {v1} MB。</translation>
     </message>
     <message>
       <source>The set-ups have no nominal to be joined by.</source>
-      <translation type="unfinished" />
+      <translation>各次装夹没有可用于合并的名义模型。</translation>
     </message>
     <message>
       <source>The view has no camera {v1}.</source>
-      <translation type="unfinished" />
+      <translation>该视图没有相机 {v1}。</translation>
     </message>
     <message>
       <source>There are no images of the board.</source>
-      <translation type="unfinished" />
+      <translation>没有标定板图像。</translation>
     </message>
     <message>
       <source>There is no pattern set {v1}.</source>
-      <translation type="unfinished" />
+      <translation>没有图案集 {v1}。</translation>
     </message>
     <message>
       <source>There is no sample project {v1}.</source>
-      <translation type="unfinished" />
+      <translation>没有示例项目 {v1}。</translation>
     </message>
     <message>
       <source>There is no set-up {v1}.</source>
-      <translation type="unfinished" />
+      <translation>没有装夹 {v1}。</translation>
     </message>
     <message>
       <source>There is no view {v1}.</source>
-      <translation type="unfinished" />
+      <translation>没有视图 {v1}。</translation>
     </message>
     <message>
       <source>Use --resume to take only the missing viewpoints, or scan into a new project.</source>
-      <translation type="unfinished" />
+      <translation>请用 --resume 只拍摄缺少的视点，或扫描到新项目。</translation>
     </message>
     <message>
       <source>Use a stack taken by a rig.</source>
-      <translation type="unfinished" />
+      <translation>请使用测量系统拍摄的图像组。</translation>
     </message>
     <message>
       <source>Views {v1} and {v2} of camera {v3} are the same image: it would count twice.</source>
-      <translation type="unfinished" />
+      <translation>相机 {v3} 的视图 {v1} 与 {v2} 是同一图像：会计算两次。</translation>
     </message>
     <message>
       <source>board view {v1}</source>
-      <translation type="unfinished" />
+      <translation>标定板视图 {v1}</translation>
     </message>
     <message>
       <source>compiling: {v1}</source>
-      <translation type="unfinished" />
+      <translation>正在编译：{v1}</translation>
     </message>
     <message>
       <source>holes explained</source>
-      <translation type="unfinished" />
+      <translation>空洞已说明</translation>
     </message>
     <message>
       <source>holes of {v1}</source>
-      <translation type="unfinished" />
+      <translation>{v1} 的空洞</translation>
     </message>
     <message>
       <source>improvements predicted</source>
-      <translation type="unfinished" />
+      <translation>改进已预测</translation>
     </message>
     <message>
       <source>measured by {v1}</source>
-      <translation type="unfinished" />
+      <translation>由 {v1} 测量</translation>
     </message>
     <message>
       <source>measured samples</source>
-      <translation type="unfinished" />
+      <translation>测得的样本</translation>
     </message>
     <message>
       <source>noise measured</source>
-      <translation type="unfinished" />
+      <translation>噪声已测量</translation>
     </message>
     <message>
       <source>predicting {v1}</source>
-      <translation type="unfinished" />
+      <translation>正在预测 {v1}</translation>
     </message>
     <message>
       <source>reading clouds</source>
-      <translation type="unfinished" />
+      <translation>正在读取点云</translation>
     </message>
     <message>
       <source>reading the nominal</source>
-      <translation type="unfinished" />
+      <translation>正在读取名义模型</translation>
     </message>
     <message>
       <source>reconstructing the surface</source>
-      <translation type="unfinished" />
+      <translation>正在重建表面</translation>
     </message>
     <message>
       <source>samples of the nominal</source>
-      <translation type="unfinished" />
+      <translation>名义模型的采样</translation>
     </message>
     <message>
       <source>trying {v1}</source>
-      <translation type="unfinished" />
+      <translation>正在尝试 {v1}</translation>
     </message>
     <message>
       <source>viewpoints to be tried</source>
-      <translation type="unfinished" />
+      <translation>待尝试的视点</translation>
     </message>
     <message>
       <source>views predicted</source>
-      <translation type="unfinished" />
+      <translation>视图已预测</translation>
     </message>
     <message>
       <source>{v1} ({v2}) is not ready: {v3}</source>
-      <translation type="unfinished" />
+      <translation>{v1} ({v2}) 未就绪：{v3}</translation>
     </message>
     <message>
       <source>{v1} and {v2} are of different parts: {v3} and {v4}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 和 {v2} 属于不同工件：{v3} 和 {v4}。</translation>
     </message>
     <message>
       <source>{v1} are of different parts: {v2} and {v3}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 属于不同工件：{v2} 和 {v3}。</translation>
     </message>
     <message>
       <source>{v1} cannot be written: {v2} × {v3} px is too large for PNG.</source>
-      <translation type="unfinished" />
+      <translation>无法写入 {v1}：{v2} × {v3} px 对 PNG 太大。</translation>
     </message>
     <message>
       <source>{v1} cannot be written: {v2}.</source>
-      <translation type="unfinished" />
+      <translation>无法写入 {v1}：{v2}。</translation>
     </message>
     <message>
       <source>{v1} contains another project ({v2}).</source>
-      <translation type="unfinished" />
+      <translation>{v1} 含有另一项目 ({v2})。</translation>
     </message>
     <message>
       <source>{v1} contains another recording, or an earlier state of {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 含有另一录制，或 {v2} 的较早状态。</translation>
     </message>
     <message>
       <source>{v1} contains images already.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 已含图像。</translation>
     </message>
     <message>
       <source>{v1} contains no images of the part.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 没有工件图像。</translation>
     </message>
     <message>
       <source>{v1} contains no images of view {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 没有视图 {v2} 的图像。</translation>
     </message>
     <message>
       <source>{v1} contains no images of viewpoint {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 没有视点 {v2} 的图像。</translation>
     </message>
     <message>
       <source>{v1} contains no measurement.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 没有测量。</translation>
     </message>
     <message>
       <source>{v1} from {v2}. {v3}</source>
-      <translation type="unfinished" />
+      <translation>{v1} 来自 {v2}。{v3}</translation>
     </message>
     <message>
       <source>{v1} has images of camera {v2}, which is not calibrated.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 有相机 {v2} 的图像，而该相机未标定。</translation>
     </message>
     <message>
       <source>{v1} has neither a calibration nor images of the board.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 既没有标定，也没有标定板图像。</translation>
     </message>
     <message>
       <source>{v1} has neither board views nor known cameras.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 既没有标定板视图，也没有已知相机。</translation>
     </message>
     <message>
       <source>{v1} has no axis read-back.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 没有轴的读回。</translation>
     </message>
     <message>
       <source>{v1} has no calibration, which is needed for points.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 没有计算点所需的标定。</translation>
     </message>
     <message>
       <source>{v1} has no clouds yet.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 尚无点云。</translation>
     </message>
     <message>
       <source>{v1} has no nominal.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 没有名义模型。</translation>
     </message>
     <message>
       <source>{v1} has no results.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 没有结果。</translation>
     </message>
     <message>
       <source>{v1} has no scan plan.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 没有扫描计划。</translation>
     </message>
     <message>
       <source>{v1} has no {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 没有{v2}。</translation>
     </message>
     <message>
       <source>{v1} have different inspection programs ({v2}).</source>
-      <translation type="unfinished" />
+      <translation>{v1} 的检测程序不同 ({v2})。</translation>
     </message>
     <message>
       <source>{v1} is a project of {v2}, which is described differently than {v3} is now.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 是 {v2} 的项目，其描述与 {v3} 现在的不同。</translation>
     </message>
     <message>
       <source>{v1} is damaged: it is not the file that was joined.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 已损坏：它不是合并时的文件。</translation>
     </message>
     <message>
       <source>{v1} is itself joined from several set-ups.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 本身由多次装夹合并而成。</translation>
     </message>
     <message>
       <source>{v1} is joined from several set-ups.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 由多次装夹合并而成。</translation>
     </message>
     <message>
       <source>{v1} is named twice.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 被列出两次。</translation>
     </message>
     <message>
       <source>{v1} names no nominal.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 没有指定名义模型。</translation>
     </message>
     <message>
       <source>{v1} positions of the board do not determine the projector.</source>
-      <translation type="unfinished" />
+      <translation>标定板的 {v1} 个位置不能确定投影仪。</translation>
     </message>
     <message>
       <source>{v1} proposals</source>
-      <translation type="unfinished" />
+      <translation>{v1} 项建议</translation>
     </message>
     <message>
       <source>{v1} was made with another board ({v2}).</source>
-      <translation type="unfinished" />
+      <translation>{v1} 是用另一标定板 ({v2}) 进行的。</translation>
     </message>
     <message>
       <source>{v1} was measured without an inspection program.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 是在没有检测程序的情况下测量的。</translation>
     </message>
     <message>
       <source>{v1} was not imported from a recording.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 不是从录制导入的。</translation>
     </message>
     <message>
       <source>{v1} were compared with different nominals.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 是与不同名义模型比较的。</translation>
     </message>
     <message>
       <source>{v1}: {v2} has {v3} bit, the rig's camera {v4} has {v5} bit.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：{v2} 为 {v3} 位，测量系统的相机 {v4} 为 {v5} 位。</translation>
     </message>
     <message>
       <source>{v1}: {v2} is {v3} × {v4} px, the rig's camera {v5} has {v6} × {v7} px.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：{v2} 为 {v3} × {v4} px，测量系统的相机 {v5} 为 {v6} × {v7} px。</translation>
     </message>
   </context>
   <context>
     <name>core.planning</name>
     <message>
       <source>A plan needs at least one viewpoint.</source>
-      <translation type="unfinished" />
+      <translation>计划至少需要一个视点。</translation>
     </message>
     <message>
       <source>A stand-off of {v1} mm is impossible.</source>
-      <translation type="unfinished" />
+      <translation>工作距离 {v1} mm 不可能。</translation>
     </message>
     <message>
       <source>Add another one before you remove the last.</source>
-      <translation type="unfinished" />
+      <translation>移除最后一个之前请先添加另一个。</translation>
     </message>
     <message>
       <source>An elevation of {v1}° is impossible.</source>
-      <translation type="unfinished" />
+      <translation>仰角 {v1}° 不可能。</translation>
     </message>
     <message>
       <source>An order names every viewpoint once; {v1}.</source>
-      <translation type="unfinished" />
+      <translation>顺序须每个视点列一次；{v1}。</translation>
     </message>
     <message>
       <source>At this step {v1}.</source>
-      <translation type="unfinished" />
+      <translation>在此步 {v1}。</translation>
     </message>
     <message>
       <source>Change these viewpoints or their order; nothing was moved.</source>
-      <translation type="unfinished" />
+      <translation>请更改这些视点或其顺序；未作任何移动。</translation>
     </message>
     <message>
       <source>Change these viewpoints; nothing was moved.</source>
-      <translation type="unfinished" />
+      <translation>请更改这些视点；未作任何移动。</translation>
     </message>
     <message>
       <source>Check the pose of the part on the table and the rig's limits.</source>
-      <translation type="unfinished" />
+      <translation>请检查工件在转台上的位姿和测量系统的限位。</translation>
     </message>
     <message>
       <source>Choose a distance above 0.</source>
-      <translation type="unfinished" />
+      <translation>请选择大于 0 的距离。</translation>
     </message>
     <message>
       <source>Choose another name.</source>
-      <translation type="unfinished" />
+      <translation>请选择另一名称。</translation>
     </message>
     <message>
       <source>Choose another place, or turn the part over for a second set-up.</source>
-      <translation type="unfinished" />
+      <translation>请选择其他位置，或翻转工件进行第二次装夹。</translation>
     </message>
     <message>
       <source>Choose one of them to change its pose or table angle.</source>
-      <translation type="unfinished" />
+      <translation>请选择其中之一以更改其位姿或转台角度。</translation>
     </message>
     <message>
       <source>Choose {v1}…{v2}°.</source>
-      <translation type="unfinished" />
+      <translation>请选择 {v1}…{v2}°。</translation>
     </message>
     <message>
       <source>Correct its pose on the table.</source>
-      <translation type="unfinished" />
+      <translation>请更正其在转台上的位姿。</translation>
     </message>
     <message>
       <source>Correct the order.</source>
-      <translation type="unfinished" />
+      <translation>请更正顺序。</translation>
     </message>
     <message>
       <source>Correct them: links in the robot's file, other bodies in [cell], keep-out boxes in [motion] of the rig description.</source>
-      <translation type="unfinished" />
+      <translation>请更正：连杆在机器人文件中，其他物体在 [cell] 中，禁入区在测量系统描述的 [motion] 中。</translation>
     </message>
     <message>
       <source>Export it again.</source>
-      <translation type="unfinished" />
+      <translation>请重新导出。</translation>
     </message>
     <message>
       <source>Group {v1} has several viewpoints.</source>
-      <translation type="unfinished" />
+      <translation>组 {v1} 有多个视点。</translation>
     </message>
     <message>
       <source>Group {v1} repeats {v2} poses at {v3} table angles; single ones of its viewpoints cannot be removed.</source>
-      <translation type="unfinished" />
+      <translation>组 {v1} 在 {v3} 个转台角度重复 {v2} 个位姿；不能移除其单个视点。</translation>
     </message>
     <message>
       <source>Move another way; nothing was moved.</source>
-      <translation type="unfinished" />
+      <translation>请改用其他方式移动；未作任何移动。</translation>
     </message>
     <message>
       <source>Move it to the centre of the table; if it may overhang, state largest_part_mm in [cell] of the rig description.</source>
-      <translation type="unfinished" />
+      <translation>请将其移到转台中心；若可悬出，请在测量系统描述的 [cell] 中给出 largest_part_mm。</translation>
     </message>
     <message>
       <source>Nothing was changed.</source>
-      <translation type="unfinished" />
+      <translation>未作任何更改。</translation>
     </message>
     <message>
       <source>Only groups can be ungrouped.</source>
-      <translation type="unfinished" />
+      <translation>只有组可以取消分组。</translation>
     </message>
     <message>
       <source>Only single viewpoints can be made a group.</source>
-      <translation type="unfinished" />
+      <translation>只有单个视点可以成组。</translation>
     </message>
     <message>
       <source>Rename the group, or ungroup it first.</source>
-      <translation type="unfinished" />
+      <translation>请先重命名组，或取消分组。</translation>
     </message>
     <message>
       <source>Request at least 1.</source>
-      <translation type="unfinished" />
+      <translation>请至少要求 1 个。</translation>
     </message>
     <message>
       <source>See `measureapp plan show` for its names.</source>
-      <translation type="unfinished" />
+      <translation>名称请见 `measureapp plan show`。</translation>
     </message>
     <message>
       <source>Select single viewpoints, or ungroup first.</source>
-      <translation type="unfinished" />
+      <translation>请选择单个视点，或先取消分组。</translation>
     </message>
     <message>
       <source>State its unit if it is not in millimetres.</source>
-      <translation type="unfinished" />
+      <translation>若不是毫米，请说明其单位。</translation>
     </message>
     <message>
       <source>State the unit of the nominal if it is not in millimetres, or lay the part down.</source>
-      <translation type="unfinished" />
+      <translation>若不是毫米，请说明名义模型的单位，或将工件放平。</translation>
     </message>
     <message>
       <source>State the unit of the nominal if it is not in millimetres, or move the part to the middle of the table.</source>
-      <translation type="unfinished" />
+      <translation>若不是毫米，请说明名义模型的单位，或将工件移到转台中间。</translation>
     </message>
     <message>
       <source>The bodies {v1} touch whatever the joint angles: the model of the cell is wrong.</source>
-      <translation type="unfinished" />
+      <translation>无论关节角如何，物体 {v1} 都接触：工作站模型有误。</translation>
     </message>
     <message>
       <source>The name {v1} is taken.</source>
-      <translation type="unfinished" />
+      <translation>名称 {v1} 已被使用。</translation>
     </message>
     <message>
       <source>The nominal has no surface: all its triangles are degenerate.</source>
-      <translation type="unfinished" />
+      <translation>名义模型没有表面：其所有三角形均退化。</translation>
     </message>
     <message>
       <source>The nominal has no triangles, or corners that are not finite.</source>
-      <translation type="unfinished" />
+      <translation>名义模型没有三角形，或顶点不是有限值。</translation>
     </message>
     <message>
       <source>The nominal is {v1} mm long, too small to be measured.</source>
-      <translation type="unfinished" />
+      <translation>名义模型长 {v1} mm，太小而无法测量。</translation>
     </message>
     <message>
       <source>The part is too large for {v1}: turning with the table it needs {v2} mm, and parts may have up to {v3} mm.</source>
-      <translation type="unfinished" />
+      <translation>工件对 {v1} 太大：随转台转动需要 {v2} mm，而工件最多 {v3} mm。</translation>
     </message>
     <message>
       <source>The part is too large for {v1}: turning with the table it needs {v2} mm; {v3} mm are allowed.</source>
-      <translation type="unfinished" />
+      <translation>工件对 {v1} 太大：随转台转动需要 {v2} mm；允许 {v3} mm。</translation>
     </message>
     <message>
       <source>The part is {v1} mm high; the robot of {v2} reaches {v3} mm above the table.</source>
-      <translation type="unfinished" />
+      <translation>工件高 {v1} mm；{v2} 的机器人在转台上方可达 {v3} mm。</translation>
     </message>
     <message>
       <source>The part reaches {v1} mm below the top of the table.</source>
-      <translation type="unfinished" />
+      <translation>工件低于转台台面 {v1} mm。</translation>
     </message>
     <message>
       <source>The plan exceeds the limits of {v1}: {v2}.</source>
-      <translation type="unfinished" />
+      <translation>计划超出 {v1} 的限位：{v2}。</translation>
     </message>
     <message>
       <source>The plan has no viewpoint or group {v1}.</source>
-      <translation type="unfinished" />
+      <translation>计划没有视点或组 {v1}。</translation>
     </message>
     <message>
       <source>The plan is not free of collisions. {v1}</source>
-      <translation type="unfinished" />
+      <translation>计划有碰撞。{v1}</translation>
     </message>
     <message>
       <source>Their product may be {v1} at most.</source>
-      <translation type="unfinished" />
+      <translation>其乘积最多为 {v1}。</translation>
     </message>
     <message>
       <source>This is impossible: {v1}.</source>
-      <translation type="unfinished" />
+      <translation>这不可能：{v1}。</translation>
     </message>
     <message>
       <source>Ungroup it first, or remove all viewpoints of a pose or of a table angle.</source>
-      <translation type="unfinished" />
+      <translation>请先取消分组，或移除一个位姿或一个转台角度的所有视点。</translation>
     </message>
     <message>
       <source>Write a plan for this part.</source>
-      <translation type="unfinished" />
+      <translation>请为此工件编写计划。</translation>
     </message>
     <message>
       <source>reach and collisions</source>
-      <translation type="unfinished" />
+      <translation>可达性与碰撞</translation>
     </message>
     <message>
       <source>viewpoints for pockets</source>
-      <translation type="unfinished" />
+      <translation>凹腔的视点</translation>
     </message>
     <message>
       <source>what cannot be seen</source>
-      <translation type="unfinished" />
+      <translation>看不到的部分</translation>
     </message>
     <message>
       <source>{v1} cannot be a name.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 不能用作名称。</translation>
     </message>
     <message>
       <source>{v1} cannot measure any of the part: none of {v2} feasible viewpoints sees it.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 不能测量工件的任何部分：{v2} 个可行视点均看不到。</translation>
     </message>
     <message>
       <source>{v1} cannot reach a viewpoint of this part at or near an elevation of {v2}°.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 在仰角 {v2}° 或附近不能到达此工件的视点。</translation>
     </message>
     <message>
       <source>{v1} is a single viewpoint.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 是单个视点。</translation>
     </message>
     <message>
       <source>{v1} is named after its group {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 以其组 {v2} 命名。</translation>
     </message>
     <message>
       <source>{v1} reaches no viewpoint that sees this place of the part at less than {v2}° to its surface normal.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 不能到达与该处表面法线夹角小于 {v2}° 的视点。</translation>
     </message>
     <message>
       <source>{v1} samples and {v2} candidates need too much memory.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 个采样和 {v2} 个候选需要太多内存。</translation>
     </message>
     <message>
       <source>{v1} viewpoints</source>
-      <translation type="unfinished" />
+      <translation>{v1} 个视点</translation>
     </message>
     <message>
       <source>{v1} viewpoints chosen</source>
-      <translation type="unfinished" />
+      <translation>已选择 {v1} 个视点</translation>
     </message>
     <message>
       <source>{v1} viewpoints were requested.</source>
-      <translation type="unfinished" />
+      <translation>要求了 {v1} 个视点。</translation>
     </message>
     <message>
       <source>{v1} viewpoints, exchanges</source>
-      <translation type="unfinished" />
+      <translation>{v1} 个视点，交换</translation>
     </message>
   </context>
   <context>
     <name>core.project</name>
     <message>
       <source>--alignment {v1}: {v2}.</source>
-      <translation type="unfinished" />
+      <translation>--alignment {v1}：{v2}。</translation>
     </message>
     <message>
       <source>--images names camera {v1} twice.</source>
-      <translation type="unfinished" />
+      <translation>--images 两次列出相机 {v1}。</translation>
     </message>
     <message>
       <source>--images {v1} names no camera.</source>
-      <translation type="unfinished" />
+      <translation>--images {v1} 没有指定相机。</translation>
     </message>
     <message>
       <source>A projector of {v1} × {v2} px is not supported.</source>
-      <translation type="unfinished" />
+      <translation>不支持 {v1} × {v2} px 的投影仪。</translation>
     </message>
     <message>
       <source>A release needs a name.</source>
-      <translation type="unfinished" />
+      <translation>发布需要名称。</translation>
     </message>
     <message>
       <source>A six-axis arm is needed.</source>
-      <translation type="unfinished" />
+      <translation>需要六轴手臂。</translation>
     </message>
     <message>
       <source>A temperature of the board says nothing without its class or certificate.</source>
-      <translation type="unfinished" />
+      <translation>没有等级或证书，标定板的温度没有意义。</translation>
     </message>
     <message>
       <source>Add a second pitch or a Gray code.</source>
-      <translation type="unfinished" />
+      <translation>请添加第二个间距或格雷码。</translation>
     </message>
     <message>
       <source>Add limits (lower, upper, velocity) to every revolute joint.</source>
-      <translation type="unfinished" />
+      <translation>请为每个旋转关节添加限位（下限、上限、速度）。</translation>
     </message>
     <message>
       <source>Add projector_px (projector_rows for horizontal fringes).</source>
-      <translation type="unfinished" />
+      <translation>请添加 projector_px（水平条纹为 projector_rows）。</translation>
     </message>
     <message>
       <source>Add the grey level of a saturated pixel: 1023, 4095 or 65535.</source>
-      <translation type="unfinished" />
+      <translation>请添加饱和像素的灰度：1023、4095 或 65535。</translation>
     </message>
     <message>
       <source>Add the missing images.</source>
-      <translation type="unfinished" />
+      <translation>请添加缺少的图像。</translation>
     </message>
     <message>
       <source>Add the shifted sinusoids.</source>
-      <translation type="unfinished" />
+      <translation>请添加相移正弦条纹。</translation>
     </message>
     <message>
       <source>Add {v1} at the top of the file.</source>
-      <translation type="unfinished" />
+      <translation>请在文件开头添加 {v1}。</translation>
     </message>
     <message>
       <source>Calibrate again, or delete this file to continue without it.</source>
-      <translation type="unfinished" />
+      <translation>请重新标定，或删除此文件以在没有它的情况下继续。</translation>
     </message>
     <message>
       <source>Calibrate the rig into this project first.</source>
-      <translation type="unfinished" />
+      <translation>请先将测量系统标定到此项目。</translation>
     </message>
     <message>
       <source>Check memory and disk of the computer.</source>
-      <translation type="unfinished" />
+      <translation>请检查计算机的内存和磁盘。</translation>
     </message>
     <message>
       <source>Check the folder and its permissions.</source>
-      <translation type="unfinished" />
+      <translation>请检查文件夹及其权限。</translation>
     </message>
     <message>
       <source>Check the folder and quote the pattern.</source>
-      <translation type="unfinished" />
+      <translation>请检查文件夹，并给模式加引号。</translation>
     </message>
     <message>
       <source>Check the path in the manifest.</source>
-      <translation type="unfinished" />
+      <translation>请检查清单中的路径。</translation>
     </message>
     <message>
       <source>Check the path.</source>
-      <translation type="unfinished" />
+      <translation>请检查路径。</translation>
     </message>
     <message>
       <source>Check the permissions of the folder.</source>
-      <translation type="unfinished" />
+      <translation>请检查文件夹的权限。</translation>
     </message>
     <message>
       <source>Check the permissions, or choose another folder.</source>
-      <translation type="unfinished" />
+      <translation>请检查权限，或选择另一文件夹。</translation>
     </message>
     <message>
       <source>Check the permissions, or copy the folder to a disk of your own.</source>
-      <translation type="unfinished" />
+      <translation>请检查权限，或将文件夹复制到自己的磁盘。</translation>
     </message>
     <message>
       <source>Check the size given in [board], the unit of the certificate (mm), and that it numbers the marks row by row from 0.</source>
-      <translation type="unfinished" />
+      <translation>请检查 [board] 中的尺寸、证书的单位 (mm)，以及标记从 0 起逐行编号。</translation>
     </message>
     <message>
       <source>Choose a folder outside the project.</source>
-      <translation type="unfinished" />
+      <translation>请选择项目之外的文件夹。</translation>
     </message>
     <message>
       <source>Choose a folder that exists.</source>
-      <translation type="unfinished" />
+      <translation>请选择存在的文件夹。</translation>
     </message>
     <message>
       <source>Choose a folder with a shorter path.</source>
-      <translation type="unfinished" />
+      <translation>请选择路径较短的文件夹。</translation>
     </message>
     <message>
       <source>Choose a new or an empty folder for the copy.</source>
-      <translation type="unfinished" />
+      <translation>请为副本选择新的或空的文件夹。</translation>
     </message>
     <message>
       <source>Choose a new or an empty folder.</source>
-      <translation type="unfinished" />
+      <translation>请选择新的或空的文件夹。</translation>
     </message>
     <message>
       <source>Choose one of its features or dimensions.</source>
-      <translation type="unfinished" />
+      <translation>请选择其特征或尺寸之一。</translation>
     </message>
     <message>
       <source>Choose one with {v1} or more digits or letters.</source>
-      <translation type="unfinished" />
+      <translation>请选择至少 {v1} 个数字或字母的。</translation>
     </message>
     <message>
       <source>Choose the certificate of this board, or correct the board.</source>
-      <translation type="unfinished" />
+      <translation>请选择此标定板的证书，或更正标定板。</translation>
     </message>
     <message>
       <source>Choose the folder that holds the fringe images of the board.</source>
-      <translation type="unfinished" />
+      <translation>请选择含标定板条纹图像的文件夹。</translation>
     </message>
     <message>
       <source>Choose the folder that holds the images of the board.</source>
-      <translation type="unfinished" />
+      <translation>请选择含标定板图像的文件夹。</translation>
     </message>
     <message>
       <source>Convert the positions from metres to mm.</source>
-      <translation type="unfinished" />
+      <translation>请将位置从米换算为 mm。</translation>
     </message>
     <message>
       <source>Copy or record it again.</source>
-      <translation type="unfinished" />
+      <translation>请重新复制或录制。</translation>
     </message>
     <message>
       <source>Copy the file again from where it was written.</source>
-      <translation type="unfinished" />
+      <translation>请从写出处重新复制文件。</translation>
     </message>
     <message>
       <source>Copy the mesh there, or correct `nominal`.</source>
-      <translation type="unfinished" />
+      <translation>请将网格复制到那里，或更正 `nominal`。</translation>
     </message>
     <message>
       <source>Copying {v1}</source>
-      <translation type="unfinished" />
+      <translation>正在复制 {v1}</translation>
     </message>
     <message>
       <source>Correct it, or delete it and set operator mode up again.</source>
-      <translation type="unfinished" />
+      <translation>请更正它，或删除它并重新设置操作模式。</translation>
     </message>
     <message>
       <source>Correct periods or {v1}.</source>
-      <translation type="unfinished" />
+      <translation>请更正 periods 或 {v1}。</translation>
     </message>
     <message>
       <source>Correct the axis of this joint.</source>
-      <translation type="unfinished" />
+      <translation>请更正此关节的轴。</translation>
     </message>
     <message>
       <source>Correct the line named.</source>
-      <translation type="unfinished" />
+      <translation>请更正所指的行。</translation>
     </message>
     <message>
       <source>Correct the paths, which are relative to the manifest's folder, or copy the images there.</source>
-      <translation type="unfinished" />
+      <translation>请更正路径（相对于清单的文件夹），或将图像复制到那里。</translation>
     </message>
     <message>
       <source>Correct the value.</source>
-      <translation type="unfinished" />
+      <translation>请更正该值。</translation>
     </message>
     <message>
       <source>Correct this attribute.</source>
-      <translation type="unfinished" />
+      <translation>请更正此属性。</translation>
     </message>
     <message>
       <source>Correct this entry of the inspection program.</source>
-      <translation type="unfinished" />
+      <translation>请更正检测程序的此条目。</translation>
     </message>
     <message>
       <source>Correct this entry of the plan.</source>
-      <translation type="unfinished" />
+      <translation>请更正计划的此条目。</translation>
     </message>
     <message>
       <source>Correct this field.</source>
-      <translation type="unfinished" />
+      <translation>请更正此字段。</translation>
     </message>
     <message>
       <source>Correct this line.</source>
-      <translation type="unfinished" />
+      <translation>请更正此行。</translation>
     </message>
     <message>
       <source>Delete the DOCTYPE from the file.</source>
-      <translation type="unfinished" />
+      <translation>请从文件中删除 DOCTYPE。</translation>
     </message>
     <message>
       <source>Detect the corners again.</source>
-      <translation type="unfinished" />
+      <translation>请重新检测角点。</translation>
     </message>
     <message>
       <source>End its name in .toml or .json.</source>
-      <translation type="unfinished" />
+      <translation>其名称请以 .toml 或 .json 结尾。</translation>
     </message>
     <message>
       <source>Export or copy the file again.</source>
-      <translation type="unfinished" />
+      <translation>请重新导出或复制文件。</translation>
     </message>
     <message>
       <source>Export the arm alone, without gripper, guide or second arm.</source>
-      <translation type="unfinished" />
+      <translation>请只导出手臂，不含夹爪、导轨或第二手臂。</translation>
     </message>
     <message>
       <source>Export the part again as OBJ with a mesh in it.</source>
-      <translation type="unfinished" />
+      <translation>请将工件重新导出为含网格的 OBJ。</translation>
     </message>
     <message>
       <source>Filter it again on the page Clouds.</source>
-      <translation type="unfinished" />
+      <translation>请在“点云”页重新过滤。</translation>
     </message>
     <message>
       <source>Free some space or choose another folder.</source>
-      <translation type="unfinished" />
+      <translation>请释放一些空间或选择另一文件夹。</translation>
     </message>
     <message>
       <source>Free some space, or choose another disk.</source>
-      <translation type="unfinished" />
+      <translation>请释放一些空间，或选择另一磁盘。</translation>
     </message>
     <message>
       <source>Give 4, 5, 8, 12 or 14 coefficients in OpenCV's order.</source>
-      <translation type="unfinished" />
+      <translation>请按 OpenCV 的顺序给出 4、5、8、12 或 14 个系数。</translation>
     </message>
     <message>
       <source>Give [[fx, 0, cx], [0, fy, cy], [0, 0, 1]] in pixels.</source>
-      <translation type="unfinished" />
+      <translation>请以像素给出 [[fx, 0, cx], [0, fy, cy], [0, 0, 1]]。</translation>
     </message>
     <message>
       <source>Give a PLY, STL, OBJ or STEP file.</source>
-      <translation type="unfinished" />
+      <translation>请给出 PLY、STL、OBJ 或 STEP 文件。</translation>
     </message>
     <message>
       <source>Give a cameras.json written by `measureapp calibrate cameras`.</source>
-      <translation type="unfinished" />
+      <translation>请给出由 `measureapp calibrate cameras` 写出的 cameras.json。</translation>
     </message>
     <message>
       <source>Give a file with one point (x y z) a line.</source>
-      <translation type="unfinished" />
+      <translation>请给出每行一个点 (x y z) 的文件。</translation>
     </message>
     <message>
       <source>Give a file written by `measureapp calibrate cameras`.</source>
-      <translation type="unfinished" />
+      <translation>请给出由 `measureapp calibrate cameras` 写出的文件。</translation>
     </message>
     <message>
       <source>Give a file written by `measureapp response`.</source>
-      <translation type="unfinished" />
+      <translation>请给出由 `measureapp response` 写出的文件。</translation>
     </message>
     <message>
       <source>Give a file, or one of: {v1}.</source>
-      <translation type="unfinished" />
+      <translation>请给出文件，或其一：{v1}。</translation>
     </message>
     <message>
       <source>Give a mesh, or make one of the cloud first.</source>
-      <translation type="unfinished" />
+      <translation>请给出网格，或先由点云生成。</translation>
     </message>
     <message>
       <source>Give a new or empty folder.</source>
-      <translation type="unfinished" />
+      <translation>请给出新的或空的文件夹。</translation>
     </message>
     <message>
       <source>Give a rig description (TOML), or one of: {v1}.</source>
-      <translation type="unfinished" />
+      <translation>请给出测量系统描述 (TOML)，或其一：{v1}。</translation>
     </message>
     <message>
       <source>Give at most {v1}.</source>
-      <translation type="unfinished" />
+      <translation>请最多给出 {v1}。</translation>
     </message>
     <message>
       <source>Give comma-separated values in UTF-8.</source>
-      <translation type="unfinished" />
+      <translation>请给出 UTF-8 的逗号分隔值。</translation>
     </message>
     <message>
       <source>Give each exposure once.</source>
-      <translation type="unfinished" />
+      <translation>请每个曝光给出一次。</translation>
     </message>
     <message>
       <source>Give every camera the same images.</source>
-      <translation type="unfinished" />
+      <translation>请给每台相机相同的图像。</translation>
     </message>
     <message>
       <source>Give it as 2026-05-04 or 2026-05-04T10:20:30+02:00.</source>
-      <translation type="unfinished" />
+      <translation>请写作 2026-05-04 或 2026-05-04T10:20:30+02:00。</translation>
     </message>
     <message>
       <source>Give it in °C with its uncertainty (k = 2), such as 21.5±0.5.</source>
-      <translation type="unfinished" />
+      <translation>请以 °C 给出，并附其不确定度 (k = 2)，如 21.5±0.5。</translation>
     </message>
     <message>
       <source>Give labels such as "left.fx" or "right.x_mm".</source>
-      <translation type="unfinished" />
+      <translation>请给出 "left.fx" 或 "right.x_mm" 之类的标签。</translation>
     </message>
     <message>
       <source>Give names with numbers.</source>
-      <translation type="unfinished" />
+      <translation>请给出带编号的名称。</translation>
     </message>
     <message>
       <source>Give one image of every camera per board position.</source>
-      <translation type="unfinished" />
+      <translation>请每个标定板位置给出每台相机的一幅图像。</translation>
     </message>
     <message>
       <source>Give one pattern per camera.</source>
-      <translation type="unfinished" />
+      <translation>请每台相机给出一个模式。</translation>
     </message>
     <message>
       <source>Give one value, at the top of the file.</source>
-      <translation type="unfinished" />
+      <translation>请在文件开头给出一个值。</translation>
     </message>
     <message>
       <source>Give the angles of all positions, or none.</source>
-      <translation type="unfinished" />
+      <translation>请给出所有位置的角度，或都不给。</translation>
     </message>
     <message>
       <source>Give the arguments of the command as strings.</source>
-      <translation type="unfinished" />
+      <translation>请以字符串给出命令的参数。</translation>
     </message>
     <message>
       <source>Give the file of an arm (TOML or URDF), or one of: {v1}.</source>
-      <translation type="unfinished" />
+      <translation>请给出手臂的文件（TOML 或 URDF），或其一：{v1}。</translation>
     </message>
     <message>
       <source>Give the image's size in pixels.</source>
-      <translation type="unfinished" />
+      <translation>请以像素给出图像尺寸。</translation>
     </message>
     <message>
       <source>Give the images of one camera.</source>
-      <translation type="unfinished" />
+      <translation>请给出一台相机的图像。</translation>
     </message>
     <message>
       <source>Give the path of a cameras.json.</source>
-      <translation type="unfinished" />
+      <translation>请给出 cameras.json 的路径。</translation>
     </message>
     <message>
       <source>Give the picture of the part as PNG.</source>
-      <translation type="unfinished" />
+      <translation>请以 PNG 给出工件图片。</translation>
     </message>
     <message>
       <source>Give the projector another name.</source>
-      <translation type="unfinished" />
+      <translation>请给投影仪起另一个名称。</translation>
     </message>
     <message>
       <source>Give x, y and z on every line.</source>
-      <translation type="unfinished" />
+      <translation>请在每行给出 x、y 和 z。</translation>
     </message>
     <message>
       <source>Give {v1} to {v2} px for width and height.</source>
-      <translation type="unfinished" />
+      <translation>宽和高请给 {v1} 至 {v2} px。</translation>
     </message>
     <message>
       <source>Give {v1}, at the top of the file.</source>
-      <translation type="unfinished" />
+      <translation>请在文件开头给出 {v1}。</translation>
     </message>
     <message>
       <source>Give {v1}.</source>
-      <translation type="unfinished" />
+      <translation>请给出 {v1}。</translation>
     </message>
     <message>
       <source>Give {{"left": {{…}}, …}}.</source>
-      <translation type="unfinished" />
+      <translation>请给出 {{"left": {{…}}, …}}。</translation>
     </message>
     <message>
       <source>Image {v1} cannot be decoded.</source>
-      <translation type="unfinished" />
+      <translation>无法解码图像 {v1}。</translation>
     </message>
     <message>
       <source>Image {v1} cannot be read: {v2}.</source>
-      <translation type="unfinished" />
+      <translation>无法读取图像 {v1}：{v2}。</translation>
     </message>
     <message>
       <source>Image {v1} differs from {v2} in size or bit depth.</source>
-      <translation type="unfinished" />
+      <translation>图像 {v1} 的尺寸或位深与 {v2} 不同。</translation>
     </message>
     <message>
       <source>Image {v1} has {v2} bit, {v3} has {v4} bit.</source>
-      <translation type="unfinished" />
+      <translation>图像 {v1} 为 {v2} 位，{v3} 为 {v4} 位。</translation>
     </message>
     <message>
       <source>Image {v1} has {v2} pixels.</source>
-      <translation type="unfinished" />
+      <translation>图像 {v1} 有 {v2} 像素。</translation>
     </message>
     <message>
       <source>Image {v1} has {v2} × {v3} px, {v4} has {v5} × {v6} px.</source>
-      <translation type="unfinished" />
+      <translation>图像 {v1} 为 {v2} × {v3} px，{v4} 为 {v5} × {v6} px。</translation>
     </message>
     <message>
       <source>Image {v1} is truncated: its end is missing.</source>
-      <translation type="unfinished" />
+      <translation>图像 {v1} 被截断：缺少末尾。</translation>
     </message>
     <message>
       <source>Install it with `python -m pip install {v1}` in MeasureApp's environment, or export the part as STL.</source>
-      <translation type="unfinished" />
+      <translation>请在 MeasureApp 的环境中用 `python -m pip install {v1}` 安装，或将工件导出为 STL。</translation>
     </message>
     <message>
       <source>Its 3×3 part must be a rotation; lengths in mm.</source>
-      <translation type="unfinished" />
+      <translation>其 3×3 部分须为旋转；长度单位 mm。</translation>
     </message>
     <message>
       <source>Its last row is 0 0 0 1; lengths in mm.</source>
-      <translation type="unfinished" />
+      <translation>其最后一行为 0 0 0 1；长度单位 mm。</translation>
     </message>
     <message>
       <source>Leave the unit of the nominal out.</source>
-      <translation type="unfinished" />
+      <translation>请省略名义模型的单位。</translation>
     </message>
     <message>
       <source>Leave the unit out.</source>
-      <translation type="unfinished" />
+      <translation>请省略单位。</translation>
     </message>
     <message>
       <source>Link {v1} is not between {v2} and {v3}.</source>
-      <translation type="unfinished" />
+      <translation>连杆 {v1} 不在 {v2} 与 {v3} 之间。</translation>
     </message>
     <message>
       <source>Link {v1} is the child of several joints.</source>
-      <translation type="unfinished" />
+      <translation>连杆 {v1} 是多个关节的子连杆。</translation>
     </message>
     <message>
       <source>Measure the part with an inspection program first.</source>
-      <translation type="unfinished" />
+      <translation>请先用检测程序测量工件。</translation>
     </message>
     <message>
       <source>Measured results are kept; measure the part again and state why.</source>
-      <translation type="unfinished" />
+      <translation>测量结果会保留；请重新测量工件并说明原因。</translation>
     </message>
     <message>
       <source>Name a .ply file for the coloured nominal.</source>
-      <translation type="unfinished" />
+      <translation>请为着色的名义模型指定 .ply 文件。</translation>
     </message>
     <message>
       <source>Name a file of the project, such as inspection/program.toml.</source>
-      <translation type="unfinished" />
+      <translation>请指定项目的文件，如 inspection/program.toml。</translation>
     </message>
     <message>
       <source>Name a file that ends in .csv or .json.</source>
-      <translation type="unfinished" />
+      <translation>请指定以 .csv 或 .json 结尾的文件。</translation>
     </message>
     <message>
       <source>Name a file that ends in .svg.</source>
-      <translation type="unfinished" />
+      <translation>请指定以 .svg 结尾的文件。</translation>
     </message>
     <message>
       <source>Name a folder that contains a {v1}.</source>
-      <translation type="unfinished" />
+      <translation>请指定含有 {v1} 的文件夹。</translation>
     </message>
     <message>
       <source>Name a link of the chain as base.</source>
-      <translation type="unfinished" />
+      <translation>请指定链中的一个连杆为基座。</translation>
     </message>
     <message>
       <source>Name best-fit, none, or a file with a 4×4 matrix.</source>
-      <translation type="unfinished" />
+      <translation>请指定 best-fit、none，或含 4×4 矩阵的文件。</translation>
     </message>
     <message>
       <source>Name each parameter once.</source>
-      <translation type="unfinished" />
+      <translation>请每个参数列一次。</translation>
     </message>
     <message>
       <source>Name every camera in every group.</source>
-      <translation type="unfinished" />
+      <translation>请在每组中列出每台相机。</translation>
     </message>
     <message>
       <source>Name its cameras: {v1}.</source>
-      <translation type="unfinished" />
+      <translation>请列出其相机：{v1}。</translation>
     </message>
     <message>
       <source>Name project folders, or folders with projects in them.</source>
-      <translation type="unfinished" />
+      <translation>请指定项目文件夹，或含项目的文件夹。</translation>
     </message>
     <message>
       <source>Name the link of the flange, one of: {v1}.</source>
-      <translation type="unfinished" />
+      <translation>请指定法兰的连杆，其一：{v1}。</translation>
     </message>
     <message>
       <source>Name {v1} images, in order.</source>
-      <translation type="unfinished" />
+      <translation>请按顺序列出 {v1} 幅图像。</translation>
     </message>
     <message>
       <source>No file matches {v1}.</source>
-      <translation type="unfinished" />
+      <translation>没有文件与 {v1} 匹配。</translation>
     </message>
     <message>
       <source>No image matches {v1} for camera {v2}.</source>
-      <translation type="unfinished" />
+      <translation>没有图像与相机 {v2} 的 {v1} 匹配。</translation>
     </message>
     <message>
       <source>No images were given.</source>
-      <translation type="unfinished" />
+      <translation>没有给出图像。</translation>
     </message>
     <message>
       <source>No joint ends at a link {v1}.</source>
-      <translation type="unfinished" />
+      <translation>没有关节止于连杆 {v1}。</translation>
     </message>
     <message>
       <source>No manifest matches {v1}.</source>
-      <translation type="unfinished" />
+      <translation>没有清单与 {v1} 匹配。</translation>
     </message>
     <message>
       <source>Number the corners the same way at all positions.</source>
-      <translation type="unfinished" />
+      <translation>请在所有位置以相同方式给角点编号。</translation>
     </message>
     <message>
       <source>Number the marks from 0 row by row, all with the same position.</source>
-      <translation type="unfinished" />
+      <translation>请从 0 起逐行给标记编号，所有位置相同。</translation>
     </message>
     <message>
       <source>Only open chains are supported.</source>
-      <translation type="unfinished" />
+      <translation>只支持开链。</translation>
     </message>
     <message>
       <source>Only revolute joints with limits, and fixed ones, are supported.</source>
-      <translation type="unfinished" />
+      <translation>只支持有限位的旋转关节和固定关节。</translation>
     </message>
     <message>
       <source>Open it with that version.</source>
-      <translation type="unfinished" />
+      <translation>请用该版本打开。</translation>
     </message>
     <message>
       <source>Open it with the version that wrote it, or a later one.</source>
-      <translation type="unfinished" />
+      <translation>请用写出它的版本或更高版本打开。</translation>
     </message>
     <message>
       <source>Open the project with that version.</source>
-      <translation type="unfinished" />
+      <translation>请用该版本打开项目。</translation>
     </message>
     <message>
       <source>Point the cameras at a stationary surface with bright and dark areas, and measure again.</source>
-      <translation type="unfinished" />
+      <translation>请将相机对准有明暗区域的静止表面，并重新测量。</translation>
     </message>
     <message>
       <source>Process it once with this version.</source>
-      <translation type="unfinished" />
+      <translation>请用此版本处理一次。</translation>
     </message>
     <message>
       <source>Put the pattern in quotes and check the folder.</source>
-      <translation type="unfinished" />
+      <translation>请给模式加引号并检查文件夹。</translation>
     </message>
     <message>
       <source>Read it as plain points, or process the project again.</source>
-      <translation type="unfinished" />
+      <translation>请将其作为普通点读取，或重新处理项目。</translation>
     </message>
     <message>
       <source>Read it as plain points, or stitch again.</source>
-      <translation type="unfinished" />
+      <translation>请将其作为普通点读取，或重新拼接。</translation>
     </message>
     <message>
       <source>Recompute them: measureapp process PROJECT.</source>
-      <translation type="unfinished" />
+      <translation>请重新计算：measureapp process PROJECT。</translation>
     </message>
     <message>
       <source>Record all images with one bit depth.</source>
-      <translation type="unfinished" />
+      <translation>请以同一位深录制所有图像。</translation>
     </message>
     <message>
       <source>Record the same patterns at every exposure.</source>
-      <translation type="unfinished" />
+      <translation>请在每个曝光录制相同的图案。</translation>
     </message>
     <message>
       <source>Record vertical and horizontal fringes at every position, for example a set named …-both of `measureapp patterns export`.</source>
-      <translation type="unfinished" />
+      <translation>请在每个位置录制垂直和水平条纹，例如 `measureapp patterns export` 的名为 …-both 的图案集。</translation>
     </message>
     <message>
       <source>Reduce the cloud or mesh first.</source>
-      <translation type="unfinished" />
+      <translation>请先减小点云或网格。</translation>
     </message>
     <message>
       <source>Remove the field, or calibrate again.</source>
-      <translation type="unfinished" />
+      <translation>请移除该字段，或重新标定。</translation>
     </message>
     <message>
       <source>Restore both of its files from a backup, or calibrate again.</source>
-      <translation type="unfinished" />
+      <translation>请从备份恢复其两个文件，或重新标定。</translation>
     </message>
     <message>
       <source>Restore it from a backup, or import the recording again.</source>
-      <translation type="unfinished" />
+      <translation>请从备份恢复，或重新导入录制。</translation>
     </message>
     <message>
       <source>Restore it from a backup, or take the position again.</source>
-      <translation type="unfinished" />
+      <translation>请从备份恢复，或重新拍摄该位置。</translation>
     </message>
     <message>
       <source>Restore it from a backup, or write a new one.</source>
-      <translation type="unfinished" />
+      <translation>请从备份恢复，或写一个新的。</translation>
     </message>
     <message>
       <source>Restore the file from a backup, or create a new project.</source>
-      <translation type="unfinished" />
+      <translation>请从备份恢复文件，或创建新项目。</translation>
     </message>
     <message>
       <source>Restore the file from a backup.</source>
-      <translation type="unfinished" />
+      <translation>请从备份恢复文件。</translation>
     </message>
     <message>
       <source>Save it as ascii or (uncompressed) binary PCD, or as PLY.</source>
-      <translation type="unfinished" />
+      <translation>请保存为 ascii 或（未压缩的）二进制 PCD，或 PLY。</translation>
     </message>
     <message>
       <source>Scan into a new project, or only add viewpoints.</source>
-      <translation type="unfinished" />
+      <translation>请扫描到新项目，或只添加视点。</translation>
     </message>
     <message>
       <source>Scan the part again to compute it anew.</source>
-      <translation type="unfinished" />
+      <translation>请重新扫描工件以重新计算。</translation>
     </message>
     <message>
       <source>Sections cannot be written as {v1}.</source>
-      <translation type="unfinished" />
+      <translation>截面不能写为 {v1}。</translation>
     </message>
     <message>
       <source>See the format of cameras.json in the help.</source>
-      <translation type="unfinished" />
+      <translation>cameras.json 的格式请见帮助。</translation>
     </message>
     <message>
       <source>Serial number {v1} was measured before ({v2}).</source>
-      <translation type="unfinished" />
+      <translation>序列号 {v1} 此前已测量 ({v2})。</translation>
     </message>
     <message>
       <source>State --board-class or --certificate.</source>
-      <translation type="unfinished" />
+      <translation>请给出 --board-class 或 --certificate。</translation>
     </message>
     <message>
       <source>State one of them.</source>
-      <translation type="unfinished" />
+      <translation>请给出其一。</translation>
     </message>
     <message>
       <source>State who releases the part program.</source>
-      <translation type="unfinished" />
+      <translation>请说明由谁发布工件程序。</translation>
     </message>
     <message>
       <source>Stitch again, or copy the file again.</source>
-      <translation type="unfinished" />
+      <translation>请重新拼接，或重新复制文件。</translation>
     </message>
     <message>
       <source>Store it in the series of its own program.</source>
-      <translation type="unfinished" />
+      <translation>请将其存入自己程序的系列。</translation>
     </message>
     <message>
       <source>Store only stacks taken by a rig in a project.</source>
-      <translation type="unfinished" />
+      <translation>项目中只存储测量系统拍摄的图像组。</translation>
     </message>
     <message>
       <source>Take at least two images of each of several brightnesses.</source>
-      <translation type="unfinished" />
+      <translation>请在多个亮度各拍摄至少两幅图像。</translation>
     </message>
     <message>
       <source>Take at least two images of every brightness in constant light.</source>
-      <translation type="unfinished" />
+      <translation>请在恒定光下每个亮度拍摄至少两幅图像。</translation>
     </message>
     <message>
       <source>Take the view again, or restore the file from a backup.</source>
-      <translation type="unfinished" />
+      <translation>请重拍视图，或从备份恢复文件。</translation>
     </message>
     <message>
       <source>Take the view again.</source>
-      <translation type="unfinished" />
+      <translation>请重拍视图。</translation>
     </message>
     <message>
       <source>Take this viewpoint again.</source>
-      <translation type="unfinished" />
+      <translation>请重拍此视点。</translation>
     </message>
     <message>
       <source>Temperature of the board: {v1}.</source>
-      <translation type="unfinished" />
+      <translation>标定板的温度：{v1}。</translation>
     </message>
     <message>
       <source>The 3×3 part must be a rotation without scale or mirror.</source>
-      <translation type="unfinished" />
+      <translation>3×3 部分须为没有缩放或镜像的旋转。</translation>
     </message>
     <message>
       <source>The PIN has fewer than {v1} characters.</source>
-      <translation type="unfinished" />
+      <translation>PIN 少于 {v1} 个字符。</translation>
     </message>
     <message>
       <source>The calibration in {v1} was modified after it was stored.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 中的标定在存储后被修改。</translation>
     </message>
     <message>
       <source>The cameras have different numbers of images ({v1}).</source>
-      <translation type="unfinished" />
+      <translation>各相机的图像数量不同 ({v1})。</translation>
     </message>
     <message>
       <source>The copy needs {v1} GB, and {v2} has {v3} GB left.</source>
-      <translation type="unfinished" />
+      <translation>副本需要 {v1} GB，而 {v2} 剩余 {v3} GB。</translation>
     </message>
     <message>
       <source>The image of camera {v1} cannot be encoded.</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1} 的图像无法编码。</translation>
     </message>
     <message>
       <source>The images of {v1} were removed to save space.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 的图像已为节省空间而移除。</translation>
     </message>
     <message>
       <source>The inspection program has no entry {v1}.</source>
-      <translation type="unfinished" />
+      <translation>检测程序没有条目 {v1}。</translation>
     </message>
     <message>
       <source>The inspection program is not valid TOML: {v1}.</source>
-      <translation type="unfinished" />
+      <translation>检测程序不是有效的 TOML：{v1}。</translation>
     </message>
     <message>
       <source>The joints form a closed loop.</source>
-      <translation type="unfinished" />
+      <translation>关节构成闭环。</translation>
     </message>
     <message>
       <source>The noise model does not fit: {v1}.</source>
-      <translation type="unfinished" />
+      <translation>噪声模型不适合：{v1}。</translation>
     </message>
     <message>
       <source>The path of {v1} is too long: it exceeds {v2} bytes.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 的路径太长：超过 {v2} 字节。</translation>
     </message>
     <message>
       <source>The results in {v1} cannot be read: {v2}</source>
-      <translation type="unfinished" />
+      <translation>无法读取 {v1} 中的结果：{v2}</translation>
     </message>
     <message>
       <source>The rig of {v1} has no camera {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 的测量系统没有相机 {v2}。</translation>
     </message>
     <message>
       <source>The root element is &lt;{v1}&gt;, not &lt;robot&gt;, as in a URDF.</source>
-      <translation type="unfinished" />
+      <translation>根元素是 &lt;{v1}&gt;，而非 URDF 的 &lt;robot&gt;。</translation>
     </message>
     <message>
       <source>The run is of program {v1}, not {v2}.</source>
-      <translation type="unfinished" />
+      <translation>该测量属于程序 {v1}，而非 {v2}。</translation>
     </message>
     <message>
       <source>The stack of {v1} has no axis read-back.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 的图像组没有轴的读回。</translation>
     </message>
     <message>
       <source>There are no images in {v1}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 中没有图像。</translation>
     </message>
     <message>
       <source>There are {v1} revolute joints {v2}.</source>
-      <translation type="unfinished" />
+      <translation>有 {v1} 个旋转关节{v2}。</translation>
     </message>
     <message>
       <source>There is no folder {v1}.</source>
-      <translation type="unfinished" />
+      <translation>没有文件夹 {v1}。</translation>
     </message>
     <message>
       <source>There is no rig {v1}.</source>
-      <translation type="unfinished" />
+      <translation>没有测量系统 {v1}。</translation>
     </message>
     <message>
       <source>There is no robot {v1}.</source>
-      <translation type="unfinished" />
+      <translation>没有机器人 {v1}。</translation>
     </message>
     <message>
       <source>There is no {v1} in {v2} or its subfolders.</source>
-      <translation type="unfinished" />
+      <translation>{v2} 及其子文件夹中没有 {v1}。</translation>
     </message>
     <message>
       <source>Too many wrong attempts. Wait {v1} s.</source>
-      <translation type="unfinished" />
+      <translation>错误尝试过多。请等待 {v1} s。</translation>
     </message>
     <message>
       <source>Use .ply or .stl.</source>
-      <translation type="unfinished" />
+      <translation>请使用 .ply 或 .stl。</translation>
     </message>
     <message>
       <source>Use .ply or .xyz.</source>
-      <translation type="unfinished" />
+      <translation>请使用 .ply 或 .xyz。</translation>
     </message>
     <message>
       <source>Use every image once.</source>
-      <translation type="unfinished" />
+      <translation>每幅图像请只用一次。</translation>
     </message>
     <message>
       <source>Use images of one size for each camera.</source>
-      <translation type="unfinished" />
+      <translation>每台相机请使用同一尺寸的图像。</translation>
     </message>
     <message>
       <source>Use the calibration of the camera that took the images.</source>
-      <translation type="unfinished" />
+      <translation>请使用拍摄这些图像的相机的标定。</translation>
     </message>
     <message>
       <source>Use the version of MeasureApp that wrote it.</source>
-      <translation type="unfinished" />
+      <translation>请使用写出它的 MeasureApp 版本。</translation>
     </message>
     <message>
       <source>Wait until it has finished, or close it; then try again.</source>
-      <translation type="unfinished" />
+      <translation>请等待其完成，或关闭它；然后重试。</translation>
     </message>
     <message>
       <source>Wait until that has finished, then try again.</source>
-      <translation type="unfinished" />
+      <translation>请等待其完成，然后重试。</translation>
     </message>
     <message>
       <source>Write --images left='folder/left*.png'.</source>
-      <translation type="unfinished" />
+      <translation>请写作 --images left='folder/left*.png'。</translation>
     </message>
     <message>
       <source>Write the file again with this version.</source>
-      <translation type="unfinished" />
+      <translation>请用此版本重新写出文件。</translation>
     </message>
     <message>
       <source>Write the manifest as `measureapp decode --help` describes.</source>
-      <translation type="unfinished" />
+      <translation>请按 `measureapp decode --help` 的说明编写清单。</translation>
     </message>
     <message>
       <source>{v1} and the class {v2} both state the lengths of the board.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 与等级 {v2} 都给出了标定板的长度。</translation>
     </message>
     <message>
       <source>{v1} and {v2} are both image {v3} of camera {v4}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 与 {v2} 都是相机 {v4} 的图像 {v3}。</translation>
     </message>
     <message>
       <source>{v1} cannot be read as a part program: {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 不能读作工件程序：{v2}。</translation>
     </message>
     <message>
       <source>{v1} cannot be read as a report template: {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 不能读作报告模板：{v2}。</translation>
     </message>
     <message>
       <source>{v1} cannot be read as an alignment: {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 不能读作对齐：{v2}。</translation>
     </message>
     <message>
       <source>{v1} cannot be read as {v2}: {v3}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 不能读作 {v2}：{v3}。</translation>
     </message>
     <message>
       <source>{v1} cannot be written to.</source>
-      <translation type="unfinished" />
+      <translation>无法写入 {v1}。</translation>
     </message>
     <message>
       <source>{v1} cannot be written.</source>
-      <translation type="unfinished" />
+      <translation>无法写出 {v1}。</translation>
     </message>
     <message>
       <source>{v1} cannot hold a mesh.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 不能保存网格。</translation>
     </message>
     <message>
       <source>{v1} contains another file: {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 含有其他文件：{v2}。</translation>
     </message>
     <message>
       <source>{v1} contains images of another plan.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 含有另一计划的图像。</translation>
     </message>
     <message>
       <source>{v1} contains noise models that do not fit their camera ({v2}).</source>
-      <translation type="unfinished" />
+      <translation>{v1} 含有与其相机不符的噪声模型 ({v2})。</translation>
     </message>
     <message>
       <source>{v1} contains {v2}, which no part program has.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 含有 {v2}，工件程序中没有它。</translation>
     </message>
     <message>
       <source>{v1} could not be compressed without loss, and stays as it is.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 无法无损压缩，保持原样。</translation>
     </message>
     <message>
       <source>{v1} could not be tessellated: {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 无法三角化：{v2}。</translation>
     </message>
     <message>
       <source>{v1} declares a document type (DOCTYPE), which can hide entities.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 声明了文档类型 (DOCTYPE)，其中可能隐藏实体。</translation>
     </message>
     <message>
       <source>{v1} differs from the group of the longest exposure.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 与最长曝光的组不同。</translation>
     </message>
     <message>
       <source>{v1} does not describe a stack: {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 没有描述图像组：{v2}。</translation>
     </message>
     <message>
       <source>{v1} does not end in .ply.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 不以 .ply 结尾。</translation>
     </message>
     <message>
       <source>{v1} does not exist or is not a file.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 不存在或不是文件。</translation>
     </message>
     <message>
       <source>{v1} does not hold a calibration: {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 中没有标定：{v2}。</translation>
     </message>
     <message>
       <source>{v1} does not hold numbers only.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 中不全是数字。</translation>
     </message>
     <message>
       <source>{v1} does not hold the 16 finite numbers of a 4×4 matrix.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 中没有 4×4 矩阵的 16 个有限数值。</translation>
     </message>
     <message>
       <source>{v1} does not hold the corners of a camera calibration: {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 中没有相机标定的角点：{v2}。</translation>
     </message>
     <message>
       <source>{v1} does not say whether it is ascii or binary.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 没有说明是 ascii 还是二进制。</translation>
     </message>
     <message>
       <source>{v1} ends with its header.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 在文件头之后结束。</translation>
     </message>
     <message>
       <source>{v1} gives different {v2}: {v3}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 给出不同的{v2}：{v3}。</translation>
     </message>
     <message>
       <source>{v1} has a header that cannot be understood ({v2}).</source>
-      <translation type="unfinished" />
+      <translation>{v1} 的文件头无法理解 ({v2})。</translation>
     </message>
     <message>
       <source>{v1} has a line in its header that cannot be understood: {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 的文件头中有一行无法理解：{v2}。</translation>
     </message>
     <message>
       <source>{v1} has a line without two numbers.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 有一行没有两个数字。</translation>
     </message>
     <message>
       <source>{v1} has a number that is not finite.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 有不是有限值的数字。</translation>
     </message>
     <message>
       <source>{v1} has a triangle that does not have three corners.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 有不是三个顶点的三角形。</translation>
     </message>
     <message>
       <source>{v1} has a vertex that is not three numbers.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 有不是三个数字的顶点。</translation>
     </message>
     <message>
       <source>{v1} has an axis of length 0.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 有长度为 0 的轴。</translation>
     </message>
     <message>
       <source>{v1} has different numbers of images ({v2}).</source>
-      <translation type="unfinished" />
+      <translation>{v1} 的图像数量不同 ({v2})。</translation>
     </message>
     <message>
       <source>{v1} has no calibration.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 没有标定。</translation>
     </message>
     <message>
       <source>{v1} has no checksums.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 没有校验和。</translation>
     </message>
     <message>
       <source>{v1} has no columns level and grey.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 没有 level 和 grey 列。</translation>
     </message>
     <message>
       <source>{v1} has no evaluated dimensions.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 没有已评定的尺寸。</translation>
     </message>
     <message>
       <source>{v1} has no fields x, y and z.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 没有 x、y 和 z 字段。</translation>
     </message>
     <message>
       <source>{v1} has no journal yet.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 尚无日志。</translation>
     </message>
     <message>
       <source>{v1} has no parent or no child link.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 没有父连杆或子连杆。</translation>
     </message>
     <message>
       <source>{v1} has no phase-shift group.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 没有相移组。</translation>
     </message>
     <message>
       <source>{v1} has no read-back: {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 没有读回：{v2}。</translation>
     </message>
     <message>
       <source>{v1} has no rows of values.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 没有数值行。</translation>
     </message>
     <message>
       <source>{v1} has no vertices with x, y and z.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 没有含 x、y 和 z 的顶点。</translation>
     </message>
     <message>
       <source>{v1} has no vertices.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 没有顶点。</translation>
     </message>
     <message>
       <source>{v1} has no viewpoint {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 没有视点 {v2}。</translation>
     </message>
     <message>
       <source>{v1} has no {v2} in &lt;{v3}&gt;.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 在 &lt;{v3}&gt; 中没有 {v2}。</translation>
     </message>
     <message>
       <source>{v1} has points but no triangles.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 有点但没有三角形。</translation>
     </message>
     <message>
       <source>{v1} has points of views that it does not describe.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 有它未描述的视图的点。</translation>
     </message>
     <message>
       <source>{v1} has the unknown format {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 的格式 {v2} 未知。</translation>
     </message>
     <message>
       <source>{v1} has triangles whose corners do not exist.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 有顶点不存在的三角形。</translation>
     </message>
     <message>
       <source>{v1} has {v2} GiB, more than can be read at once.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 有 {v2} GiB，无法一次读取。</translation>
     </message>
     <message>
       <source>{v1} has {v2} fringes only; the projector calibration needs both directions.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 只有{v2}条纹；投影仪标定需要两个方向。</translation>
     </message>
     <message>
       <source>{v1} has {v2} images and needs at least {v3}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 有 {v2} 幅图像，至少需要 {v3} 幅。</translation>
     </message>
     <message>
       <source>{v1} has {v2} images but {v3} = {v4}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 有 {v2} 幅图像，但 {v3} = {v4}。</translation>
     </message>
     <message>
       <source>{v1} has {v2} vertices that are not usable numbers.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 有 {v2} 个不可用数值的顶点。</translation>
     </message>
     <message>
       <source>{v1} has {v2}; a certificate of the {v3} has one position with {v4} marks.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 有 {v2}；{v3}的证书有一个位置和 {v4} 个标记。</translation>
     </message>
     <message>
       <source>{v1} holds more than a report template.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 不只含报告模板。</translation>
     </message>
     <message>
       <source>{v1} holds no points.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 没有点。</translation>
     </message>
     <message>
       <source>{v1} holds something that is not a number.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 含有不是数字的内容。</translation>
     </message>
     <message>
       <source>{v1} is a STEP file, which states its unit itself.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 是 STEP 文件，它自己说明单位。</translation>
     </message>
     <message>
       <source>{v1} is a STEP file; the library that reads it is not installed.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 是 STEP 文件；未安装读取它的库。</translation>
     </message>
     <message>
       <source>{v1} is a plan of version {v2}; this version of MeasureApp reads versions up to {v3}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 是版本 {v2} 的计划；此版本的 MeasureApp 读取到版本 {v3}。</translation>
     </message>
     <message>
       <source>{v1} is being written by another program.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 正由另一程序写入。</translation>
     </message>
     <message>
       <source>{v1} is cut short: it declares {v2} of element {v3} and holds fewer.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 不完整：它声明 {v2} 个元素 {v3}，实际较少。</translation>
     </message>
     <message>
       <source>{v1} is cut short: it declares {v2} points and holds fewer.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 不完整：它声明 {v2} 个点，实际较少。</translation>
     </message>
     <message>
       <source>{v1} is cut short: it declares {v2} triangles and holds {v3}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 不完整：它声明 {v2} 个三角形，实际 {v3} 个。</translation>
     </message>
     <message>
       <source>{v1} is cut short: its last line is missing.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 不完整：缺少最后一行。</translation>
     </message>
     <message>
       <source>{v1} is damaged: what it says of its views' errors is not whole.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 已损坏：其视图误差的内容不完整。</translation>
     </message>
     <message>
       <source>{v1} is damaged: {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 已损坏：{v2}。</translation>
     </message>
     <message>
       <source>{v1} is empty.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 为空。</translation>
     </message>
     <message>
       <source>{v1} is in use by another program.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 正由另一程序使用。</translation>
     </message>
     <message>
       <source>{v1} is in use by another window or command: {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 正由另一窗口或命令使用：{v2}。</translation>
     </message>
     <message>
       <source>{v1} is inside the project that is copied.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 在被复制的项目之内。</translation>
     </message>
     <message>
       <source>{v1} is larger than {v2} MB.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 大于 {v2} MB。</translation>
     </message>
     <message>
       <source>{v1} is locked by another program, for example a backup.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 被另一程序锁定，例如备份。</translation>
     </message>
     <message>
       <source>{v1} is not JSON.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 不是 JSON。</translation>
     </message>
     <message>
       <source>{v1} is not a CSV file.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 不是 CSV 文件。</translation>
     </message>
     <message>
       <source>{v1} is not a MeasureApp project.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 不是 MeasureApp 项目。</translation>
     </message>
     <message>
       <source>{v1} is not a PCD file, or its header is damaged.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 不是 PCD 文件，或其文件头已损坏。</translation>
     </message>
     <message>
       <source>{v1} is not a PLY file, or its header is damaged.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 不是 PLY 文件，或其文件头已损坏。</translation>
     </message>
     <message>
       <source>{v1} is not a PNG image.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 不是 PNG 图像。</translation>
     </message>
     <message>
       <source>{v1} is not a STEP file.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 不是 STEP 文件。</translation>
     </message>
     <message>
       <source>{v1} is not a certificate of the {v2} with {v3} mm from mark to mark: a mark is {v4} mm from its place in the grid.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 不是标记间距 {v3} mm 的{v2}的证书：有标记距其网格位置 {v4} mm。</translation>
     </message>
     <message>
       <source>{v1} is not a date or time.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 不是日期或时间。</translation>
     </message>
     <message>
       <source>{v1} is not a file that can be accepted.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 不是可接受的文件。</translation>
     </message>
     <message>
       <source>{v1} is not a folder.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 不是文件夹。</translation>
     </message>
     <message>
       <source>{v1} is not a noise file: {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 不是噪声文件：{v2}。</translation>
     </message>
     <message>
       <source>{v1} is not a readable image.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 不是可读的图像。</translation>
     </message>
     <message>
       <source>{v1} is not a rigid transform: {v2}</source>
-      <translation type="unfinished" />
+      <translation>{v1} 不是刚性变换：{v2}</translation>
     </message>
     <message>
       <source>{v1} is not a stitched cloud written by MeasureApp.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 不是 MeasureApp 写出的拼接点云。</translation>
     </message>
     <message>
       <source>{v1} is not a text file.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 不是文本文件。</translation>
     </message>
     <message>
       <source>{v1} is not a view's cloud written by MeasureApp.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 不是 MeasureApp 写出的视图点云。</translation>
     </message>
     <message>
       <source>{v1} is not an STL file.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 不是 STL 文件。</translation>
     </message>
     <message>
       <source>{v1} is not an SVG file.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 不是 SVG 文件。</translation>
     </message>
     <message>
       <source>{v1} is not the name of a plan file.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 不是计划文件的名称。</translation>
     </message>
     <message>
       <source>{v1} is not valid TOML: its values are nested too deeply.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 不是有效的 TOML：其值嵌套过深。</translation>
     </message>
     <message>
       <source>{v1} is not valid XML: {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 不是有效的 XML：{v2}。</translation>
     </message>
     <message>
       <source>{v1} is of an unknown kind.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 的类型未知。</translation>
     </message>
     <message>
       <source>{v1} is of type {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 的类型为 {v2}。</translation>
     </message>
     <message>
       <source>{v1} is stored as {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 已存储为 {v2}。</translation>
     </message>
     <message>
       <source>{v1} is the certificate of a board of {v2} × {v3} marks, {v4} mm apart; this is a {v5}, {v6} mm apart.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 是 {v2} × {v3} 个标记、间距 {v4} mm 的标定板的证书；此板为 {v5}，间距 {v6} mm。</translation>
     </message>
     <message>
       <source>{v1} is the only image of its brightness ({v2} grey levels); the nearest, {v3}, has {v4}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 是其亮度（{v2} 灰度级）的唯一图像；最近的 {v3} 为 {v4}。</translation>
     </message>
     <message>
       <source>{v1} is the only image.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 是唯一的图像。</translation>
     </message>
     <message>
       <source>{v1} moves, but is not {v2}: the chain branches.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 可移动，但不是 {v2}：链有分支。</translation>
     </message>
     <message>
       <source>{v1} names the image {v2} more than once.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 多次列出图像 {v2}。</translation>
     </message>
     <message>
       <source>{v1} names {v2}, which is no image file of this viewpoint.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 列出 {v2}，而它不是此视点的图像文件。</translation>
     </message>
     <message>
       <source>{v1} nests more than {v2} elements.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 嵌套超过 {v2} 个元素。</translation>
     </message>
     <message>
       <source>{v1} says of its views what is not a number.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 对其视图的说明不是数字。</translation>
     </message>
     <message>
       <source>{v1} unpacks to more than {v2} GB.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 解压后超过 {v2} GB。</translation>
     </message>
     <message>
       <source>{v1} unpacks to more than {v2} MB.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 解压后超过 {v2} MB。</translation>
     </message>
     <message>
       <source>{v1} was not tessellated within {v2} s.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 未能在 {v2} s 内三角化。</translation>
     </message>
     <message>
       <source>{v1} was written by MeasureApp, in millimetres, not in {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 由 MeasureApp 以毫米写出，而非 {v2}。</translation>
     </message>
     <message>
       <source>{v1} was written by a newer version of MeasureApp (format {v2}; this version reads format {v3}).</source>
-      <translation type="unfinished" />
+      <translation>{v1} 由更新版本的 MeasureApp 写出（格式 {v2}；此版本读取格式 {v3}）。</translation>
     </message>
     <message>
       <source>{v1} was written by a newer version of MeasureApp.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 由更新版本的 MeasureApp 写出。</translation>
     </message>
     <message>
       <source>{v1} {v2}: the stitched cloud is shown unfiltered.</source>
-      <translation type="unfinished" />
+      <translation>{v1} {v2}：显示未过滤的拼接点云。</translation>
     </message>
     <message>
       <source>{v1}, camera {v2} was calibrated for {v3} × {v4} px.</source>
-      <translation type="unfinished" />
+      <translation>{v1}，相机 {v2} 标定时为 {v3} × {v4} px。</translation>
     </message>
     <message>
       <source>{v1}, line 1: the column {v2} is missing.</source>
-      <translation type="unfinished" />
+      <translation>{v1}，第 1 行：缺少列 {v2}。</translation>
     </message>
     <message>
       <source>{v1}, line 1: the column {v2} is unknown or occurs twice.</source>
-      <translation type="unfinished" />
+      <translation>{v1}，第 1 行：列 {v2} 未知或出现两次。</translation>
     </message>
     <message>
       <source>{v1}, line {v2}: {v3} cannot be understood.</source>
-      <translation type="unfinished" />
+      <translation>{v1}，第 {v2} 行：无法理解 {v3}。</translation>
     </message>
     <message>
       <source>{v1}, line {v2}: {v3} is not a point.</source>
-      <translation type="unfinished" />
+      <translation>{v1}，第 {v2} 行：{v3} 不是点。</translation>
     </message>
     <message>
       <source>{v1}, line {v2}: {v3} values under {v4} columns.</source>
-      <translation type="unfinished" />
+      <translation>{v1}，第 {v2} 行：{v4} 列下有 {v3} 个值。</translation>
     </message>
     <message>
       <source>{v1}, line {v2}: {v3} values where a point needs {v4}.</source>
-      <translation type="unfinished" />
+      <translation>{v1}，第 {v2} 行：{v3} 个值，而点需要 {v4} 个。</translation>
     </message>
     <message>
       <source>{v1}, line {v2}: {v3} values where line {v4} has {v5}.</source>
-      <translation type="unfinished" />
+      <translation>{v1}，第 {v2} 行：{v3} 个值，而第 {v4} 行有 {v5} 个。</translation>
     </message>
     <message>
       <source>{v1}, line {v2}: {v3}.</source>
-      <translation type="unfinished" />
+      <translation>{v1}，第 {v2} 行：{v3}。</translation>
     </message>
     <message>
       <source>{v1}, the nominal named in {v2}, does not exist.</source>
-      <translation type="unfinished" />
+      <translation>{v2} 中指定的名义模型 {v1} 不存在。</translation>
     </message>
     <message>
       <source>{v1}: 16-bit images need `saturation`.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：16 位图像需要 `saturation`。</translation>
     </message>
     <message>
       <source>{v1}: `periods` needs `{v2}`, the length they extend over.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：`periods` 需要 `{v2}`，即其延伸的长度。</translation>
     </message>
     <message>
       <source>{v1}: a cloud cannot be written as {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：点云不能写为 {v2}。</translation>
     </message>
     <message>
       <source>{v1}: a group of horizontal fringes has projector_px.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：有水平条纹组含 projector_px。</translation>
     </message>
     <message>
       <source>{v1}: a mesh cannot be written as {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：网格不能写为 {v2}。</translation>
     </message>
     <message>
       <source>{v1}: a single pitch of {v2} px leaves the period ambiguous.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：单一间距 {v2} px 使周期不明确。</translation>
     </message>
     <message>
       <source>{v1}: board_lengths.{v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：board_lengths.{v2}。</translation>
     </message>
     <message>
       <source>{v1}: cameras names no camera.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：cameras 没有指定相机。</translation>
     </message>
     <message>
       <source>{v1}: covariance.matrix is not a covariance matrix: it must be symmetric and positive semidefinite.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：covariance.matrix 不是协方差矩阵：它必须对称且半正定。</translation>
     </message>
     <message>
       <source>{v1}: covariance.parameters has a label without a known camera.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：covariance.parameters 有标签不属于已知相机。</translation>
     </message>
     <message>
       <source>{v1}: covariance.parameters names a parameter twice.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：covariance.parameters 两次列出一个参数。</translation>
     </message>
     <message>
       <source>{v1}: exposure {v2} µs has {v3} groups, the first has {v4}.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：曝光 {v2} µs 有 {v3} 组，第一个有 {v4} 组。</translation>
     </message>
     <message>
       <source>{v1}: image {v2} cannot be read: it does not exist{v3}.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：无法读取图像 {v2}：它不存在{v3}。</translation>
     </message>
     <message>
       <source>{v1}: no corner is common to all positions.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：没有所有位置共有的角点。</translation>
     </message>
     <message>
       <source>{v1}: no position is further than {v2} mm from the origin.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：没有位置距原点超过 {v2} mm。</translation>
     </message>
     <message>
       <source>{v1}: only {v2} of {v3} positions have an angle.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：{v3} 个位置中只有 {v2} 个有角度。</translation>
     </message>
     <message>
       <source>{v1}: projector.name is {v2}, the name of a camera.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：projector.name 为 {v2}，是一台相机的名称。</translation>
     </message>
     <message>
       <source>{v1}: saturation = {v2}, but the images have {v3} bit.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：saturation = {v2}，但图像为 {v3} 位。</translation>
     </message>
     <message>
       <source>{v1}: schema_version is {v2}, not 1 or {v3}.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：schema_version 为 {v2}，而非 1 或 {v3}。</translation>
     </message>
     <message>
       <source>{v1}: the cameras have images of different bit depth.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：各相机的图像位深不同。</translation>
     </message>
     <message>
       <source>{v1}: the groups of exposure {v2} µs have different cameras.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：曝光 {v2} µs 的各组相机不同。</translation>
     </message>
     <message>
       <source>{v1}: the reference camera {v2} is not among the cameras.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：参考相机 {v2} 不在相机中。</translation>
     </message>
     <message>
       <source>{v1}: two exposures have the same exposure_us.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：两个曝光的 exposure_us 相同。</translation>
     </message>
     <message>
       <source>{v1}: {v2} does not match its checksum.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：{v2} 与其校验和不符。</translation>
     </message>
     <message>
       <source>{v1}: {v2} has the unknown field {v3}.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：{v2} 有未知字段 {v3}。</translation>
     </message>
     <message>
       <source>{v1}: {v2} is missing.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：缺少 {v2}。</translation>
     </message>
     <message>
       <source>{v1}: {v2} is not a JSON object.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：{v2} 不是 JSON 对象。</translation>
     </message>
     <message>
       <source>{v1}: {v2} is not a rigid 4×4 transform.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：{v2} 不是 4×4 刚性变换。</translation>
     </message>
     <message>
       <source>{v1}: {v2} is not a rigid transform.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：{v2} 不是刚性变换。</translation>
     </message>
     <message>
       <source>{v1}: {v2} is not a text.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：{v2} 不是文本。</translation>
     </message>
     <message>
       <source>{v1}: {v2} is not {v3}.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：{v2} 不是 {v3}。</translation>
     </message>
     <message>
       <source>{v1}: {v2} periods over {v3} px give a pitch below 2 px.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：{v3} px 上的 {v2} 个周期使间距小于 2 px。</translation>
     </message>
     <message>
       <source>{v1}: {v2} pitches need projector_px.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：{v2} 个间距需要 projector_px。</translation>
     </message>
     <message>
       <source>{v1}: {v2}.arguments is not a list of strings.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：{v2}.arguments 不是字符串列表。</translation>
     </message>
     <message>
       <source>{v1}: {v2}.blur_px is {v3}, not 0 to {v4} px.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：{v2}.blur_px 为 {v3}，不在 0 至 {v4} px 内。</translation>
     </message>
     <message>
       <source>{v1}: {v2}.distortion has {v3} coefficients.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：{v2}.distortion 有 {v3} 个系数。</translation>
     </message>
     <message>
       <source>{v1}: {v2}.matrix is not a camera matrix.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：{v2}.matrix 不是相机矩阵。</translation>
     </message>
     <message>
       <source>{v1}: {v2}.reference_from_camera is not the identity for the reference camera.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：对参考相机，{v2}.reference_from_camera 不是恒等变换。</translation>
     </message>
     <message>
       <source>{v1}: {v2}.width and height must be whole numbers above 0.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：{v2}.width 和 height 必须是大于 0 的整数。</translation>
     </message>
     <message>
       <source>{v1}: {v2}.{v3} is not a number.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：{v2}.{v3} 不是数字。</translation>
     </message>
     <message>
       <source>{v1}: {v2}={v3} is not numeric.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：{v2}={v3} 不是数值。</translation>
     </message>
     <message>
       <source>{v1}: {v2}={v3} should be {v4}.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：{v2}={v3} 应为 {v4}。</translation>
     </message>
     <message>
       <source>{v1}: {v2}{v3} is missing.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：缺少 {v2}{v3}。</translation>
     </message>
     <message>
       <source>{v1}; the first image of camera {v2} is {v3} × {v4} px.</source>
-      <translation type="unfinished" />
+      <translation>{v1}；相机 {v2} 的第一幅图像为 {v3} × {v4} px。</translation>
     </message>
   </context>
   <context>
     <name>core.projector_lightcrafter</name>
     <message>
       <source>Check exposure, period and trigger settings against its manual.</source>
-      <translation type="unfinished" />
+      <translation>请对照手册检查曝光、周期和触发设置。</translation>
     </message>
     <message>
       <source>Check its power and its USB cable.</source>
-      <translation type="unfinished" />
+      <translation>请检查其电源和 USB 电缆。</translation>
     </message>
     <message>
       <source>Check the USB cable, and close other programs that use the projector.</source>
-      <translation type="unfinished" />
+      <translation>请检查 USB 电缆，并关闭使用投影仪的其他程序。</translation>
     </message>
     <message>
       <source>Close other programs that use it; on Linux, allow access by a udev rule (see the README of the driver).</source>
-      <translation type="unfinished" />
+      <translation>请关闭使用它的其他程序；在 Linux 上，请用 udev 规则允许访问（见驱动的 README）。</translation>
     </message>
     <message>
       <source>Close other programs that use the projector, and check the limits in its manual.</source>
-      <translation type="unfinished" />
+      <translation>请关闭使用投影仪的其他程序，并检查其手册中的限值。</translation>
     </message>
     <message>
       <source>Close other programs that use the projector.</source>
-      <translation type="unfinished" />
+      <translation>请关闭使用投影仪的其他程序。</translation>
     </message>
     <message>
       <source>Correct the rig description, or choose another driver.</source>
-      <translation type="unfinished" />
+      <translation>请更正测量系统描述，或选择另一驱动。</translation>
     </message>
     <message>
       <source>Correct the setting flash, or program the images with the vendor's tool.</source>
-      <translation type="unfinished" />
+      <translation>请更正设置 flash，或用供应商的工具写入图像。</translation>
     </message>
     <message>
       <source>Correct the setting flash.</source>
-      <translation type="unfinished" />
+      <translation>请更正设置 flash。</translation>
     </message>
     <message>
       <source>Correct the setting video.</source>
-      <translation type="unfinished" />
+      <translation>请更正设置 video。</translation>
     </message>
     <message>
       <source>Export it by `measureapp patterns export --width {v1} --height {v2}`, program the images with the vendor's tool, three patterns to an image (green, red, blue), and add hash {v3} with their numbers to the setting flash.</source>
-      <translation type="unfinished" />
+      <translation>请用 `measureapp patterns export --width {v1} --height {v2}` 导出，用供应商的工具写入图像，每幅图像三个图案（绿、红、蓝），并将哈希 {v3} 及其编号加到设置 flash。</translation>
     </message>
     <message>
       <source>Give 8-bit images of {v1} × {v2} px.</source>
-      <translation type="unfinished" />
+      <translation>请给出 {v1} × {v2} px 的 8 位图像。</translation>
     </message>
     <message>
       <source>Load them with this driver's model.</source>
-      <translation type="unfinished" />
+      <translation>请用此驱动的模型加载。</translation>
     </message>
     <message>
       <source>Name one of them in the setting serial.</source>
-      <translation type="unfinished" />
+      <translation>请在设置 serial 中指定其一。</translation>
     </message>
     <message>
       <source>Play again.</source>
-      <translation type="unfinished" />
+      <translation>请重新播放。</translation>
     </message>
     <message>
       <source>Rig {v1}: the projector has {v2} × {v3} px, and a LightCrafter 4500 {v4} × {v5}.</source>
-      <translation type="unfinished" />
+      <translation>测量系统 {v1}：投影仪为 {v2} × {v3} px，而 LightCrafter 4500 为 {v4} × {v5}。</translation>
     </message>
     <message>
       <source>Rig {v1}: the settings of the screen at the video port: {v2}.</source>
-      <translation type="unfinished" />
+      <translation>测量系统 {v1}：视频端口的屏幕设置：{v2}。</translation>
     </message>
     <message>
       <source>Set the screen to a frame time of {v1} µs or more, such as 60 Hz.</source>
-      <translation type="unfinished" />
+      <translation>请将屏幕的帧时间设为 {v1} µs 以上，例如 60 Hz。</translation>
     </message>
     <message>
       <source>Stop other programs that use the projector; if it stays so, switch it off and on again.</source>
-      <translation type="unfinished" />
+      <translation>请停止使用投影仪的其他程序；若仍如此，请关闭后重新打开。</translation>
     </message>
     <message>
       <source>Switch it off and on again.</source>
-      <translation type="unfinished" />
+      <translation>请关闭后重新打开。</translation>
     </message>
     <message>
       <source>Switch it off and on again; if it stays so, it is defective.</source>
-      <translation type="unfinished" />
+      <translation>请关闭后重新打开；若仍如此，则已损坏。</translation>
     </message>
     <message>
       <source>Switch it off at its power supply.</source>
-      <translation type="unfinished" />
+      <translation>请在其电源处关闭。</translation>
     </message>
     <message>
       <source>Update its firmware.</source>
-      <translation type="unfinished" />
+      <translation>请更新其固件。</translation>
     </message>
     <message>
       <source>Update its firmware; this one takes the command for one run as the one for repetition.</source>
-      <translation type="unfinished" />
+      <translation>请更新其固件；此版本将单次运行的命令当作重复命令。</translation>
     </message>
     <message>
       <source>{v1} did not start the sequence: {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 没有开始序列：{v2}。</translation>
     </message>
     <message>
       <source>{v1} did not switch its light off.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 没有关闭其光源。</translation>
     </message>
     <message>
       <source>{v1} did not take over the setting {v2}: {v3} was written, {v4} was read back.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 没有采用设置 {v2}：写入 {v3}，读回 {v4}。</translation>
     </message>
     <message>
       <source>{v1} does not accept the sequence: {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 不接受该序列：{v2}。</translation>
     </message>
     <message>
       <source>{v1} does not support images of shape {v2} and type {v3}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 不支持形状 {v2}、类型 {v3} 的图像。</translation>
     </message>
     <message>
       <source>{v1} has {v2} images and cannot play {v3}…{v4}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 有 {v2} 幅图像，不能播放 {v3}…{v4}。</translation>
     </message>
     <message>
       <source>{v1} has {v2} images and cannot show image {v3}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 有 {v2} 幅图像，不能显示图像 {v3}。</translation>
     </message>
     <message>
       <source>{v1} has {v2} images in flash, and the settings name others ({v3}).</source>
-      <translation type="unfinished" />
+      <translation>{v1} 的闪存中有 {v2} 幅图像，而设置指定了其他 ({v3})。</translation>
     </message>
     <message>
       <source>{v1} refused {v2} ({v3}; reply {v4}).</source>
-      <translation type="unfinished" />
+      <translation>{v1} 拒绝 {v2}（{v3}；应答 {v4}）。</translation>
     </message>
     <message>
       <source>{v1} reports a fault: {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 报告故障：{v2}。</translation>
     </message>
     <message>
       <source>{v1} reports a fault: {v2}. The number of its trigger pulses is unknown.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 报告故障：{v2}。其触发脉冲数未知。</translation>
     </message>
     <message>
       <source>{v1} returned an empty table of {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 返回了空的{v2}表。</translation>
     </message>
     <message>
       <source>{v1} still plays {v2} s after the start of a sequence of {v3} s: it repeats the patterns, and the number of its trigger pulses is unknown.</source>
-      <translation type="unfinished" />
+      <translation>在 {v3} s 的序列开始后 {v2} s，{v1} 仍在播放：它重复图案，其触发脉冲数未知。</translation>
     </message>
     <message>
       <source>{v1} stopped {v2} s after the start of a sequence of {v3} s: the number of its trigger pulses is unknown.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 在 {v3} s 的序列开始后 {v2} s 停止：其触发脉冲数未知。</translation>
     </message>
     <message>
       <source>{v1}: a reply to {v2} has the sequence number {v3} instead of {v4} ({v5}).</source>
-      <translation type="unfinished" />
+      <translation>{v1}：对 {v2} 的应答序号为 {v3} 而非 {v4} ({v5})。</translation>
     </message>
     <message>
       <source>{v1}: a reply {v2} ({v3}).</source>
-      <translation type="unfinished" />
+      <translation>{v1}：应答 {v2} ({v3})。</translation>
     </message>
     <message>
       <source>{v1}: the LightCrafter is present and cannot be opened: {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：LightCrafter 存在但无法打开：{v2}。</translation>
     </message>
     <message>
       <source>{v1}: the pattern set of {v2} images ({v3}) is not in its flash (declared: {v4}).</source>
-      <translation type="unfinished" />
+      <translation>{v1}：{v2} 幅图像的图案集 ({v3}) 不在其闪存中（已声明：{v4}）。</translation>
     </message>
     <message>
       <source>{v1}: the pattern set {v2} ({v3}) has {v4} images, three to a flash image, and the settings name {v5} flash images.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：图案集 {v2} ({v3}) 有 {v4} 幅图像，每幅闪存图像三个，而设置指定了 {v5} 幅闪存图像。</translation>
     </message>
     <message>
       <source>{v1}: the screen at its video port has a frame time of {v2} µs, too short for 8 bits.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：其视频端口的屏幕帧时间为 {v2} µs，对 8 位太短。</translation>
     </message>
     <message>
       <source>{v1}: the settings are not those of a LightCrafter.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：这些设置不是 LightCrafter 的。</translation>
     </message>
     <message>
       <source>{v1}: there is {v2} on the USB (found: {v3}).</source>
-      <translation type="unfinished" />
+      <translation>{v1}：USB 上有 {v2}（找到：{v3}）。</translation>
     </message>
   </context>
   <context>
     <name>core.projector_second_screen</name>
     <message>
       <source>Check that the program has a display (not over ssh), and that PySide6 is installed.</source>
-      <translation type="unfinished" />
+      <translation>请检查程序有显示器（不经 ssh），且已安装 PySide6。</translation>
     </message>
     <message>
       <source>Rig {v1}: the settings of the projector name no screen.</source>
-      <translation type="unfinished" />
+      <translation>测量系统 {v1}：投影仪的设置没有指定屏幕。</translation>
     </message>
     <message>
       <source>Set frame_us, such as 16667 for 60 Hz.</source>
-      <translation type="unfinished" />
+      <translation>请设置 frame_us，例如 60 Hz 为 16667。</translation>
     </message>
     <message>
       <source>Set name, manufacturer, model or serial; `python -m ui.second_screen list` prints the screens.</source>
-      <translation type="unfinished" />
+      <translation>请设置 name、manufacturer、model 或 serial；`python -m ui.second_screen list` 打印屏幕列表。</translation>
     </message>
     <message>
       <source>{v1}: the screen does not state its refresh rate.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：屏幕没有说明其刷新率。</translation>
     </message>
     <message>
       <source>{v1}: the settings are not those of a second screen.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：这些设置不是第二屏幕的。</translation>
     </message>
   </context>
   <context>
     <name>core.reconstruct</name>
     <message>
       <source>A camera of the pair looks along the baseline.</source>
-      <translation type="unfinished" />
+      <translation>相机对中有一台沿基线方向观察。</translation>
     </message>
     <message>
       <source>A rectified grid needs two cameras, not {v1}.</source>
-      <translation type="unfinished" />
+      <translation>校正网格需要两台相机，而非 {v1}。</translation>
     </message>
     <message>
       <source>Add the images of a second camera.</source>
-      <translation type="unfinished" />
+      <translation>请添加第二台相机的图像。</translation>
     </message>
     <message>
       <source>Camera {v1} and the projector give no points: {v2} pixels are {v3}.</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1} 与投影仪没有给出点：{v2} 个像素为{v3}。</translation>
     </message>
     <message>
       <source>Camera {v1} has no pixel in row {v2}, column {v3}.</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1} 在第 {v2} 行第 {v3} 列没有像素。</translation>
     </message>
     <message>
       <source>Camera {v1} has no pixel with a phase.</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1} 没有有相位的像素。</translation>
     </message>
     <message>
       <source>Camera {v1} is calibrated for {v2} × {v3} px, its images have {v4} × {v5} px.</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1} 按 {v2} × {v3} px 标定，其图像为 {v4} × {v5} px。</translation>
     </message>
     <message>
       <source>Camera {v1} is not in the calibration of {v2}.</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1} 不在 {v2} 的标定中。</translation>
     </message>
     <message>
       <source>Cameras {v1} and {v2} are at one place.</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1} 与 {v2} 在同一位置。</translation>
     </message>
     <message>
       <source>Cameras {v1} and {v2} have no epipolar line in common.</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1} 与 {v2} 没有共同的极线。</translation>
     </message>
     <message>
       <source>Cameras {v1} and {v2} look along their baseline.</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1} 与 {v2} 沿其基线方向观察。</translation>
     </message>
     <message>
       <source>Check shift_sign, the pitches and that the calibration belongs to these images.</source>
-      <translation type="unfinished" />
+      <translation>请检查 shift_sign、间距，以及标定是否属于这些图像。</translation>
     </message>
     <message>
       <source>Check the calibration.</source>
-      <translation type="unfinished" />
+      <translation>请检查标定。</translation>
     </message>
     <message>
       <source>Choose the grid of the images.</source>
-      <translation type="unfinished" />
+      <translation>请选择图像的网格。</translation>
     </message>
     <message>
       <source>Decode the images of one pattern set.</source>
-      <translation type="unfinished" />
+      <translation>请解码同一图案集的图像。</translation>
     </message>
     <message>
       <source>Exclude one of the cameras.</source>
-      <translation type="unfinished" />
+      <translation>请排除其中一台相机。</translation>
     </message>
     <message>
       <source>Exclude one of them.</source>
-      <translation type="unfinished" />
+      <translation>请排除其一。</translation>
     </message>
     <message>
       <source>Fringes of this direction cannot match the cameras {v1}: {v2}.</source>
-      <translation type="unfinished" />
+      <translation>此方向的条纹不能匹配相机 {v1}：{v2}。</translation>
     </message>
     <message>
       <source>Give cameras.json a projector, or use two cameras.</source>
-      <translation type="unfinished" />
+      <translation>请给 cameras.json 一个投影仪，或使用两台相机。</translation>
     </message>
     <message>
       <source>Its images have {v1} rows and {v2} columns.</source>
-      <translation type="unfinished" />
+      <translation>其图像有 {v1} 行 {v2} 列。</translation>
     </message>
     <message>
       <source>Project fringes of the other direction, or both.</source>
-      <translation type="unfinished" />
+      <translation>请投射另一方向或两个方向的条纹。</translation>
     </message>
     <message>
       <source>The image has {v1} columns; at least {v2} are needed.</source>
-      <translation type="unfinished" />
+      <translation>图像有 {v1} 列；至少需要 {v2} 列。</translation>
     </message>
     <message>
       <source>The images of camera {v1} have {v2} columns; at least {v3} are needed.</source>
-      <translation type="unfinished" />
+      <translation>相机 {v1} 的图像有 {v2} 列；至少需要 {v3} 列。</translation>
     </message>
     <message>
       <source>The phase maps of the cameras are of different pitches.</source>
-      <translation type="unfinished" />
+      <translation>各相机的相位图间距不同。</translation>
     </message>
     <message>
       <source>The region has no pixel of camera {v1}.</source>
-      <translation type="unfinished" />
+      <translation>该区域没有相机 {v1} 的像素。</translation>
     </message>
     <message>
       <source>Use images of the whole sensor.</source>
-      <translation type="unfinished" />
+      <translation>请使用整个传感器的图像。</translation>
     </message>
     <message>
       <source>Use larger images.</source>
-      <translation type="unfinished" />
+      <translation>请使用更大的图像。</translation>
     </message>
     <message>
       <source>Use the calibration of the camera and resolution that took the images.</source>
-      <translation type="unfinished" />
+      <translation>请使用拍摄这些图像的相机和分辨率的标定。</translation>
     </message>
     <message>
       <source>filling {v1}</source>
-      <translation type="unfinished" />
+      <translation>正在填充 {v1}</translation>
     </message>
     <message>
       <source>matching {v1}</source>
-      <translation type="unfinished" />
+      <translation>正在匹配 {v1}</translation>
     </message>
     <message>
       <source>{v1} calibrated camera has images; points need two.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 台已标定相机有图像；点需要两台。</translation>
     </message>
   </context>
   <context>
     <name>core.register</name>
     <message>
       <source>Give each axis from the smaller to the larger value.</source>
-      <translation type="unfinished" />
+      <translation>请从小到大给出每个轴的值。</translation>
     </message>
     <message>
       <source>Separate the numbers by commas.</source>
-      <translation type="unfinished" />
+      <translation>请用逗号分隔数字。</translation>
     </message>
     <message>
       <source>The box is empty: a lower limit exceeds its upper limit.</source>
-      <translation type="unfinished" />
+      <translation>盒子为空：某下限超过其上限。</translation>
     </message>
     <message>
       <source>The filter {v1} needs {v2} numbers.</source>
-      <translation type="unfinished" />
+      <translation>过滤器 {v1} 需要 {v2} 个数字。</translation>
     </message>
     <message>
       <source>The filter {v1} removes all points.</source>
-      <translation type="unfinished" />
+      <translation>过滤器 {v1} 去除了所有点。</translation>
     </message>
     <message>
       <source>There are {v1} filters already.</source>
-      <translation type="unfinished" />
+      <translation>已有 {v1} 个过滤器。</translation>
     </message>
     <message>
       <source>Undo some, or apply fewer and stricter ones.</source>
-      <translation type="unfinished" />
+      <translation>请撤销一些，或使用更少、更严格的。</translation>
     </message>
     <message>
       <source>Widen it. Nothing was changed.</source>
-      <translation type="unfinished" />
+      <translation>请放宽。未作任何更改。</translation>
     </message>
     <message>
       <source>building the search tree</source>
-      <translation type="unfinished" />
+      <translation>正在建立搜索树</translation>
     </message>
     <message>
       <source>filter: {v1}</source>
-      <translation type="unfinished" />
+      <translation>过滤器：{v1}</translation>
     </message>
     <message>
       <source>finding the position of {v1}</source>
-      <translation type="unfinished" />
+      <translation>正在求 {v1} 的位置</translation>
     </message>
     <message>
       <source>joint registration</source>
-      <translation type="unfinished" />
+      <translation>联合配准</translation>
     </message>
     <message>
       <source>preparing set-ups</source>
-      <translation type="unfinished" />
+      <translation>正在准备各次装夹</translation>
     </message>
     <message>
       <source>preparing views</source>
-      <translation type="unfinished" />
+      <translation>正在准备视图</translation>
     </message>
     <message>
       <source>registering pairs of views</source>
-      <translation type="unfinished" />
+      <translation>正在配准视图对</translation>
     </message>
     <message>
       <source>removing long triangles</source>
-      <translation type="unfinished" />
+      <translation>正在去除长三角形</translation>
     </message>
     <message>
       <source>searching neighbours</source>
-      <translation type="unfinished" />
+      <translation>正在搜索邻点</translation>
     </message>
     <message>
       <source>surface complete</source>
-      <translation type="unfinished" />
+      <translation>表面已完成</translation>
     </message>
     <message>
       <source>triangulating the points</source>
-      <translation type="unfinished" />
+      <translation>正在将点三角化</translation>
     </message>
     <message>
       <source>trimming the surface</source>
-      <translation type="unfinished" />
+      <translation>正在修整表面</translation>
     </message>
   </context>
   <context>
     <name>core.report</name>
     <message>
       <source>Add measured projects: measureapp series add PROJECT.</source>
-      <translation type="unfinished" />
+      <translation>请添加已测项目：measureapp series add PROJECT。</translation>
     </message>
     <message>
       <source>Check the path of the logo.</source>
-      <translation type="unfinished" />
+      <translation>请检查徽标的路径。</translation>
     </message>
     <message>
       <source>Correct `layout` in {v1}.</source>
-      <translation type="unfinished" />
+      <translation>请更正 {v1} 中的 `layout`。</translation>
     </message>
     <message>
       <source>Correct this entry of the template.</source>
-      <translation type="unfinished" />
+      <translation>请更正模板的此条目。</translation>
     </message>
     <message>
       <source>End its name in .png or .svg.</source>
-      <translation type="unfinished" />
+      <translation>其名称请以 .png 或 .svg 结尾。</translation>
     </message>
     <message>
       <source>Give a PNG, JPEG or SVG file of at most 5 MB.</source>
-      <translation type="unfinished" />
+      <translation>请给出最大 5 MB 的 PNG、JPEG 或 SVG 文件。</translation>
     </message>
     <message>
       <source>The series of {v1} has no runs.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 的系列没有测量。</translation>
     </message>
     <message>
       <source>{v1} does not exist.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 不存在。</translation>
     </message>
     <message>
       <source>{v1} is not a logo that a report can show.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 不是报告能显示的徽标。</translation>
     </message>
     <message>
       <source>{v1} is not the name of a picture.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 不是图片的名称。</translation>
     </message>
     <message>
       <source>{v1}: the report template has an error: {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：报告模板有错误：{v2}。</translation>
     </message>
   </context>
   <context>
     <name>core.resources</name>
     <message>
       <source>Check the name; if it is correct, the installation is incomplete: install again.</source>
-      <translation type="unfinished" />
+      <translation>请检查名称；若正确，则安装不完整：请重新安装。</translation>
     </message>
     <message>
       <source>The program has no file {v1}.</source>
-      <translation type="unfinished" />
+      <translation>程序没有文件 {v1}。</translation>
     </message>
   </context>
   <context>
     <name>core.robot_abb</name>
     <message>
       <source>A message of the pose stream is invalid ({v1}): {v2}.</source>
-      <translation type="unfinished" />
+      <translation>位姿流的消息无效 ({v1})：{v2}。</translation>
     </message>
     <message>
       <source>Check that the address is that of the robot's controller, and the version of Robot Web Services.</source>
-      <translation type="unfinished" />
+      <translation>请检查地址是否为机器人控制器的地址，以及 Robot Web Services 的版本。</translation>
     </message>
     <message>
       <source>Check that the robot alone sends to this port.</source>
-      <translation type="unfinished" />
+      <translation>请检查只有机器人向此端口发送。</translation>
     </message>
     <message>
       <source>Check the address, or correct system_id in the robot's settings.</source>
-      <translation type="unfinished" />
+      <translation>请检查地址，或更正机器人设置中的 system_id。</translation>
     </message>
     <message>
       <source>Check the mechanical unit and task in the settings.</source>
-      <translation type="unfinished" />
+      <translation>请检查设置中的机械单元和任务。</translation>
     </message>
     <message>
       <source>Check the version of Robot Web Services.</source>
-      <translation type="unfinished" />
+      <translation>请检查 Robot Web Services 的版本。</translation>
     </message>
     <message>
       <source>Choose a free port in settings and controller.</source>
-      <translation type="unfinished" />
+      <translation>请在设置和控制器中选择空闲端口。</translation>
     </message>
     <message>
       <source>Choose the model of this arm in the robot's settings; check tool0 and the base frame in the controller.</source>
-      <translation type="unfinished" />
+      <translation>请在机器人设置中选择此手臂的型号；检查控制器中的 tool0 和基坐标系。</translation>
     </message>
     <message>
       <source>Close that program. If it has ended without releasing the robot, switch on take_over in the robot's settings.</source>
-      <translation type="unfinished" />
+      <translation>请关闭该程序。若它已结束而未释放机器人，请在机器人设置中打开 take_over。</translation>
     </message>
     <message>
       <source>Connect again.</source>
-      <translation type="unfinished" />
+      <translation>请重新连接。</translation>
     </message>
     <message>
       <source>Correct user and password, or the version of Robot Web Services, in the robot's settings.</source>
-      <translation type="unfinished" />
+      <translation>请更正机器人设置中的用户和密码，或 Robot Web Services 的版本。</translation>
     </message>
     <message>
       <source>Enter the fingerprint of the controller's certificate in the robot's settings, after comparing it at the controller.</source>
-      <translation type="unfinished" />
+      <translation>请在控制器处核对后，将其证书的指纹输入机器人设置。</translation>
     </message>
     <message>
       <source>The controller at {v1} is system {v2}; the settings expect {v3}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 处的控制器是系统 {v2}；设置期望 {v3}。</translation>
     </message>
     <message>
       <source>The controller at {v1} refuses user {v2} (401).</source>
-      <translation type="unfinished" />
+      <translation>{v1} 处的控制器拒绝用户 {v2} (401)。</translation>
     </message>
     <message>
       <source>The controller did not carry out {v1}: it reads back something else.</source>
-      <translation type="unfinished" />
+      <translation>控制器没有执行 {v1}：读回的不同。</translation>
     </message>
     <message>
       <source>The controller has no module of this program: {v1}</source>
-      <translation type="unfinished" />
+      <translation>控制器没有此程序的模块：{v1}</translation>
     </message>
     <message>
       <source>The controller's answer to {v1} has no {v2}.</source>
-      <translation type="unfinished" />
+      <translation>控制器对 {v1} 的应答没有 {v2}。</translation>
     </message>
     <message>
       <source>The controller's answer to {v1} has {v2} in place of a number.</source>
-      <translation type="unfinished" />
+      <translation>控制器对 {v1} 的应答以 {v2} 代替数字。</translation>
     </message>
     <message>
       <source>The controller's answer to {v1} is empty.</source>
-      <translation type="unfinished" />
+      <translation>控制器对 {v1} 的应答为空。</translation>
     </message>
     <message>
       <source>The controller's answer to {v1} is invalid ({v2}): {v3}.</source>
-      <translation type="unfinished" />
+      <translation>控制器对 {v1} 的应答无效 ({v2})：{v3}。</translation>
     </message>
     <message>
       <source>The controller's certificate is not accepted: {v1}.</source>
-      <translation type="unfinished" />
+      <translation>控制器的证书不被接受：{v1}。</translation>
     </message>
     <message>
       <source>The controller's module is another one: {v1}.</source>
-      <translation type="unfinished" />
+      <translation>控制器的模块是另一个：{v1}。</translation>
     </message>
     <message>
       <source>The controller's module is version {v1} ({v2}); this program needs {v3} ({v4}).</source>
-      <translation type="unfinished" />
+      <translation>控制器的模块版本为 {v1} ({v2})；此程序需要 {v3} ({v4})。</translation>
     </message>
     <message>
       <source>The controller's pose has a quaternion of length {v1}.</source>
-      <translation type="unfinished" />
+      <translation>控制器的位姿有长度为 {v1} 的四元数。</translation>
     </message>
     <message>
       <source>The robot is used by another program (computer {v1}, process {v2}); this one may only read.</source>
-      <translation type="unfinished" />
+      <translation>机器人正由另一程序使用（计算机 {v1}，进程 {v2}）；此程序只能读取。</translation>
     </message>
     <message>
       <source>UDP port {v1} for the pose stream cannot be opened: {v2}.</source>
-      <translation type="unfinished" />
+      <translation>无法打开位姿流的 UDP 端口 {v1}：{v2}。</translation>
     </message>
     <message>
       <source>Wait until the move has ended.</source>
-      <translation type="unfinished" />
+      <translation>请等待移动结束。</translation>
     </message>
     <message>
       <source>mm_answer of the controller has {v1} numbers instead of 5: {v2}.</source>
-      <translation type="unfinished" />
+      <translation>控制器的 mm_answer 有 {v1} 个数字而非 5 个：{v2}。</translation>
     </message>
     <message>
       <source>mm_answer of the controller is invalid: {v1}.</source>
-      <translation type="unfinished" />
+      <translation>控制器的 mm_answer 无效：{v1}。</translation>
     </message>
     <message>
       <source>mm_cmd of the controller is invalid: {v1}.</source>
-      <translation type="unfinished" />
+      <translation>控制器的 mm_cmd 无效：{v1}。</translation>
     </message>
     <message>
       <source>mm_owner of the controller is invalid: {v1}.</source>
-      <translation type="unfinished" />
+      <translation>控制器的 mm_owner 无效：{v1}。</translation>
     </message>
     <message>
       <source>{v1} is moving already.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 已在移动。</translation>
     </message>
     <message>
       <source>{v1}: the controller's pose is {v2} mm off the one of kinematic model {v3} for the same joints.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：对相同关节角，控制器的位姿与运动学模型 {v3} 相差 {v2} mm。</translation>
     </message>
   </context>
   <context>
     <name>core.robot_generic_tcp</name>
     <message>
       <source>A reply of the robot at {v1} is invalid ({v2}): {v3}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 处机器人的应答无效 ({v2})：{v3}。</translation>
     </message>
     <message>
       <source>Check address and port, and the robot's program against the README of the driver robot_generic_tcp.</source>
-      <translation type="unfinished" />
+      <translation>请检查地址和端口，并对照驱动 robot_generic_tcp 的 README 检查机器人程序。</translation>
     </message>
     <message>
       <source>Correct the robot's program.</source>
-      <translation type="unfinished" />
+      <translation>请更正机器人的程序。</translation>
     </message>
     <message>
       <source>Install the fitting version of the robot's program.</source>
-      <translation type="unfinished" />
+      <translation>请安装适合版本的机器人程序。</translation>
     </message>
     <message>
       <source>Known are {v1}.</source>
-      <translation type="unfinished" />
+      <translation>已知有 {v1}。</translation>
     </message>
     <message>
       <source>The robot at {v1} speaks version {v2} of the line protocol; this program speaks {v3}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 处的机器人使用线协议版本 {v2}；此程序使用 {v3}。</translation>
     </message>
     <message>
       <source>{v1} reports the unknown state {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 报告未知状态 {v2}。</translation>
     </message>
     <message>
       <source>{v1}: the quaternion read back has length {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：读回的四元数长度为 {v2}。</translation>
     </message>
   </context>
   <context>
     <name>core.table_serial</name>
     <message>
       <source>Check its emergency stop and interlocks.</source>
-      <translation type="unfinished" />
+      <translation>请检查其急停和联锁。</translation>
     </message>
     <message>
       <source>Check port, address, baud rate and command table.</source>
-      <translation type="unfinished" />
+      <translation>请检查端口、地址、波特率和命令表。</translation>
     </message>
     <message>
       <source>Check the controller, its command table, address and baud rate.</source>
-      <translation type="unfinished" />
+      <translation>请检查控制器、其命令表、地址和波特率。</translation>
     </message>
     <message>
       <source>Check the port, and that no other program uses it.</source>
-      <translation type="unfinished" />
+      <translation>请检查端口，并确认没有其他程序使用。</translation>
     </message>
     <message>
       <source>Choose limits less than 360° apart in the rig description.</source>
-      <translation type="unfinished" />
+      <translation>请在测量系统描述中选择相差小于 360° 的限位。</translation>
     </message>
     <message>
       <source>Name one of {v1}, or the path of a table (.toml).</source>
-      <translation type="unfinished" />
+      <translation>请指定 {v1} 之一，或命令表 (.toml) 的路径。</translation>
     </message>
     <message>
       <source>There is no command table {v1}.</source>
-      <translation type="unfinished" />
+      <translation>没有命令表 {v1}。</translation>
     </message>
     <message>
       <source>{v1} answered the query {v2} with {v3} ({v4}), which is no reply of a {v5}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 对查询 {v2} 应答 {v3} ({v4})，不是 {v5} 的应答。</translation>
     </message>
     <message>
       <source>{v1} at {v2} did not repeat {v3} ({v4}).</source>
-      <translation type="unfinished" />
+      <translation>{v2} 处的 {v1} 没有重复 {v3} ({v4})。</translation>
     </message>
     <message>
       <source>{v1} at {v2} sent no valid reply ({v3}).</source>
-      <translation type="unfinished" />
+      <translation>{v2} 处的 {v1} 没有发送有效应答 ({v3})。</translation>
     </message>
     <message>
       <source>{v1} cannot be opened: {v2}.</source>
-      <translation type="unfinished" />
+      <translation>无法打开 {v1}：{v2}。</translation>
     </message>
     <message>
       <source>{v1} cannot be read as a command table: {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 不能读作命令表：{v2}。</translation>
     </message>
     <message>
       <source>{v1} does not identify itself as a {v2}.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 没有表明自己是 {v2}。</translation>
     </message>
     <message>
       <source>{v1} does not switch its motor on.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 没有接通其电机。</translation>
     </message>
     <message>
       <source>{v1}: its controller counts modulo one turn, and the limits {v2}…{v3}° do not determine the turn.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：其控制器按一圈取模计数，而限位 {v2}…{v3}° 不能确定圈数。</translation>
     </message>
   </context>
   <context>
     <name>core.virtual_rig</name>
     <message>
       <source>Name cameras of this rig.</source>
-      <translation type="unfinished" />
+      <translation>请指定此测量系统的相机。</translation>
     </message>
     <message>
       <source>Request one of: {v1}.</source>
-      <translation type="unfinished" />
+      <translation>请要求其一：{v1}。</translation>
     </message>
     <message>
       <source>The virtual rig has no {v1} to put on the table.</source>
-      <translation type="unfinished" />
+      <translation>虚拟测量系统没有 {v1} 可放在转台上。</translation>
     </message>
     <message>
       <source>Virtual rig: setting world.knocked_deg names camera {v1}.</source>
-      <translation type="unfinished" />
+      <translation>虚拟测量系统：设置 world.knocked_deg 指定了相机 {v1}。</translation>
     </message>
   </context>
   <context>
     <name>images</name>
     <message>
       <source> &amp;nbsp; </source>
-      <translation type="unfinished" />
+      <translation> &amp;nbsp; </translation>
     </message>
     <message>
       <source>, no values</source>
-      <translation type="unfinished" />
+      <translation>，没有值</translation>
     </message>
     <message>
       <source>Absolute phase</source>
-      <translation type="unfinished" />
+      <translation>绝对相位</translation>
     </message>
     <message>
       <source>Amplitude of the fringes at the exposure used</source>
-      <translation type="unfinished" />
+      <translation>所用曝光的条纹幅值</translation>
     </message>
     <message>
       <source>Column [px]</source>
-      <translation type="unfinished" />
+      <translation>列 [px]</translation>
     </message>
     <message>
       <source>Column of the first end</source>
-      <translation type="unfinished" />
+      <translation>第一端点的列</translation>
     </message>
     <message>
       <source>Column of the second end</source>
-      <translation type="unfinished" />
+      <translation>第二端点的列</translation>
     </message>
     <message>
       <source>Distance [px]</source>
-      <translation type="unfinished" />
+      <translation>距离 [px]</translation>
     </message>
     <message>
       <source>Exposure</source>
-      <translation type="unfinished" />
+      <translation>曝光</translation>
     </message>
     <message>
       <source>From row</source>
-      <translation type="unfinished" />
+      <translation>起始行</translation>
     </message>
     <message>
       <source>Grey level</source>
-      <translation type="unfinished" />
+      <translation>灰度</translation>
     </message>
     <message>
       <source>Image</source>
-      <translation type="unfinished" />
+      <translation>图像</translation>
     </message>
     <message>
       <source>Images</source>
-      <translation type="unfinished" />
+      <translation>图像</translation>
     </message>
     <message>
       <source>Longest exposure in which the pixel is not saturated</source>
-      <translation type="unfinished" />
+      <translation>像素未饱和的最长曝光</translation>
     </message>
     <message>
       <source>Map</source>
-      <translation type="unfinished" />
+      <translation>图</translation>
     </message>
     <message>
       <source>Modulation</source>
-      <translation type="unfinished" />
+      <translation>调制度</translation>
     </message>
     <message>
       <source>Phase</source>
-      <translation type="unfinished" />
+      <translation>相位</translation>
     </message>
     <message>
       <source>Phase within one period of the finest fringes</source>
-      <translation type="unfinished" />
+      <translation>最细条纹一个周期内的相位</translation>
     </message>
     <message>
       <source>Profile</source>
-      <translation type="unfinished" />
+      <translation>剖面</translation>
     </message>
     <message>
       <source>Reason</source>
-      <translation type="unfinished" />
+      <translation>原因</translation>
     </message>
     <message>
       <source>Row [px]</source>
-      <translation type="unfinished" />
+      <translation>行 [px]</translation>
     </message>
     <message>
       <source>Row of the first end</source>
-      <translation type="unfinished" />
+      <translation>第一端点的行</translation>
     </message>
     <message>
       <source>Row of the second end</source>
-      <translation type="unfinished" />
+      <translation>第二端点的行</translation>
     </message>
     <message>
       <source>Save table…</source>
-      <translation type="unfinished" />
+      <translation>保存表格…</translation>
     </message>
     <message>
       <source>Standard deviation of the absolute phase</source>
-      <translation type="unfinished" />
+      <translation>绝对相位的标准差</translation>
     </message>
     <message>
       <source>Standard deviation σ of the phase</source>
-      <translation type="unfinished" />
+      <translation>相位的标准差 σ</translation>
     </message>
     <message>
       <source>Stored images, one by one</source>
-      <translation type="unfinished" />
+      <translation>逐张查看已存图像</translation>
     </message>
     <message>
       <source>The values of all maps along the line, as CSV</source>
-      <translation type="unfinished" />
+      <translation>沿直线的所有图的数值，CSV</translation>
     </message>
     <message>
       <source>Valid</source>
-      <translation type="unfinished" />
+      <translation>有效</translation>
     </message>
     <message>
       <source>Why a pixel has no phase</source>
-      <translation type="unfinished" />
+      <translation>像素没有相位的原因</translation>
     </message>
     <message>
       <source>Wrapped</source>
-      <translation type="unfinished" />
+      <translation>包裹</translation>
     </message>
     <message>
       <source>Wrapped phase</source>
-      <translation type="unfinished" />
+      <translation>包裹相位</translation>
     </message>
     <message>
       <source>body</source>
-      <translation type="unfinished" />
+      <translation>body</translation>
     </message>
     <message>
       <source>caption</source>
-      <translation type="unfinished" />
+      <translation>caption</translation>
     </message>
     <message>
       <source>grey levels</source>
-      <translation type="unfinished" />
+      <translation>灰度</translation>
     </message>
     <message>
       <source>soft</source>
-      <translation type="unfinished" />
+      <translation>soft</translation>
     </message>
     <message>
       <source>to row</source>
-      <translation type="unfinished" />
+      <translation>至行</translation>
     </message>
     <message>
       <source>{text}, image {text_2}</source>
-      <translation type="unfinished" />
+      <translation>{text}，图像 {text_2}</translation>
     </message>
     <message>
       <source>{words}, {count} pixels{ends}</source>
-      <translation type="unfinished" />
+      <translation>{words}，{count} 个像素{ends}</translation>
     </message>
   </context>
   <context>
     <name>inspection</name>
     <message>
       <source>   magnified x {gain}</source>
-      <translation type="unfinished" />
+      <translation>   放大 {gain} 倍</translation>
     </message>
     <message>
       <source> {lost} points lie farther than {search_mm} from the nominal.</source>
-      <translation type="unfinished" />
+      <translation> {lost} 个点距名义模型超过 {search_mm}。</translation>
     </message>
     <message>
       <source>, each confirmed by its neighbours.</source>
-      <translation type="unfinished" />
+      <translation>，均由其邻点证实。</translation>
     </message>
     <message>
       <source>, form {form_error_mm}</source>
-      <translation type="unfinished" />
+      <translation>，形状误差 {form_error_mm}</translation>
     </message>
     <message>
       <source>; free: {list}</source>
-      <translation type="unfinished" />
+      <translation>；自由：{list}</translation>
     </message>
     <message>
       <source>A plane fixes three degrees of freedom, a line or axis two more, a point the last one.</source>
-      <translation type="unfinished" />
+      <translation>平面确定三个自由度，直线或轴线再确定两个，点确定最后一个。</translation>
     </message>
     <message>
       <source>A, B and C in their order; each fixes what the earlier ones leave free.</source>
-      <translation type="unfinished" />
+      <translation>依次为 A、B、C；每个确定前面留下的自由度。</translation>
     </message>
     <message>
       <source>Add</source>
-      <translation type="unfinished" />
+      <translation>添加</translation>
     </message>
     <message>
       <source>Add a dimension to the inspection program, from features of the list</source>
-      <translation type="unfinished" />
+      <translation>由列表中的特征向检测程序添加尺寸</translation>
     </message>
     <message>
       <source>Add a feature…</source>
-      <translation type="unfinished" />
+      <translation>添加特征…</translation>
     </message>
     <message>
       <source>Add dimension</source>
-      <translation type="unfinished" />
+      <translation>添加尺寸</translation>
     </message>
     <message>
       <source>Add it to the inspection program and measure it</source>
-      <translation type="unfinished" />
+      <translation>添加到检测程序并测量</translation>
     </message>
     <message>
       <source>Add the proposed dimension to the program and measure it (Enter)</source>
-      <translation type="unfinished" />
+      <translation>将建议的尺寸添加到程序并测量 (Enter)</translation>
     </message>
     <message>
       <source>Add to the inspection program</source>
-      <translation type="unfinished" />
+      <translation>添加到检测程序</translation>
     </message>
     <message>
       <source>Added to the inspection program, it is measured every time; its lines can also be copied to another program.</source>
-      <translation type="unfinished" />
+      <translation>添加到检测程序后每次都会测量；其文字也可复制到其他程序。</translation>
     </message>
     <message>
       <source>Align by datums, 3-2-1 or reference points. To keep the best fit, state it in the text of the program.</source>
-      <translation type="unfinished" />
+      <translation>请按基准、3-2-1 或参考点对齐。若保留最佳拟合，请在程序文本中写明。</translation>
     </message>
     <message>
       <source>Align by these elements and measure everything again; it can be undone</source>
-      <translation type="unfinished" />
+      <translation>按这些要素对齐并重新测量全部；可撤销</translation>
     </message>
     <message>
       <source>Aligned by</source>
-      <translation type="unfinished" />
+      <translation>对齐方式</translation>
     </message>
     <message>
       <source>Alignment</source>
-      <translation type="unfinished" />
+      <translation>对齐</translation>
     </message>
     <message>
       <source>Alignment of the program changed.</source>
-      <translation type="unfinished" />
+      <translation>程序的对齐已更改。</translation>
     </message>
     <message>
       <source>All points as close to the nominal as possible. For comparison only: it spreads defects over the whole part.</source>
-      <translation type="unfinished" />
+      <translation>所有点尽量接近名义模型。仅供比较：它会将缺陷分散到整个工件。</translation>
     </message>
     <message>
       <source>An inspection program fits features to the measured points and compares their dimensions with the nominal.</source>
-      <translation type="unfinished" />
+      <translation>检测程序将特征拟合到测量点，并将其尺寸与名义值比较。</translation>
     </message>
     <message>
       <source>Angle</source>
-      <translation type="unfinished" />
+      <translation>角度</translation>
     </message>
     <message>
       <source>Apply</source>
-      <translation type="unfinished" />
+      <translation>应用</translation>
     </message>
     <message>
       <source>Average the colours of neighbouring points; values, extremes and the histogram use every point as measured</source>
-      <translation type="unfinished" />
+      <translation>对邻点颜色取平均；数值、极值和直方图使用实测的每个点</translation>
     </message>
     <message>
       <source>Best fit</source>
-      <translation type="unfinished" />
+      <translation>最佳拟合</translation>
     </message>
     <message>
       <source>Check the program and measure what has changed</source>
-      <translation type="unfinished" />
+      <translation>检查程序并测量更改的内容</translation>
     </message>
     <message>
       <source>Choose features here, or click them in the list</source>
-      <translation type="unfinished" />
+      <translation>在此选择特征，或在列表中单击</translation>
     </message>
     <message>
       <source>Choose the nominal</source>
-      <translation type="unfinished" />
+      <translation>选择名义模型</translation>
     </message>
     <message>
       <source>Choose the nominal of the part: a mesh or a STEP file</source>
-      <translation type="unfinished" />
+      <translation>选择工件的名义模型：网格或 STEP 文件</translation>
     </message>
     <message>
       <source>Choose…</source>
-      <translation type="unfinished" />
+      <translation>选择…</translation>
     </message>
     <message>
       <source>Circle through the points</source>
-      <translation type="unfinished" />
+      <translation>过各点的圆</translation>
     </message>
     <message>
       <source>Click a measured point</source>
-      <translation type="unfinished" />
+      <translation>单击一个测量点</translation>
     </message>
     <message>
       <source>Click faces of the CAD model as elements, in their order; Esc ends</source>
-      <translation type="unfinished" />
+      <translation>按顺序单击 CAD 模型的面作为要素；Esc 结束</translation>
     </message>
     <message>
       <source>Click faces of the CAD model to select them as features; Esc ends</source>
-      <translation type="unfinished" />
+      <translation>单击 CAD 模型的面以选作特征；Esc 结束</translation>
     </message>
     <message>
       <source>Close</source>
-      <translation type="unfinished" />
+      <translation>关闭</translation>
     </message>
     <message>
       <source>Colour scale stored with the inspection program.</source>
-      <translation type="unfinished" />
+      <translation>色标已随检测程序保存。</translation>
     </message>
     <message>
       <source>Colours</source>
-      <translation type="unfinished" />
+      <translation>颜色</translation>
     </message>
     <message>
       <source>Cone</source>
-      <translation type="unfinished" />
+      <translation>圆锥</translation>
     </message>
     <message>
       <source>Cone angle</source>
-      <translation type="unfinished" />
+      <translation>锥角</translation>
     </message>
     <message>
       <source>Construct</source>
-      <translation type="unfinished" />
+      <translation>构造</translation>
     </message>
     <message>
       <source>Construct a feature from those selected</source>
-      <translation type="unfinished" />
+      <translation>由所选特征构造特征</translation>
     </message>
     <message>
       <source>Copy its lines</source>
-      <translation type="unfinished" />
+      <translation>复制其文字</translation>
     </message>
     <message>
       <source>Copy rows</source>
-      <translation type="unfinished" />
+      <translation>复制行</translation>
     </message>
     <message>
       <source>Cut the part by a plane and show the deviations along the section</source>
-      <translation type="unfinished" />
+      <translation>用平面剖切工件并显示沿截面的偏差</translation>
     </message>
     <message>
       <source>Cutting</source>
-      <translation type="unfinished" />
+      <translation>剖切</translation>
     </message>
     <message>
       <source>Cylinder</source>
-      <translation type="unfinished" />
+      <translation>圆柱</translation>
     </message>
     <message>
       <source>Cylindricity</source>
-      <translation type="unfinished" />
+      <translation>圆柱度</translation>
     </message>
     <message>
       <source>Datums</source>
-      <translation type="unfinished" />
+      <translation>基准</translation>
     </message>
     <message>
       <source>Decision rule</source>
-      <translation type="unfinished" />
+      <translation>判定规则</translation>
     </message>
     <message>
       <source>Del</source>
-      <translation type="unfinished" />
+      <translation>Del</translation>
     </message>
     <message>
       <source>Delete</source>
-      <translation type="unfinished" />
+      <translation>删除</translation>
     </message>
     <message>
       <source>Deviation</source>
-      <translation type="unfinished" />
+      <translation>偏差</translation>
     </message>
     <message>
       <source>Deviation from the nominal, in mm, on the CAD model or on the measured points</source>
-      <translation type="unfinished" />
+      <translation>与名义模型的偏差，mm，显示在 CAD 模型或测量点上</translation>
     </message>
     <message>
       <source>Diameter</source>
-      <translation type="unfinished" />
+      <translation>直径</translation>
     </message>
     <message>
       <source>Dimension</source>
-      <translation type="unfinished" />
+      <translation>尺寸</translation>
     </message>
     <message>
       <source>Dimensions</source>
-      <translation type="unfinished" />
+      <translation>尺寸</translation>
     </message>
     <message>
       <source>Discard the changes</source>
-      <translation type="unfinished" />
+      <translation>放弃更改</translation>
     </message>
     <message>
       <source>Each point</source>
-      <translation type="unfinished" />
+      <translation>逐点</translation>
     </message>
     <message>
       <source>Edit the inspection program as text: alignment, features, dimensions</source>
-      <translation type="unfinished" />
+      <translation>以文本编辑检测程序：对齐、特征、尺寸</translation>
     </message>
     <message>
       <source>Edit the nominal</source>
-      <translation type="unfinished" />
+      <translation>编辑名义值</translation>
     </message>
     <message>
       <source>Edit the tolerance</source>
-      <translation type="unfinished" />
+      <translation>编辑公差</translation>
     </message>
     <message>
       <source>Enter a number, such as 24.5.</source>
-      <translation type="unfinished" />
+      <translation>请输入数字，例如 24.5。</translation>
     </message>
     <message>
       <source>Enter the nominal value</source>
-      <translation type="unfinished" />
+      <translation>请输入名义值</translation>
     </message>
     <message>
       <source>Expanded uncertainty (k = 2)</source>
-      <translation type="unfinished" />
+      <translation>扩展不确定度 (k = 2)</translation>
     </message>
     <message>
       <source>F2 edits a cell, Enter zooms to the features of the row.</source>
-      <translation type="unfinished" />
+      <translation>F2 编辑单元格，Enter 缩放到该行的特征。</translation>
     </message>
     <message>
       <source>Feature</source>
-      <translation type="unfinished" />
+      <translation>特征</translation>
     </message>
     <message>
       <source>Features</source>
-      <translation type="unfinished" />
+      <translation>特征</translation>
     </message>
     <message>
       <source>Features and dimensions in TOML; the help of the Inspect page lists all options.</source>
-      <translation type="unfinished" />
+      <translation>TOML 格式的特征和尺寸；“检测”页的帮助列出所有选项。</translation>
     </message>
     <message>
       <source>Filled, not measured</source>
-      <translation type="unfinished" />
+      <translation>已填补，未测量</translation>
     </message>
     <message>
       <source>First feature</source>
-      <translation type="unfinished" />
+      <translation>第一特征</translation>
     </message>
     <message>
       <source>Fit a plane, cylinder, sphere or cone around a point you click</source>
-      <translation type="unfinished" />
+      <translation>在单击的点周围拟合平面、圆柱、球或圆锥</translation>
     </message>
     <message>
       <source>Flatness</source>
-      <translation type="unfinished" />
+      <translation>平面度</translation>
     </message>
     <message>
       <source>Follows the nominal features</source>
-      <translation type="unfinished" />
+      <translation>随名义特征变化</translation>
     </message>
     <message>
       <source>Form</source>
-      <translation type="unfinished" />
+      <translation>形状</translation>
     </message>
     <message>
       <source>Form deviation</source>
-      <translation type="unfinished" />
+      <translation>形状误差</translation>
     </message>
     <message>
       <source>Grow a</source>
-      <translation type="unfinished" />
+      <translation>生长</translation>
     </message>
     <message>
       <source>Hold Ctrl to select several features.</source>
-      <translation type="unfinished" />
+      <translation>按住 Ctrl 选择多个特征。</translation>
     </message>
     <message>
       <source>In use: {name}, {rms_mm} rms.</source>
-      <translation type="unfinished" />
+      <translation>使用中：{name}，均方根 {rms_mm}。</translation>
     </message>
     <message>
       <source>Inspect</source>
-      <translation type="unfinished" />
+      <translation>检测</translation>
     </message>
     <message>
       <source>Inspection program</source>
-      <translation type="unfinished" />
+      <translation>检测程序</translation>
     </message>
     <message>
       <source>Inspection programs (*.toml)</source>
-      <translation type="unfinished" />
+      <translation>检测程序 (*.toml)</translation>
     </message>
     <message>
       <source>Intersection</source>
-      <translation type="unfinished" />
+      <translation>相交</translation>
     </message>
     <message>
       <source>Kind</source>
-      <translation type="unfinished" />
+      <translation>类型</translation>
     </message>
     <message>
       <source>Kind of dimension</source>
-      <translation type="unfinished" />
+      <translation>尺寸类型</translation>
     </message>
     <message>
       <source>Labels</source>
-      <translation type="unfinished" />
+      <translation>标签</translation>
     </message>
     <message>
       <source>Lengths in mm, U for k = 2, verdicts by {rule_name}.</source>
-      <translation type="unfinished" />
+      <translation>长度单位 mm，U 为 k = 2，判定依据 {rule_name}。</translation>
     </message>
     <message>
       <source>Limits as deviations from the nominal. Type ±0.1, +0.1/-0.05, max 0.05, H7 or 2768-m.</source>
-      <translation type="unfinished" />
+      <translation>以对名义值的偏差给出限值。输入 ±0.1、+0.1/-0.05、max 0.05、H7 或 2768-m。</translation>
     </message>
     <message>
       <source>Line</source>
-      <translation type="unfinished" />
+      <translation>直线</translation>
     </message>
     <message>
       <source>Line through the points</source>
-      <translation type="unfinished" />
+      <translation>过各点的直线</translation>
     </message>
     <message>
       <source>Lines of {name} copied.</source>
-      <translation type="unfinished" />
+      <translation>已复制 {name} 的文字。</translation>
     </message>
     <message>
       <source>List</source>
-      <translation type="unfinished" />
+      <translation>列表</translation>
     </message>
     <message>
       <source>Maximum</source>
-      <translation type="unfinished" />
+      <translation>最大值</translation>
     </message>
     <message>
       <source>Mean of the points nearby</source>
-      <translation type="unfinished" />
+      <translation>邻近点的平均值</translation>
     </message>
     <message>
       <source>Mean {mean}, rms {rms}; 95 % within {p95}.</source>
-      <translation type="unfinished" />
+      <translation>平均 {mean}，均方根 {rms}；95 % 在 {p95} 以内。</translation>
     </message>
     <message>
       <source>Measure a cloud or mesh by a nominal or an inspection program</source>
-      <translation type="unfinished" />
+      <translation>按名义模型或检测程序测量点云或网格</translation>
     </message>
     <message>
       <source>Measure a file…</source>
-      <translation type="unfinished" />
+      <translation>测量文件…</translation>
     </message>
     <message>
       <source>Measure again</source>
-      <translation type="unfinished" />
+      <translation>重新测量</translation>
     </message>
     <message>
       <source>Measure everything that is stale</source>
-      <translation type="unfinished" />
+      <translation>测量所有过期项</translation>
     </message>
     <message>
       <source>Measured minus nominal</source>
-      <translation type="unfinished" />
+      <translation>测量值减名义值</translation>
     </message>
     <message>
       <source>Measured surface; hatched where it was filled, not measured</source>
-      <translation type="unfinished" />
+      <translation>测量的表面；已填补而未测量处为阴影线</translation>
     </message>
     <message>
       <source>Measured value, in mm unless a unit is given</source>
-      <translation type="unfinished" />
+      <translation>测量值，未注明单位时为 mm</translation>
     </message>
     <message>
       <source>Measuring what has changed…</source>
-      <translation type="unfinished" />
+      <translation>正在测量更改的内容…</translation>
     </message>
     <message>
       <source>Merged points</source>
-      <translation type="unfinished" />
+      <translation>合并后的点</translation>
     </message>
     <message>
       <source>Mid-plane</source>
-      <translation type="unfinished" />
+      <translation>中间平面</translation>
     </message>
     <message>
       <source>Midpoint</source>
-      <translation type="unfinished" />
+      <translation>中点</translation>
     </message>
     <message>
       <source>Minimum</source>
-      <translation type="unfinished" />
+      <translation>最小值</translation>
     </message>
     <message>
       <source>Move down</source>
-      <translation type="unfinished" />
+      <translation>下移</translation>
     </message>
     <message>
       <source>Move up</source>
-      <translation type="unfinished" />
+      <translation>上移</translation>
     </message>
     <message>
       <source>Name</source>
-      <translation type="unfinished" />
+      <translation>名称</translation>
     </message>
     <message>
       <source>No alignment was chosen: a best fit was used, which spreads defects over the whole part.</source>
-      <translation type="unfinished" />
+      <translation>未选择对齐：使用了最佳拟合，它会将缺陷分散到整个工件。</translation>
     </message>
     <message>
       <source>No dimension fits these features together.</source>
-      <translation type="unfinished" />
+      <translation>没有尺寸适合这些特征的组合。</translation>
     </message>
     <message>
       <source>No extreme that its neighbours confirm.</source>
-      <translation type="unfinished" />
+      <translation>没有邻点证实的极值。</translation>
     </message>
     <message>
       <source>No inspection yet.</source>
-      <translation type="unfinished" />
+      <translation>尚无检测。</translation>
     </message>
     <message>
       <source>No tolerance: there is no verdict</source>
-      <translation type="unfinished" />
+      <translation>无公差：不作判定</translation>
     </message>
     <message>
       <source>Nominal</source>
-      <translation type="unfinished" />
+      <translation>名义值</translation>
     </message>
     <message>
       <source>Nominal value</source>
-      <translation type="unfinished" />
+      <translation>名义值</translation>
     </message>
     <message>
       <source>Nominal, in italics where it is that of the CAD model</source>
-      <translation type="unfinished" />
+      <translation>名义值，与 CAD 模型相同时为斜体</translation>
     </message>
     <message>
       <source>Nominals (*.stl *.ply *.obj *.step *.stp)</source>
-      <translation type="unfinished" />
+      <translation>名义模型 (*.stl *.ply *.obj *.step *.stp)</translation>
     </message>
     <message>
       <source>Nominal…</source>
-      <translation type="unfinished" />
+      <translation>名义模型…</translation>
     </message>
     <message>
       <source>None</source>
-      <translation type="unfinished" />
+      <translation>无</translation>
     </message>
     <message>
       <source>Normal to</source>
-      <translation type="unfinished" />
+      <translation>垂直于</translation>
     </message>
     <message>
       <source>Not measured: {total} of the nominal's surface (not seen {not_seen}, filled {filled}, too far {too_far})</source>
-      <translation type="unfinished" />
+      <translation>未测量：名义表面的 {total}（未看到 {not_seen}，已填补 {filled}，过远 {too_far}）</translation>
     </message>
     <message>
       <source>Not measured: {unmeasured_share} of the nominal's surface</source>
-      <translation type="unfinished" />
+      <translation>未测量：名义表面的 {unmeasured_share}</translation>
     </message>
     <message>
       <source>Nothing measured yet</source>
-      <translation type="unfinished" />
+      <translation>尚未测量</translation>
     </message>
     <message>
       <source>Offset plane</source>
-      <translation type="unfinished" />
+      <translation>偏置平面</translation>
     </message>
     <message>
       <source>On the CAD model</source>
-      <translation type="unfinished" />
+      <translation>在 CAD 模型上</translation>
     </message>
     <message>
       <source>On the points</source>
-      <translation type="unfinished" />
+      <translation>在点上</translation>
     </message>
     <message>
       <source>Order of the dimensions changed.</source>
-      <translation type="unfinished" />
+      <translation>尺寸的顺序已更改。</translation>
     </message>
     <message>
       <source>Order of the report</source>
-      <translation type="unfinished" />
+      <translation>报告顺序</translation>
     </message>
     <message>
       <source>Parallelism</source>
-      <translation type="unfinished" />
+      <translation>平行度</translation>
     </message>
     <message>
       <source>Paste them into an inspection program.</source>
-      <translation type="unfinished" />
+      <translation>请将其粘贴到检测程序中。</translation>
     </message>
     <message>
       <source>Perpendicularity</source>
-      <translation type="unfinished" />
+      <translation>垂直度</translation>
     </message>
     <message>
       <source>Pick faces</source>
-      <translation type="unfinished" />
+      <translation>选取面</translation>
     </message>
     <message>
       <source>Picture</source>
-      <translation type="unfinished" />
+      <translation>图像</translation>
     </message>
     <message>
       <source>Pitch circle</source>
-      <translation type="unfinished" />
+      <translation>分布圆</translation>
     </message>
     <message>
       <source>Plane</source>
-      <translation type="unfinished" />
+      <translation>平面</translation>
     </message>
     <message>
       <source>Plane fit around the clicked place</source>
-      <translation type="unfinished" />
+      <translation>在单击处拟合的平面</translation>
     </message>
     <message>
       <source>Plane through the points</source>
-      <translation type="unfinished" />
+      <translation>过各点的平面</translation>
     </message>
     <message>
       <source>Point</source>
-      <translation type="unfinished" />
+      <translation>点</translation>
     </message>
     <message>
       <source>Point on the axis</source>
-      <translation type="unfinished" />
+      <translation>轴线上的点</translation>
     </message>
     <message>
       <source>Position</source>
-      <translation type="unfinished" />
+      <translation>位置度</translation>
     </message>
     <message>
       <source>Position of the section along the axis</source>
-      <translation type="unfinished" />
+      <translation>截面沿轴线的位置</translation>
     </message>
     <message>
       <source>Program edited, not saved</source>
-      <translation type="unfinished" />
+      <translation>程序已编辑，未保存</translation>
     </message>
     <message>
       <source>Program…</source>
-      <translation type="unfinished" />
+      <translation>程序…</translation>
     </message>
     <message>
       <source>Projection of the first onto the second</source>
-      <translation type="unfinished" />
+      <translation>第一个在第二个上的投影</translation>
     </message>
     <message>
       <source>Proposed dimension</source>
-      <translation type="unfinished" />
+      <translation>建议的尺寸</translation>
     </message>
     <message>
       <source>Radius</source>
-      <translation type="unfinished" />
+      <translation>半径</translation>
     </message>
     <message>
       <source>Reading a deviation</source>
-      <translation type="unfinished" />
+      <translation>正在读取偏差</translation>
     </message>
     <message>
       <source>Redo (Ctrl+Y)</source>
-      <translation type="unfinished" />
+      <translation>重做 (Ctrl+Y)</translation>
     </message>
     <message>
       <source>Reference points, each along its normal; further ones take part by least squares.</source>
-      <translation type="unfinished" />
+      <translation>参考点，各沿其法向；更多的点按最小二乘参与。</translation>
     </message>
     <message>
       <source>Rejected</source>
-      <translation type="unfinished" />
+      <translation>已剔除</translation>
     </message>
     <message>
       <source>Relative deviation</source>
-      <translation type="unfinished" />
+      <translation>相对偏差</translation>
     </message>
     <message>
       <source>Remove from the program</source>
-      <translation type="unfinished" />
+      <translation>从程序中移除</translation>
     </message>
     <message>
       <source>Remove {name}</source>
-      <translation type="unfinished" />
+      <translation>移除 {name}</translation>
     </message>
     <message>
       <source>Rename</source>
-      <translation type="unfinished" />
+      <translation>重命名</translation>
     </message>
     <message>
       <source>Reset</source>
-      <translation type="unfinished" />
+      <translation>重置</translation>
     </message>
     <message>
       <source>Residual at {name}</source>
-      <translation type="unfinished" />
+      <translation>{name} 处的残差</translation>
     </message>
     <message>
       <source>Restore the nominal of the CAD features</source>
-      <translation type="unfinished" />
+      <translation>恢复 CAD 特征的名义值</translation>
     </message>
     <message>
       <source>Return to the alignment of the program</source>
-      <translation type="unfinished" />
+      <translation>恢复程序的对齐</translation>
     </message>
     <message>
       <source>Roundness</source>
-      <translation type="unfinished" />
+      <translation>圆度</translation>
     </message>
     <message>
       <source>Save as…</source>
-      <translation type="unfinished" />
+      <translation>另存为…</translation>
     </message>
     <message>
       <source>Save program</source>
-      <translation type="unfinished" />
+      <translation>保存程序</translation>
     </message>
     <message>
       <source>Save program, results and report with the project (Ctrl+S)</source>
-      <translation type="unfinished" />
+      <translation>将程序、结果和报告随项目保存 (Ctrl+S)</translation>
     </message>
     <message>
       <source>Save the inspection program</source>
-      <translation type="unfinished" />
+      <translation>保存检测程序</translation>
     </message>
     <message>
       <source>Save the program to a file of its own</source>
-      <translation type="unfinished" />
+      <translation>将程序保存到单独的文件</translation>
     </message>
     <message>
       <source>Search</source>
-      <translation type="unfinished" />
+      <translation>搜索</translation>
     </message>
     <message>
       <source>Search dimensions by name or kind</source>
-      <translation type="unfinished" />
+      <translation>按名称或类型搜索尺寸</translation>
     </message>
     <message>
       <source>Second feature or datum</source>
-      <translation type="unfinished" />
+      <translation>第二特征或基准</translation>
     </message>
     <message>
       <source>Section</source>
-      <translation type="unfinished" />
+      <translation>截面</translation>
     </message>
     <message>
       <source>Section normal to</source>
-      <translation type="unfinished" />
+      <translation>截面垂直于</translation>
     </message>
     <message>
       <source>Select features in the list, or pick faces of the CAD model in the picture. Fitting dimensions are then proposed.</source>
-      <translation type="unfinished" />
+      <translation>在列表中选择特征，或在图中选取 CAD 模型的面。随后会建议合适的尺寸。</translation>
     </message>
     <message>
       <source>Shape</source>
-      <translation type="unfinished" />
+      <translation>形状</translation>
     </message>
     <message>
       <source>Shape to grow</source>
-      <translation type="unfinished" />
+      <translation>要生长的形状</translation>
     </message>
     <message>
       <source>Show dimensions whose name or kind contains these words (Ctrl+F)</source>
-      <translation type="unfinished" />
+      <translation>显示名称或类型包含这些词的尺寸 (Ctrl+F)</translation>
     </message>
     <message>
       <source>Show the value of every dimension in the picture</source>
-      <translation type="unfinished" />
+      <translation>在图中显示每个尺寸的值</translation>
     </message>
     <message>
       <source>Size</source>
-      <translation type="unfinished" />
+      <translation>大小</translation>
     </message>
     <message>
       <source>Smooth the colours for the eye</source>
-      <translation type="unfinished" />
+      <translation>平滑颜色以便观察</translation>
     </message>
     <message>
       <source>Smoothed, radius {radius_mm}</source>
-      <translation type="unfinished" />
+      <translation>已平滑，半径 {radius_mm}</translation>
     </message>
     <message>
       <source>Sphere</source>
-      <translation type="unfinished" />
+      <translation>球</translation>
     </message>
     <message>
       <source>Stale results: the program has changed since they were measured</source>
-      <translation type="unfinished" />
+      <translation>结果过期：测量之后程序已更改</translation>
     </message>
     <message>
       <source>Status: current, being measured, stale, or not measurable</source>
-      <translation type="unfinished" />
+      <translation>状态：当前、正在测量、过期或无法测量</translation>
     </message>
     <message>
       <source>Store</source>
-      <translation type="unfinished" />
+      <translation>保存</translation>
     </message>
     <message>
       <source>Store colours, range and tolerance band with the inspection program: they are used again here and in reports</source>
-      <translation type="unfinished" />
+      <translation>将颜色、范围和公差带随检测程序保存：在此处和报告中再次使用</translation>
     </message>
     <message>
       <source>Surface</source>
-      <translation type="unfinished" />
+      <translation>表面</translation>
     </message>
     <message>
       <source>Surface deviation</source>
-      <translation type="unfinished" />
+      <translation>表面偏差</translation>
     </message>
     <message>
       <source>Symmetric tolerance</source>
-      <translation type="unfinished" />
+      <translation>对称公差</translation>
     </message>
     <message>
       <source>Symmetric tolerance band of the colours in mm; it does not affect verdicts</source>
-      <translation type="unfinished" />
+      <translation>颜色的对称公差带，mm；不影响判定</translation>
     </message>
     <message>
       <source>Symmetry</source>
-      <translation type="unfinished" />
+      <translation>对称度</translation>
     </message>
     <message>
       <source>The coordinates of the part as they are, without an alignment.</source>
-      <translation type="unfinished" />
+      <translation>工件坐标原样，不作对齐。</translation>
     </message>
     <message>
       <source>The dimensions appear here when the surface is complete.</source>
-      <translation type="unfinished" />
+      <translation>表面完成后在此显示尺寸。</translation>
     </message>
     <message>
       <source>The entry was not taken over.</source>
-      <translation type="unfinished" />
+      <translation>该输入未被采用。</translation>
     </message>
     <message>
       <source>The nominal follows the nominal features again.</source>
-      <translation type="unfinished" />
+      <translation>名义值重新随名义特征变化。</translation>
     </message>
     <message>
       <source>Tolerance</source>
-      <translation type="unfinished" />
+      <translation>公差</translation>
     </message>
     <message>
       <source>Tolerance band ±</source>
-      <translation type="unfinished" />
+      <translation>公差带 ±</translation>
     </message>
     <message>
       <source>Tolerance {tolerance}</source>
-      <translation type="unfinished" />
+      <translation>公差 {tolerance}</translation>
     </message>
     <message>
       <source>Too few features: grow some first</source>
-      <translation type="unfinished" />
+      <translation>特征太少：请先生长一些</translation>
     </message>
     <message>
       <source>Traceability</source>
-      <translation type="unfinished" />
+      <translation>溯源</translation>
     </message>
     <message>
       <source>Typed</source>
-      <translation type="unfinished" />
+      <translation>手动输入</translation>
     </message>
     <message>
       <source>Uncertainty budget (k = 2)</source>
-      <translation type="unfinished" />
+      <translation>不确定度预算 (k = 2)</translation>
     </message>
     <message>
       <source>Undo the last point, distance, feature or change of the program</source>
-      <translation type="unfinished" />
+      <translation>撤销上一个点、距离、特征或程序更改</translation>
     </message>
     <message>
       <source>Whiskers × {gain}</source>
-      <translation type="unfinished" />
+      <translation>偏差线 × {gain}</translation>
     </message>
     <message>
       <source>Width of the zone</source>
-      <translation type="unfinished" />
+      <translation>区域宽度</translation>
     </message>
     <message>
       <source>Worst verdict first</source>
-      <translation type="unfinished" />
+      <translation>最差判定在前</translation>
     </message>
     <message>
       <source>Zoom to its features</source>
-      <translation type="unfinished" />
+      <translation>缩放到其特征</translation>
     </message>
     <message>
       <source>blade section</source>
-      <translation type="unfinished" />
+      <translation>叶片截面</translation>
     </message>
     <message>
       <source>circle</source>
-      <translation type="unfinished" />
+      <translation>圆</translation>
     </message>
     <message>
       <source>cone</source>
-      <translation type="unfinished" />
+      <translation>圆锥</translation>
     </message>
     <message>
       <source>cylinder</source>
-      <translation type="unfinished" />
+      <translation>圆柱</translation>
     </message>
     <message>
       <source>datums </source>
-      <translation type="unfinished" />
+      <translation>基准</translation>
     </message>
     <message>
       <source>edge</source>
-      <translation type="unfinished" />
+      <translation>边</translation>
     </message>
     <message>
       <source>feature</source>
-      <translation type="unfinished" />
+      <translation>特征</translation>
     </message>
     <message>
       <source>line</source>
-      <translation type="unfinished" />
+      <translation>直线</translation>
     </message>
     <message>
       <source>none: no verdict</source>
-      <translation type="unfinished" />
+      <translation>无：不作判定</translation>
     </message>
     <message>
       <source>not determined: {motion}</source>
-      <translation type="unfinished" />
+      <translation>未确定：{motion}</translation>
     </message>
     <message>
       <source>plane</source>
-      <translation type="unfinished" />
+      <translation>平面</translation>
     </message>
     <message>
       <source>point</source>
-      <translation type="unfinished" />
+      <translation>点</translation>
     </message>
     <message>
       <source>problem</source>
-      <translation type="unfinished" />
+      <translation>个问题</translation>
     </message>
     <message>
       <source>slot</source>
-      <translation type="unfinished" />
+      <translation>槽</translation>
     </message>
     <message>
       <source>sphere</source>
-      <translation type="unfinished" />
+      <translation>球</translation>
     </message>
     <message>
       <source>strong</source>
-      <translation type="unfinished" />
+      <translation>strong</translation>
     </message>
     <message>
       <source>to</source>
-      <translation type="unfinished" />
+      <translation>至</translation>
     </message>
     <message>
       <source>to datum</source>
-      <translation type="unfinished" />
+      <translation>到基准</translation>
     </message>
     <message>
       <source>torus</source>
-      <translation type="unfinished" />
+      <translation>圆环</translation>
     </message>
     <message>
       <source>{chip}: show only these</source>
-      <translation type="unfinished" />
+      <translation>{chip}：仅显示这些</translation>
     </message>
     <message>
       <source>{count} fail</source>
-      <translation type="unfinished" />
+      <translation>{count} 不合格</translation>
     </message>
     <message>
       <source>{count} not measured</source>
-      <translation type="unfinished" />
+      <translation>{count} 未测量</translation>
     </message>
     <message>
       <source>{count} not proven</source>
-      <translation type="unfinished" />
+      <translation>{count} 未证实</translation>
     </message>
     <message>
       <source>{count} of 6 degrees of freedom fixed</source>
-      <translation type="unfinished" />
+      <translation>已确定 6 个自由度中的 {count} 个</translation>
     </message>
     <message>
       <source>{count} pass</source>
-      <translation type="unfinished" />
+      <translation>{count} 合格</translation>
     </message>
     <message>
       <source>{count} stale</source>
-      <translation type="unfinished" />
+      <translation>{count} 过期</translation>
     </message>
     <message>
       <source>{count} without tolerance</source>
-      <translation type="unfinished" />
+      <translation>{count} 无公差</translation>
     </message>
     <message>
       <source>{filled}: {filled_2} of the surface</source>
-      <translation type="unfinished" />
+      <translation>{filled}：表面的 {filled_2}</translation>
     </message>
     <message>
       <source>{inside} within the tolerance band, {below} below, {above} above.</source>
-      <translation type="unfinished" />
+      <translation>公差带内 {inside}，低于 {below}，高于 {above}。</translation>
     </message>
     <message>
       <source>{kind}, width {millimetres}</source>
-      <translation type="unfinished" />
+      <translation>{kind}，宽度 {millimetres}</translation>
     </message>
     <message>
       <source>{name}: residual {off}.</source>
-      <translation type="unfinished" />
+      <translation>{name}：残差 {off}。</translation>
     </message>
     <message>
       <source>{program}. Aligned by {name}, {rms_mm} rms.</source>
-      <translation type="unfinished" />
+      <translation>{program}。按{name}对齐，均方根 {rms_mm}。</translation>
     </message>
     <message>
       <source>{shape_words}, constructed</source>
-      <translation type="unfinished" />
+      <translation>{shape_words}，构造</translation>
     </message>
     <message>
       <source>{what} of {count} dimensions changed.</source>
-      <translation type="unfinished" />
+      <translation>{count} 个尺寸的{what}已更改。</translation>
     </message>
     <message>
       <source>{what} of {name} changed.</source>
-      <translation type="unfinished" />
+      <translation>{name} 的{what}已更改。</translation>
     </message>
     <message>
       <source>{where}, deviations × {gain}</source>
-      <translation type="unfinished" />
+      <translation>{where}，偏差 × {gain}</translation>
     </message>
     <message>
       <source>{where}: no intersection</source>
-      <translation type="unfinished" />
+      <translation>{where}：无交线</translation>
     </message>
     <message>
       <source>{where}: not measured</source>
-      <translation type="unfinished" />
+      <translation>{where}：未测量</translation>
     </message>
   </context>
   <context>
     <name>look</name>
     <message>
       <source>, both directions</source>
-      <translation type="unfinished" />
+      <translation>，两个方向</translation>
     </message>
     <message>
       <source>10 images: 4 steps at 16 px.</source>
-      <translation type="unfinished" />
+      <translation>10 幅图像：16 px 处 4 步。</translation>
     </message>
     <message>
       <source>11 images: 4 steps at 16 px.</source>
-      <translation type="unfinished" />
+      <translation>11 幅图像：16 px 处 4 步。</translation>
     </message>
     <message>
       <source>12 images: 4 steps at 32, 186.6 and 1088 px.</source>
-      <translation type="unfinished" />
+      <translation>12 幅图像：32、186.6 和 1088 px 处 4 步。</translation>
     </message>
     <message>
       <source>15 images: 8 steps at 16 px.</source>
-      <translation type="unfinished" />
+      <translation>15 幅图像：16 px 处 8 步。</translation>
     </message>
     <message>
       <source>16 images: 8 steps at 32 and 33 px.</source>
-      <translation type="unfinished" />
+      <translation>16 幅图像：32 和 33 px 处 8 步。</translation>
     </message>
     <message>
       <source>28 images: 4 steps, each pitch half of the one before, from 17 px.</source>
-      <translation type="unfinished" />
+      <translation>28 幅图像：4 步，间距从 17 px 起逐次减半。</translation>
     </message>
     <message>
       <source>32 and 33 px, 8 steps</source>
-      <translation type="unfinished" />
+      <translation>32 和 33 px，8 步</translation>
     </message>
     <message>
       <source>8 images: 4 steps at 32 and 33 px.</source>
-      <translation type="unfinished" />
+      <translation>8 幅图像：32 和 33 px 处 4 步。</translation>
     </message>
     <message>
       <source>All {count} pass.</source>
-      <translation type="unfinished" />
+      <translation>全部 {count} 个合格。</translation>
     </message>
     <message>
       <source>Baud rate</source>
-      <translation type="unfinished" />
+      <translation>波特率</translation>
     </message>
     <message>
       <source>Beam of the guide</source>
-      <translation type="unfinished" />
+      <translation>导轨横梁</translation>
     </message>
     <message>
       <source>Bodies in the cell</source>
-      <translation type="unfinished" />
+      <translation>工作站中的物体</translation>
     </message>
     <message>
       <source>Boxes of the head</source>
-      <translation type="unfinished" />
+      <translation>测头的外形盒</translation>
     </message>
     <message>
       <source>Camera in the head</source>
-      <translation type="unfinished" />
+      <translation>测头中的相机</translation>
     </message>
     <message>
       <source>Cantarell</source>
-      <translation type="unfinished" />
+      <translation>Cantarell</translation>
     </message>
     <message>
       <source>Choose one of: {expected}</source>
-      <translation type="unfinished" />
+      <translation>请选择其一：{expected}</translation>
     </message>
     <message>
       <source>Clearance</source>
-      <translation type="unfinished" />
+      <translation>间隙</translation>
     </message>
     <message>
       <source>Complem. Gray, 8 steps</source>
-      <translation type="unfinished" />
+      <translation>互补格雷码，8 步</translation>
     </message>
     <message>
       <source>Complem. Gray, orthogonal</source>
-      <translation type="unfinished" />
+      <translation>互补格雷码，正交</translation>
     </message>
     <message>
       <source>Complementary Gray</source>
-      <translation type="unfinished" />
+      <translation>互补格雷码</translation>
     </message>
     <message>
       <source>DejaVu Sans</source>
-      <translation type="unfinished" />
+      <translation>DejaVu Sans</translation>
     </message>
     <message>
       <source>Delay between packets</source>
-      <translation type="unfinished" />
+      <translation>数据包间隔</translation>
     </message>
     <message>
       <source>Depth discontinuity</source>
-      <translation type="unfinished" />
+      <translation>深度不连续</translation>
     </message>
     <message>
       <source>Enter a finite number</source>
-      <translation type="unfinished" />
+      <translation>请输入有限数值</translation>
     </message>
     <message>
       <source>Enter a number</source>
-      <translation type="unfinished" />
+      <translation>请输入数字</translation>
     </message>
     <message>
       <source>Enter a value</source>
-      <translation type="unfinished" />
+      <translation>请输入数值</translation>
     </message>
     <message>
       <source>Enter a value.</source>
-      <translation type="unfinished" />
+      <translation>请输入数值。</translation>
     </message>
     <message>
       <source>Enter a whole number</source>
-      <translation type="unfinished" />
+      <translation>请输入整数</translation>
     </message>
     <message>
       <source>Flying point</source>
-      <translation type="unfinished" />
+      <translation>飞点</translation>
     </message>
     <message>
       <source>Full well</source>
-      <translation type="unfinished" />
+      <translation>满阱容量</translation>
     </message>
     <message>
       <source>Fusion</source>
-      <translation type="unfinished" />
+      <translation>融合</translation>
     </message>
     <message>
       <source>Give at least {limits}.</source>
-      <translation type="unfinished" />
+      <translation>请至少给出 {limits}。</translation>
     </message>
     <message>
       <source>Gray code</source>
-      <translation type="unfinished" />
+      <translation>格雷码</translation>
     </message>
     <message>
       <source>Grazing incidence</source>
-      <translation type="unfinished" />
+      <translation>掠入射</translation>
     </message>
     <message>
       <source>Head on the flange</source>
-      <translation type="unfinished" />
+      <translation>法兰上的测头</translation>
     </message>
     <message>
       <source>Height of the floor</source>
-      <translation type="unfinished" />
+      <translation>地面高度</translation>
     </message>
     <message>
       <source>Hierarchical</source>
-      <translation type="unfinished" />
+      <translation>分层</translation>
     </message>
     <message>
       <source>Inter</source>
-      <translation type="unfinished" />
+      <translation>Inter</translation>
     </message>
     <message>
       <source>Isolated patch</source>
-      <translation type="unfinished" />
+      <translation>孤立碎片</translation>
     </message>
     <message>
       <source>Keep-out boxes</source>
-      <translation type="unfinished" />
+      <translation>禁入区</translation>
     </message>
     <message>
       <source>Largest part</source>
-      <translation type="unfinished" />
+      <translation>最大工件</translation>
     </message>
     <message>
       <source>Lower corner</source>
-      <translation type="unfinished" />
+      <translation>下角点</translation>
     </message>
     <message>
       <source>Measured</source>
-      <translation type="unfinished" />
+      <translation>已测量</translation>
     </message>
     <message>
       <source>Measured by another camera</source>
-      <translation type="unfinished" />
+      <translation>由另一相机测量</translation>
     </message>
     <message>
       <source>Must be at least {ge}</source>
-      <translation type="unfinished" />
+      <translation>不得小于 {ge}</translation>
     </message>
     <message>
       <source>Must be at most {le}</source>
-      <translation type="unfinished" />
+      <translation>不得大于 {le}</translation>
     </message>
     <message>
       <source>Must be greater than {gt}</source>
-      <translation type="unfinished" />
+      <translation>必须大于 {gt}</translation>
     </message>
     <message>
       <source>Must be less than {lt}</source>
-      <translation type="unfinished" />
+      <translation>必须小于 {lt}</translation>
     </message>
     <message>
       <source>No dimension has a tolerance: nothing is proven.</source>
-      <translation type="unfinished" />
+      <translation>没有带公差的尺寸：什么也未证实。</translation>
     </message>
     <message>
       <source>Noto Sans</source>
-      <translation type="unfinished" />
+      <translation>Noto Sans</translation>
     </message>
     <message>
       <source>Oblique to another camera</source>
-      <translation type="unfinished" />
+      <translation>对另一相机过斜</translation>
     </message>
     <message>
       <source>Packet size</source>
-      <translation type="unfinished" />
+      <translation>数据包大小</translation>
     </message>
     <message>
       <source>Paper, orthogonal</source>
-      <translation type="unfinished" />
+      <translation>论文，正交</translation>
     </message>
     <message>
       <source>Paper: 32 and 33 px</source>
-      <translation type="unfinished" />
+      <translation>论文：32 和 33 px</translation>
     </message>
     <message>
       <source>Park pose</source>
-      <translation type="unfinished" />
+      <translation>停放位姿</translation>
     </message>
     <message>
       <source>Projector in the head</source>
-      <translation type="unfinished" />
+      <translation>测头中的投影仪</translation>
     </message>
     <message>
       <source>Quaternion</source>
-      <translation type="unfinished" />
+      <translation>四元数</translation>
     </message>
     <message>
       <source>Reference camera</source>
-      <translation type="unfinished" />
+      <translation>参考相机</translation>
     </message>
     <message>
       <source>Roboto</source>
-      <translation type="unfinished" />
+      <translation>Roboto</translation>
     </message>
     <message>
       <source>SF Pro Text</source>
-      <translation type="unfinished" />
+      <translation>SF Pro Text</translation>
     </message>
     <message>
       <source>Segoe UI</source>
-      <translation type="unfinished" />
+      <translation>Segoe UI</translation>
     </message>
     <message>
       <source>Segoe UI Variable</source>
-      <translation type="unfinished" />
+      <translation>Segoe UI Variable</translation>
     </message>
     <message>
       <source>Settling time</source>
-      <translation type="unfinished" />
+      <translation>稳定时间</translation>
     </message>
     <message>
       <source>Synchronisation</source>
-      <translation type="unfinished" />
+      <translation>同步</translation>
     </message>
     <message>
       <source>The dimension passes.</source>
-      <translation type="unfinished" />
+      <translation>该尺寸合格。</translation>
     </message>
     <message>
       <source>The program evaluated no dimension: there is no verdict.</source>
-      <translation type="unfinished" />
+      <translation>程序未评定任何尺寸：不作判定。</translation>
     </message>
     <message>
       <source>There is no such setting</source>
-      <translation type="unfinished" />
+      <translation>没有此设置</translation>
     </message>
     <message>
       <source>Thermal expansion of the head</source>
-      <translation type="unfinished" />
+      <translation>测头的热膨胀</translation>
     </message>
     <message>
       <source>This text does not have the required form</source>
-      <translation type="unfinished" />
+      <translation>此文本的格式不符合要求</translation>
     </message>
     <message>
       <source>Three close pitches</source>
-      <translation type="unfinished" />
+      <translation>三个相近间距</translation>
     </message>
     <message>
       <source>Three close, 3 steps</source>
-      <translation type="unfinished" />
+      <translation>三相近，3 步</translation>
     </message>
     <message>
       <source>Three close, 8 steps</source>
-      <translation type="unfinished" />
+      <translation>三相近，8 步</translation>
     </message>
     <message>
       <source>Three close, orthogonal</source>
-      <translation type="unfinished" />
+      <translation>三相近，正交</translation>
     </message>
     <message>
       <source>Three wide pitches</source>
-      <translation type="unfinished" />
+      <translation>三个宽间距</translation>
     </message>
     <message>
       <source>Three wide, 8 steps</source>
-      <translation type="unfinished" />
+      <translation>三宽，8 步</translation>
     </message>
     <message>
       <source>Three wide, from 32 px</source>
-      <translation type="unfinished" />
+      <translation>三宽，从 32 px 起</translation>
     </message>
     <message>
       <source>Uncertainty of the scale</source>
-      <translation type="unfinished" />
+      <translation>比例的不确定度</translation>
     </message>
     <message>
       <source>Upper corner</source>
-      <translation type="unfinished" />
+      <translation>上角点</translation>
     </message>
     <message>
       <source>Validity</source>
-      <translation type="unfinished" />
+      <translation>有效性</translation>
     </message>
     <message>
       <source>Value error, </source>
-      <translation type="unfinished" />
+      <translation>数值错误，</translation>
     </message>
     <message>
       <source>at 16, 131.9 and 1088 px</source>
-      <translation type="unfinished" />
+      <translation>16、131.9 和 1088 px</translation>
     </message>
     <message>
       <source>at 16, 17.84 and 18.14 px</source>
-      <translation type="unfinished" />
+      <translation>16、17.84 和 18.14 px</translation>
     </message>
     <message>
       <source>at a rim</source>
-      <translation type="unfinished" />
+      <translation>边缘处</translation>
     </message>
     <message>
       <source>dimension</source>
-      <translation type="unfinished" />
+      <translation>个尺寸</translation>
     </message>
     <message>
       <source>grazing for a partner</source>
-      <translation type="unfinished" />
+      <translation>另一相机掠射</translation>
     </message>
     <message>
       <source>just now</source>
-      <translation type="unfinished" />
+      <translation>刚刚</translation>
     </message>
     <message>
       <source>no tolerance</source>
-      <translation type="unfinished" />
+      <translation>无公差</translation>
     </message>
     <message>
       <source>partner grazing</source>
-      <translation type="unfinished" />
+      <translation>对方掠射</translation>
     </message>
     <message>
       <source>seen by another</source>
-      <translation type="unfinished" />
+      <translation>由另一相机看到</translation>
     </message>
     <message>
       <source>{days} days ago</source>
-      <translation type="unfinished" />
+      <translation>{days} 天前</translation>
     </message>
     <message>
       <source>{hours} h ago</source>
-      <translation type="unfinished" />
+      <translation>{hours} 小时前</translation>
     </message>
     <message>
       <source>{list}, of {count}.</source>
-      <translation type="unfinished" />
+      <translation>{list}，共 {count}。</translation>
     </message>
     <message>
       <source>{minutes} min ago</source>
-      <translation type="unfinished" />
+      <translation>{minutes} 分钟前</translation>
     </message>
     <message>
       <source>{n} fail</source>
-      <translation type="unfinished" />
+      <translation>{n} 不合格</translation>
     </message>
     <message>
       <source>{n} not measured</source>
-      <translation type="unfinished" />
+      <translation>{n} 未测量</translation>
     </message>
     <message>
       <source>{n} not proven</source>
-      <translation type="unfinished" />
+      <translation>{n} 未证实</translation>
     </message>
     <message>
       <source>{n} pass</source>
-      <translation type="unfinished" />
+      <translation>{n} 合格</translation>
     </message>
     <message>
       <source>{n} without tolerance</source>
-      <translation type="unfinished" />
+      <translation>{n} 无公差</translation>
     </message>
   </context>
   <context>
     <name>main_window</name>
     <message>
       <source>MeasureApp</source>
-      <translation type="unfinished" />
+      <translation>MeasureApp</translation>
     </message>
     <message>
       <source>Save the log for support</source>
-      <translation type="unfinished" />
+      <translation>保存日志以供支持</translation>
     </message>
     <message>
       <source>Saving the log</source>
-      <translation type="unfinished" />
+      <translation>正在保存日志</translation>
     </message>
     <message>
       <source>Send this file to support.</source>
-      <translation type="unfinished" />
+      <translation>请将此文件发送给支持人员。</translation>
     </message>
     <message>
       <source>The log is saved to {file}.</source>
-      <translation type="unfinished" />
+      <translation>日志已保存到 {file}。</translation>
     </message>
     <message>
       <source>{name} – MeasureApp</source>
-      <translation type="unfinished" />
+      <translation>{name} – MeasureApp</translation>
     </message>
   </context>
   <context>
     <name>operator</name>
     <message>
       <source>
-#operator, #operator QScrollArea, #operator QWidget#clear { background: $window; border: none; }
-#operator QLabel { background: transparent; color: $text; font-size: 18px; }
-#operator QLabel[op="soft"] { color: $soft; font-size: 18px; }
-#operator QLabel[op="strong"] { font-size: 20px; font-weight: 600; }
-#operator QLabel[op="heading"] { font-size: 24px; font-weight: 600; }
-#operator QLabel[op="title"] { font-size: 32px; font-weight: 600; }
-#operator QLabel[op="step"] { font-size: 40px; font-weight: 600; }
-#operator QLabel[op="value"] { font-size: 36px; font-weight: 600; }
-#operator QLabel[op="error"] { color: $error; font-size: 20px; font-weight: 600; }
-#operator QLabel[op="count"] { font-size: 20px; font-weight: 600; }
-
-#operator QFrame#operator-bar { background: $surface; border: none; border-bottom: 1px solid $line; }
-#operator QFrame#operator-strip { background: $surface; border: none; border-top: 1px solid $line; }
-#operator QFrame#operator-card { background: $surface; border: 1px solid $line; border-radius: 8px; }
-#operator QFrame#operator-words { background: $raised; border: 2px solid $line; border-radius: 8px; }
-#operator QFrame#operator-words[level="error"] { border-color: $error; }
-#operator QFrame#operator-call { background: $amber; border: none; }
-#operator QFrame#operator-call QLabel { color: $dark_letters; font-size: 20px; font-weight: 600; }
-
-#operator QPushButton[op] { background: $surface; color: $text; border: 2px solid $line; border-radius: 8px; font-size: 20px; }
-#operator QPushButton[op="normal"], #operator QPushButton[op="primary"] { padding: 0 24px; min-height: 56px; }
-#operator QPushButton[tall="true"] { min-height: 80px; }
-#operator QPushButton[op]:focus { border-color: $accent; }
-#operator QPushButton[op]:pressed { background: $accent_soft; border-color: $accent; }
-#operator QPushButton[op]:checked { background: $accent_soft; border-color: $accent; }
-#operator QPushButton[op]:disabled { color: $faint; background: $sunken; }
-#operator QPushButton[op="primary"] { background: $accent; color: $accent_on; border-color: $accent; font-weight: 600; }
-#operator QPushButton[op="primary"]:focus { border-color: $text; }
-#operator QPushButton[op="primary"]:pressed { background: $accent_pressed; }
-#operator QPushButton[op="primary"]:disabled { background: $sunken; color: $faint; border-color: $line; }
-#operator QPushButton[op="stop"] { background: $fail; color: #ffffff; border-color: $fail; font-size: 28px; font-weight: 700; min-height: 96px; }
-#operator QPushButton[op="stop"]:focus { border-color: $text; }
-#operator QPushButton[op="stop"]:pressed { background: $fail_pressed; }
-#operator QPushButton[op="quiet"] { border-color: transparent; background: transparent; padding: 0 16px; min-height: 48px; font-size: 18px; }
-#operator QPushButton[op="quiet"]:focus { border-color: $accent; }
-#operator QPushButton[op="quiet"]:disabled { background: transparent; }
-#operator QPushButton[op="key"] { font-size: 28px; padding: 0; min-height: 72px; }
-#operator QPushButton[op="key"][low="true"] { font-size: 22px; min-height: 48px; }
-#operator QPushButton[op="card"] { text-align: left; padding: 0; min-height: ${card}px; }
-
-#operator QLineEdit { background: $surface; color: $text; border: 2px solid $line; border-radius: 8px; font-size: 24px; padding: 0 16px; min-height: 56px; }
-#operator QLineEdit:focus { border-color: $accent; }
-#operator QLineEdit[invalid="true"] { border-color: $error; }
-#operator QProgressBar { background: $sunken; border: none; border-radius: 12px; min-height: 24px; max-height: 24px; }
-#operator QProgressBar::chunk { background: $accent; border-radius: 12px; }
-#operator QScrollBar:vertical { width: 24px; }
-#operator QScrollBar::handle { min-height: 64px; border-radius: 8px; background: $faint; margin: 4px; }
-</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <source>
 The first run of this part counts.</source>
-      <translation type="unfinished" />
+      <translation>
+此工件以第一次测量为准。</translation>
     </message>
     <message>
       <source>A PIN is set. Type a new one twice to change it.</source>
-      <translation type="unfinished" />
+      <translation>已设置 PIN。更改时请将新 PIN 输入两次。</translation>
     </message>
     <message>
       <source>A camera has moved since the calibration: the values may be wrong. Call the engineer.</source>
-      <translation type="unfinished" />
+      <translation>标定后有相机移动：数值可能有误。请呼叫工程师。</translation>
     </message>
     <message>
       <source>A measurement is running. Stop it before you close the window.</source>
-      <translation type="unfinished" />
+      <translation>测量正在进行。关闭窗口前请先停止。</translation>
     </message>
     <message>
       <source>About {seconds}</source>
-      <translation type="unfinished" />
+      <translation>约 {seconds}</translation>
     </message>
     <message>
       <source>All viewpoints are stored. Hold Resume to compute the result, or start again.</source>
-      <translation type="unfinished" />
+      <translation>所有视点已存储。按住“继续”计算结果，或重新开始。</translation>
     </message>
     <message>
       <source>Back</source>
-      <translation type="unfinished" />
+      <translation>返回</translation>
     </message>
     <message>
       <source>Back to operator mode</source>
-      <translation type="unfinished" />
+      <translation>返回操作模式</translation>
     </message>
     <message>
       <source>Call the engineer</source>
-      <translation type="unfinished" />
+      <translation>呼叫工程师</translation>
     </message>
     <message>
       <source>Capital letters</source>
-      <translation type="unfinished" />
+      <translation>大写字母</translation>
     </message>
     <message>
       <source>Changed since</source>
-      <translation type="unfinished" />
+      <translation>此后有更改</translation>
     </message>
     <message>
       <source>Confirmed: part clamped, cell clear</source>
-      <translation type="unfinished" />
+      <translation>已确认：工件已装夹，工作站畅通</translation>
     </message>
     <message>
       <source>Delete the last letter</source>
-      <translation type="unfinished" />
+      <translation>删除最后一个字符</translation>
     </message>
     <message>
       <source>Details</source>
-      <translation type="unfinished" />
+      <translation>详细信息</translation>
     </message>
     <message>
       <source>Done</source>
-      <translation type="unfinished" />
+      <translation>完成</translation>
     </message>
     <message>
       <source>Engineer</source>
-      <translation type="unfinished" />
+      <translation>工程师</translation>
     </message>
     <message>
       <source>Engineer called at {time:%H:%M}. {what}</source>
-      <translation type="unfinished" />
+      <translation>{time:%H:%M} 已呼叫工程师。{what}</translation>
     </message>
     <message>
       <source>Engineer's role ends after</source>
-      <translation type="unfinished" />
+      <translation>工程师角色结束于</translation>
     </message>
     <message>
       <source>Engineer…</source>
-      <translation type="unfinished" />
+      <translation>工程师…</translation>
     </message>
     <message>
       <source>Enter</source>
-      <translation type="unfinished" />
+      <translation>回车</translation>
     </message>
     <message>
       <source>Fill in the fields marked *.</source>
-      <translation type="unfinished" />
+      <translation>请填写带 * 的项。</translation>
     </message>
     <message>
       <source>First-pass yield {first_pass_yield}</source>
-      <translation type="unfinished" />
+      <translation>一次合格率 {first_pass_yield}</translation>
     </message>
     <message>
       <source>Folder of the measured parts</source>
-      <translation type="unfinished" />
+      <translation>已测工件的文件夹</translation>
     </message>
     <message>
       <source>Folder of the part programs</source>
-      <translation type="unfinished" />
+      <translation>工件程序的文件夹</translation>
     </message>
     <message>
       <source>Go on</source>
-      <translation type="unfinished" />
+      <translation>继续</translation>
     </message>
     <message>
       <source>Hide</source>
-      <translation type="unfinished" />
+      <translation>隐藏</translation>
     </message>
     <message>
       <source>Hold for 1 s: part clamped, cell clear</source>
-      <translation type="unfinished" />
+      <translation>按住 1 秒：工件已装夹，工作站畅通</translation>
     </message>
     <message>
       <source>Identify</source>
-      <translation type="unfinished" />
+      <translation>识别</translation>
     </message>
     <message>
       <source>If it is forgotten: measureapp gui --reset-engineer-pin</source>
-      <translation type="unfinished" />
+      <translation>若忘记：measureapp gui --reset-engineer-pin</translation>
     </message>
     <message>
       <source>If the part has not been moved, hold Resume: the measurement goes on with {following}. If it has been moved, start again.</source>
-      <translation type="unfinished" />
+      <translation>若工件未被移动，按住“继续”：测量从 {following} 继续。若已移动，请重新开始。</translation>
     </message>
     <message>
       <source>Images are taken</source>
-      <translation type="unfinished" />
+      <translation>正在拍摄图像</translation>
     </message>
     <message>
       <source>It could not be measured.</source>
-      <translation type="unfinished" />
+      <translation>无法测量。</translation>
     </message>
     <message>
       <source>It was clamped wrongly</source>
-      <translation type="unfinished" />
+      <translation>装夹有误</translation>
     </message>
     <message>
       <source>It was reworked</source>
-      <translation type="unfinished" />
+      <translation>已返工</translation>
     </message>
     <message>
       <source>Keyboard</source>
-      <translation type="unfinished" />
+      <translation>键盘</translation>
     </message>
     <message>
       <source>Last</source>
-      <translation type="unfinished" />
+      <translation>上一个</translation>
     </message>
     <message>
       <source>Load</source>
-      <translation type="unfinished" />
+      <translation>装载</translation>
     </message>
     <message>
       <source>Measure this part again?</source>
-      <translation type="unfinished" />
+      <translation>重新测量此工件？</translation>
     </message>
     <message>
       <source>MeasureApp/parts in your home</source>
-      <translation type="unfinished" />
+      <translation>主目录下的 MeasureApp/parts</translation>
     </message>
     <message>
       <source>MeasureApp/programs in your home</source>
-      <translation type="unfinished" />
+      <translation>主目录下的 MeasureApp/programs</translation>
     </message>
     <message>
       <source>Measured parts</source>
-      <translation type="unfinished" />
+      <translation>已测工件</translation>
     </message>
     <message>
       <source>Measured {when}: {verdict}. Measure it again as run {number}? All runs are kept; without a reason the first one counts.</source>
-      <translation type="unfinished" />
+      <translation>{when}已测量：{verdict}。作为第 {number} 次重新测量？所有测量都会保留；无原因时以第一次为准。</translation>
     </message>
     <message>
       <source>Measured {when}: {verdict}; an earlier run counts: {counted}. Measure it again as run {number}? All runs are kept.</source>
-      <translation type="unfinished" />
+      <translation>{when}已测量：{verdict}；以较早的测量为准：{counted}。作为第 {number} 次重新测量？所有测量都会保留。</translation>
     </message>
     <message>
       <source>New PIN or password</source>
-      <translation type="unfinished" />
+      <translation>新 PIN 或密码</translation>
     </message>
     <message>
       <source>Next</source>
-      <translation type="unfinished" />
+      <translation>下一步</translation>
     </message>
     <message>
       <source>Next part</source>
-      <translation type="unfinished" />
+      <translation>下一个工件</translation>
     </message>
     <message>
       <source>No PIN is set: anyone can leave operator mode. Type one twice, 4 or more characters.</source>
-      <translation type="unfinished" />
+      <translation>未设置 PIN：任何人都可离开操作模式。请输入两次，至少 4 个字符。</translation>
     </message>
     <message>
       <source>No part program has “{words}” in its name or numbers.</source>
-      <translation type="unfinished" />
+      <translation>没有名称或编号包含“{words}”的工件程序。</translation>
     </message>
     <message>
       <source>No reason</source>
-      <translation type="unfinished" />
+      <translation>无原因</translation>
     </message>
     <message>
       <source>No rig</source>
-      <translation type="unfinished" />
+      <translation>无测量系统</translation>
     </message>
     <message>
       <source>No viewpoint was stored yet.</source>
-      <translation type="unfinished" />
+      <translation>尚未存储任何视点。</translation>
     </message>
     <message>
       <source>Not measured yet</source>
-      <translation type="unfinished" />
+      <translation>尚未测量</translation>
     </message>
     <message>
       <source>Not released</source>
-      <translation type="unfinished" />
+      <translation>未发布</translation>
     </message>
     <message>
       <source>Once more</source>
-      <translation type="unfinished" />
+      <translation>再试一次</translation>
     </message>
     <message>
       <source>Operator mode</source>
-      <translation type="unfinished" />
+      <translation>操作模式</translation>
     </message>
     <message>
       <source>Operators are offered released programs only. Whatever changes a program makes it a new one, which is released again.</source>
-      <translation type="unfinished" />
+      <translation>只向操作员提供已发布的程序。程序一经更改即为新程序，须重新发布。</translation>
     </message>
     <message>
       <source>PIN forgotten? Run this command on this computer, then set a new one: measureapp gui --reset-engineer-pin</source>
-      <translation type="unfinished" />
+      <translation>忘记 PIN？请在此计算机运行此命令，然后设置新 PIN：measureapp gui --reset-engineer-pin</translation>
     </message>
     <message>
       <source>PIN or password</source>
-      <translation type="unfinished" />
+      <translation>PIN 或密码</translation>
     </message>
     <message>
       <source>PIN or password of the engineer</source>
-      <translation type="unfinished" />
+      <translation>工程师的 PIN 或密码</translation>
     </message>
     <message>
       <source>Part</source>
-      <translation type="unfinished" />
+      <translation>工件</translation>
     </message>
     <message>
       <source>Part program</source>
-      <translation type="unfinished" />
+      <translation>工件程序</translation>
     </message>
     <message>
       <source>Part programs</source>
-      <translation type="unfinished" />
+      <translation>工件程序</translation>
     </message>
     <message>
       <source>Pause</source>
-      <translation type="unfinished" />
+      <translation>暂停</translation>
     </message>
     <message>
       <source>Paused</source>
-      <translation type="unfinished" />
+      <translation>已暂停</translation>
     </message>
     <message>
       <source>Pausing…</source>
-      <translation type="unfinished" />
+      <translation>正在暂停…</translation>
     </message>
     <message>
       <source>Progress of the measurement</source>
-      <translation type="unfinished" />
+      <translation>测量进度</translation>
     </message>
     <message>
       <source>Put the part in</source>
-      <translation type="unfinished" />
+      <translation>放入工件</translation>
     </message>
     <message>
       <source>Put the part on the table as the engineer has shown you, and clamp it.</source>
-      <translation type="unfinished" />
+      <translation>按工程师的示范将工件放在转台上并装夹。</translation>
     </message>
     <message>
       <source>Reading the part programs…</source>
-      <translation type="unfinished" />
+      <translation>正在读取工件程序…</translation>
     </message>
     <message>
       <source>Release</source>
-      <translation type="unfinished" />
+      <translation>发布</translation>
     </message>
     <message>
       <source>Release the selected programs for operators, as their next revision</source>
-      <translation type="unfinished" />
+      <translation>将所选程序作为下一版发布给操作员</translation>
     </message>
     <message>
       <source>Release {revision}</source>
-      <translation type="unfinished" />
+      <translation>发布 {revision}</translation>
     </message>
     <message>
       <source>Released by</source>
-      <translation type="unfinished" />
+      <translation>发布人</translation>
     </message>
     <message>
       <source>Released by {by}, {at}</source>
-      <translation type="unfinished" />
+      <translation>由 {by} 于 {at} 发布</translation>
     </message>
     <message>
       <source>Released part programs</source>
-      <translation type="unfinished" />
+      <translation>已发布的工件程序</translation>
     </message>
     <message>
       <source>Remarks</source>
-      <translation type="unfinished" />
+      <translation>备注</translation>
     </message>
     <message>
       <source>Repeat</source>
-      <translation type="unfinished" />
+      <translation>重复</translation>
     </message>
     <message>
       <source>Report</source>
-      <translation type="unfinished" />
+      <translation>报告</translation>
     </message>
     <message>
       <source>Report filed: {name}</source>
-      <translation type="unfinished" />
+      <translation>报告已归档：{name}</translation>
     </message>
     <message>
       <source>Resume: hold for 1 s</source>
-      <translation type="unfinished" />
+      <translation>继续：按住 1 秒</translation>
     </message>
     <message>
       <source>Rig stopped</source>
-      <translation type="unfinished" />
+      <translation>测量系统已停止</translation>
     </message>
     <message>
       <source>Save</source>
-      <translation type="unfinished" />
+      <translation>保存</translation>
     </message>
     <message>
       <source>Scan the code, or type the name or number of the part</source>
-      <translation type="unfinished" />
+      <translation>扫描代码，或输入工件名称或编号</translation>
     </message>
     <message>
       <source>Search for a part</source>
-      <translation type="unfinished" />
+      <translation>搜索工件</translation>
     </message>
     <message>
       <source>Serial number</source>
-      <translation type="unfinished" />
+      <translation>序列号</translation>
     </message>
     <message>
       <source>Shifts begin at</source>
-      <translation type="unfinished" />
+      <translation>班次开始于</translation>
     </message>
     <message>
       <source>Show the result</source>
-      <translation type="unfinished" />
+      <translation>显示结果</translation>
     </message>
     <message>
       <source>Since {since:%H:%M}: {count}</source>
-      <translation type="unfinished" />
+      <translation>自 {since:%H:%M}：{count}</translation>
     </message>
     <message>
       <source>Space</source>
-      <translation type="unfinished" />
+      <translation>空格</translation>
     </message>
     <message>
       <source>Start</source>
-      <translation type="unfinished" />
+      <translation>开始</translation>
     </message>
     <message>
       <source>Start again</source>
-      <translation type="unfinished" />
+      <translation>重新开始</translation>
     </message>
     <message>
       <source>State</source>
-      <translation type="unfinished" />
+      <translation>状态</translation>
     </message>
     <message>
       <source>State why this part is measured again.</source>
-      <translation type="unfinished" />
+      <translation>请说明为何重新测量此工件。</translation>
     </message>
     <message>
       <source>Stop</source>
-      <translation type="unfinished" />
+      <translation>停止</translation>
     </message>
     <message>
       <source>Stop is not an emergency stop.</source>
-      <translation type="unfinished" />
+      <translation>“停止”不是急停。</translation>
     </message>
     <message>
       <source>The images are checked</source>
-      <translation type="unfinished" />
+      <translation>正在检查图像</translation>
     </message>
     <message>
       <source>The images are stored</source>
-      <translation type="unfinished" />
+      <translation>正在保存图像</translation>
     </message>
     <message>
       <source>The measurement has ended early</source>
-      <translation type="unfinished" />
+      <translation>测量提前结束</translation>
     </message>
     <message>
       <source>The measurement is being prepared</source>
-      <translation type="unfinished" />
+      <translation>正在准备测量</translation>
     </message>
     <message>
       <source>The pages are being drawn…</source>
-      <translation type="unfinished" />
+      <translation>正在绘制页面…</translation>
     </message>
     <message>
       <source>The part was cleaned</source>
-      <translation type="unfinished" />
+      <translation>工件已清洁</translation>
     </message>
     <message>
       <source>The program states no tolerance.</source>
-      <translation type="unfinished" />
+      <translation>程序没有规定公差。</translation>
     </message>
     <message>
       <source>The program's Stop is not an emergency stop: in danger press the emergency stop of the machine.</source>
-      <translation type="unfinished" />
+      <translation>程序的“停止”不是急停：危险时请按机器的急停按钮。</translation>
     </message>
     <message>
       <source>The report cannot be shown. It is filed with the part.</source>
-      <translation type="unfinished" />
+      <translation>无法显示报告。它已随工件归档。</translation>
     </message>
     <message>
       <source>The result is being filed…</source>
-      <translation type="unfinished" />
+      <translation>正在归档结果…</translation>
     </message>
     <message>
       <source>The rig moves</source>
-      <translation type="unfinished" />
+      <translation>测量系统正在移动</translation>
     </message>
     <message>
       <source>The rig settles</source>
-      <translation type="unfinished" />
+      <translation>测量系统正在稳定</translation>
     </message>
     <message>
       <source>The settings</source>
-      <translation type="unfinished" />
+      <translation>设置</translation>
     </message>
     <message>
       <source>The two PINs differ.</source>
-      <translation type="unfinished" />
+      <translation>两次 PIN 不一致。</translation>
     </message>
     <message>
       <source>There is no part program in {folder}. Call the engineer.</source>
-      <translation type="unfinished" />
+      <translation>{folder} 中没有工件程序。请呼叫工程师。</translation>
     </message>
     <message>
       <source>This file cannot be used.</source>
-      <translation type="unfinished" />
+      <translation>无法使用此文件。</translation>
     </message>
     <message>
       <source>Which part?</source>
-      <translation type="unfinished" />
+      <translation>哪个工件？</translation>
     </message>
     <message>
       <source>Why is it measured again?</source>
-      <translation type="unfinished" />
+      <translation>为何重新测量？</translation>
     </message>
     <message>
       <source>With a reason the new run counts; without one the first run counts. All runs are kept.</source>
-      <translation type="unfinished" />
+      <translation>说明原因则以新测量为准；否则以第一次为准。所有测量都会保留。</translation>
     </message>
     <message>
       <source>Your name</source>
-      <translation type="unfinished" />
+      <translation>您的姓名</translation>
     </message>
     <message>
       <source>Your name, printed in every report</source>
-      <translation type="unfinished" />
+      <translation>您的姓名，打印在每份报告中</translation>
     </message>
     <message>
       <source>ZXCVBNM,:</source>
-      <translation type="unfinished" />
+      <translation>ZXCVBNM,:</translation>
     </message>
     <message>
       <source>at least {limit}</source>
-      <translation type="unfinished" />
+      <translation>至少 {limit}</translation>
     </message>
     <message>
       <source>at least {limit}, U = {u}</source>
-      <translation type="unfinished" />
+      <translation>至少 {limit}，U = {u}</translation>
     </message>
     <message>
       <source>at least {limit}: {past} too small</source>
-      <translation type="unfinished" />
+      <translation>至少 {limit}：小 {past}</translation>
     </message>
     <message>
       <source>at most {limit}</source>
-      <translation type="unfinished" />
+      <translation>最多 {limit}</translation>
     </message>
     <message>
       <source>at most {limit}, U = {u}</source>
-      <translation type="unfinished" />
+      <translation>最多 {limit}，U = {u}</translation>
     </message>
     <message>
       <source>at most {limit}: {past} too large</source>
-      <translation type="unfinished" />
+      <translation>最多 {limit}：大 {past}</translation>
     </message>
     <message>
       <source>clamped again</source>
-      <translation type="unfinished" />
+      <translation>重新装夹</translation>
     </message>
     <message>
       <source>part</source>
-      <translation type="unfinished" />
+      <translation>个工件</translation>
     </message>
     <message>
       <source>part program</source>
-      <translation type="unfinished" />
+      <translation>个工件程序</translation>
     </message>
     <message>
       <source>part programs</source>
-      <translation type="unfinished" />
+      <translation>个工件程序</translation>
     </message>
     <message>
       <source>{count} not released by the engineer: not offered here.</source>
-      <translation type="unfinished" />
+      <translation>{count}未经工程师发布：此处不提供。</translation>
     </message>
     <message>
       <source>{elapsed}, about {left} left</source>
-      <translation type="unfinished" />
+      <translation>{elapsed}，约剩 {left}</translation>
     </message>
     <message>
       <source>{serial}, measured {when}: {verdict}</source>
-      <translation type="unfinished" />
+      <translation>{serial}，{when}测量：{verdict}</translation>
     </message>
     <message>
       <source>{step}: viewpoint {number} of {all}</source>
-      <translation type="unfinished" />
+      <translation>{step}：视点 {number}/{all}</translation>
     </message>
     <message>
       <source>{stored} of {planned} viewpoints are stored and kept.</source>
-      <translation type="unfinished" />
+      <translation>已存储并保留 {planned} 个视点中的 {stored} 个。</translation>
     </message>
   </context>
   <context>
     <name>pages</name>
     <message>
       <source>, {direction} fringes</source>
-      <translation type="unfinished" />
+      <translation>，{direction}条纹</translation>
     </message>
     <message>
       <source>1 of {counted} pixels</source>
-      <translation type="unfinished" />
+      <translation>1/{counted} 像素</translation>
     </message>
     <message>
       <source>&lt; 1 of {counted} pixels</source>
-      <translation type="unfinished" />
+      <translation>&lt; 1/{counted} 像素</translation>
     </message>
     <message>
       <source>A part that was measured on the virtual rig</source>
-      <translation type="unfinished" />
+      <translation>在虚拟测量系统上测得的工件</translation>
     </message>
     <message>
       <source>Acquisition time</source>
-      <translation type="unfinished" />
+      <translation>采集时间</translation>
     </message>
     <message>
       <source>Age of the calibration, and what it adds to a length between two views, before registration (k = 2).</source>
-      <translation type="unfinished" />
+      <translation>标定的时间，以及配准前它给两视图间长度增加的不确定度 (k = 2)。</translation>
     </message>
     <message>
       <source>All parts fit well: scan next.</source>
-      <translation type="unfinished" />
+      <translation>各部分均良好：请扫描。</translation>
     </message>
     <message>
       <source>All viewpoints</source>
-      <translation type="unfinished" />
+      <translation>所有视点</translation>
     </message>
     <message>
       <source>Another template…</source>
-      <translation type="unfinished" />
+      <translation>其他模板…</translation>
     </message>
     <message>
       <source>Assumed modulation</source>
-      <translation type="unfinished" />
+      <translation>假定调制度</translation>
     </message>
     <message>
       <source>At least {seconds}</source>
-      <translation type="unfinished" />
+      <translation>至少 {seconds}</translation>
     </message>
     <message>
       <source>Blur of its images</source>
-      <translation type="unfinished" />
+      <translation>其图像的模糊</translation>
     </message>
     <message>
       <source>Board moved by {explained_mm} rms</source>
-      <translation type="unfinished" />
+      <translation>标定板移动了 {explained_mm}（均方根）</translation>
     </message>
     <message>
       <source>Brightness</source>
-      <translation type="unfinished" />
+      <translation>亮度</translation>
     </message>
     <message>
       <source>Calibrate</source>
-      <translation type="unfinished" />
+      <translation>标定</translation>
     </message>
     <message>
       <source>Calibrate automatically…</source>
-      <translation type="unfinished" />
+      <translation>自动标定…</translation>
     </message>
     <message>
       <source>Calibrate the rig on the Calibrate page</source>
-      <translation type="unfinished" />
+      <translation>请在“标定”页标定测量系统</translation>
     </message>
     <message>
       <source>Calibrate the whole rig again, or one part</source>
-      <translation type="unfinished" />
+      <translation>重新标定整个测量系统或其一部分</translation>
     </message>
     <message>
       <source>Calibrate the whole rig…</source>
-      <translation type="unfinished" />
+      <translation>标定整个测量系统…</translation>
     </message>
     <message>
       <source>Calibrated {age} · adds {added} (k = 2) {words}</source>
-      <translation type="unfinished" />
+      <translation>{age}标定 · 增加 {added} (k = 2) {words}</translation>
     </message>
     <message>
       <source>Calibrated {age} · check it !</source>
-      <translation type="unfinished" />
+      <translation>{age}标定 · 请检查 !</translation>
     </message>
     <message>
       <source>Calibrated {age} · poor fit ✗</source>
-      <translation type="unfinished" />
+      <translation>{age}标定 · 拟合差 ✗</translation>
     </message>
     <message>
       <source>Calibrated {age}. {judgement}</source>
-      <translation type="unfinished" />
+      <translation>{age}标定。{judgement}</translation>
     </message>
     <message>
       <source>Calibrating…</source>
-      <translation type="unfinished" />
+      <translation>正在标定…</translation>
     </message>
     <message>
       <source>Camera </source>
-      <translation type="unfinished" />
+      <translation>相机</translation>
     </message>
     <message>
       <source>Camera at {vector} mm on the flange</source>
-      <translation type="unfinished" />
+      <translation>相机位于法兰上 {vector} mm</translation>
     </message>
     <message>
       <source>Camera pairs</source>
-      <translation type="unfinished" />
+      <translation>相机对</translation>
     </message>
     <message>
       <source>Camera {who} moved · {error_mm} {mark}</source>
-      <translation type="unfinished" />
+      <translation>相机 {who} 已移动 · {error_mm} {mark}</translation>
     </message>
     <message>
       <source>Cameras only…</source>
-      <translation type="unfinished" />
+      <translation>仅相机…</translation>
     </message>
     <message>
       <source>Cannot be used</source>
-      <translation type="unfinished" />
+      <translation>无法使用</translation>
     </message>
     <message>
       <source>Change nothing</source>
-      <translation type="unfinished" />
+      <translation>不作更改</translation>
     </message>
     <message>
       <source>Check the path, the free space and the permissions.</source>
-      <translation type="unfinished" />
+      <translation>请检查路径、可用空间和权限。</translation>
     </message>
     <message>
       <source>Choose the folder of a report template</source>
-      <translation type="unfinished" />
+      <translation>选择报告模板的文件夹</translation>
     </message>
     <message>
       <source>Click the first point</source>
-      <translation type="unfinished" />
+      <translation>单击第一点</translation>
     </message>
     <message>
       <source>Click the second point</source>
-      <translation type="unfinished" />
+      <translation>单击第二点</translation>
     </message>
     <message>
       <source>Clip box</source>
-      <translation type="unfinished" />
+      <translation>裁剪盒</translation>
     </message>
     <message>
       <source>Company</source>
-      <translation type="unfinished" />
+      <translation>公司</translation>
     </message>
     <message>
       <source>Contribution to the kinematic position of a point (1 σ)</source>
-      <translation type="unfinished" />
+      <translation>对点的运动学位置的贡献 (1 σ)</translation>
     </message>
     <message>
       <source>Contribution, 1 σ</source>
-      <translation type="unfinished" />
+      <translation>贡献，1 σ</translation>
     </message>
     <message>
       <source>Deviation from the nominal</source>
-      <translation type="unfinished" />
+      <translation>与名义模型的偏差</translation>
     </message>
     <message>
       <source>Direction {vector}, scale {scale:.6f}</source>
-      <translation type="unfinished" />
+      <translation>方向 {vector}，比例 {scale:.6f}</translation>
     </message>
     <message>
       <source>Disk space</source>
-      <translation type="unfinished" />
+      <translation>磁盘空间</translation>
     </message>
     <message>
       <source>Distance</source>
-      <translation type="unfinished" />
+      <translation>距离</translation>
     </message>
     <message>
       <source>Distance from the merged surface, and σ</source>
-      <translation type="unfinished" />
+      <translation>到合并表面的距离，以及 σ</translation>
     </message>
     <message>
       <source>Distance of two single points. A dimension of the inspection program uses thousands of points and has a smaller uncertainty.</source>
-      <translation type="unfinished" />
+      <translation>两个单点的距离。检测程序的尺寸使用数千个点，不确定度更小。</translation>
     </message>
     <message>
       <source>Error motions, guide</source>
-      <translation type="unfinished" />
+      <translation>误差运动，导轨</translation>
     </message>
     <message>
       <source>Error motions, table</source>
-      <translation type="unfinished" />
+      <translation>误差运动，转台</translation>
     </message>
     <message>
       <source>Estimate</source>
-      <translation type="unfinished" />
+      <translation>估计值</translation>
     </message>
     <message>
       <source>Everything</source>
-      <translation type="unfinished" />
+      <translation>全部</translation>
     </message>
     <message>
       <source>Export</source>
-      <translation type="unfinished" />
+      <translation>导出</translation>
     </message>
     <message>
       <source>First point</source>
-      <translation type="unfinished" />
+      <translation>第一点</translation>
     </message>
     <message>
       <source>Fix the calibration board on the table, then calibrate the whole rig in one automatic run. The cameras alone can be calibrated from recorded images too.</source>
-      <translation type="unfinished" />
+      <translation>将标定板固定在转台上，然后一次自动运行标定整个测量系统。仅相机也可由录制的图像标定。</translation>
     </message>
     <message>
       <source>Focal length {matrix:.1f} px, centre ({matrix_2:.1f}, {matrix_3:.1f}) px</source>
-      <translation type="unfinished" />
+      <translation>焦距 {matrix:.1f} px，中心 ({matrix_2:.1f}, {matrix_3:.1f}) px</translation>
     </message>
     <message>
       <source>Focal length, distortion and pose of every camera</source>
-      <translation type="unfinished" />
+      <translation>每台相机的焦距、畸变和位姿</translation>
     </message>
     <message>
       <source>Good</source>
-      <translation type="unfinished" />
+      <translation>良好</translation>
     </message>
     <message>
       <source>Guard band</source>
-      <translation type="unfinished" />
+      <translation>保护带</translation>
     </message>
     <message>
       <source>Guide</source>
-      <translation type="unfinished" />
+      <translation>导轨</translation>
     </message>
     <message>
       <source>Guide direction over {stroke:.0f} mm</source>
-      <translation type="unfinished" />
+      <translation>{stroke:.0f} mm 上的导轨方向</translation>
     </message>
     <message>
       <source>Guide scale over {stroke:.0f} mm</source>
-      <translation type="unfinished" />
+      <translation>{stroke:.0f} mm 上的导轨比例</translation>
     </message>
     <message>
       <source>Hand–eye</source>
-      <translation type="unfinished" />
+      <translation>手眼</translation>
     </message>
     <message>
       <source>Hand–eye, position</source>
-      <translation type="unfinished" />
+      <translation>手眼，位置</translation>
     </message>
     <message>
       <source>Hand–eye, rotation over {standoff:.0f} mm</source>
-      <translation type="unfinished" />
+      <translation>手眼，{standoff:.0f} mm 上的旋转</translation>
     </message>
     <message>
       <source>Header, template…</source>
-      <translation type="unfinished" />
+      <translation>抬头、模板…</translation>
     </message>
     <message>
       <source>Kept in this project, with a company and a logo of its own.</source>
-      <translation type="unfinished" />
+      <translation>保存在此项目中，带自己的公司和徽标。</translation>
     </message>
     <message>
       <source>Linear guide</source>
-      <translation type="unfinished" />
+      <translation>直线导轨</translation>
     </message>
     <message>
       <source>Logo</source>
-      <translation type="unfinished" />
+      <translation>徽标</translation>
     </message>
     <message>
       <source>Mean and spread over several measurements of this part</source>
-      <translation type="unfinished" />
+      <translation>同一工件多次测量的平均值与离散</translation>
     </message>
     <message>
       <source>Measure</source>
-      <translation type="unfinished" />
+      <translation>测量</translation>
     </message>
     <message>
       <source>Measure the distance between two points you click</source>
-      <translation type="unfinished" />
+      <translation>测量您单击的两点之间的距离</translation>
     </message>
     <message>
       <source>Measured by</source>
-      <translation type="unfinished" />
+      <translation>测量方式</translation>
     </message>
     <message>
       <source>Method</source>
-      <translation type="unfinished" />
+      <translation>方法</translation>
     </message>
     <message>
       <source>Nearest point of the view</source>
-      <translation type="unfinished" />
+      <translation>视图的最近点</translation>
     </message>
     <message>
       <source>No calibration yet</source>
-      <translation type="unfinished" />
+      <translation>尚无标定</translation>
     </message>
     <message>
       <source>No preview.</source>
-      <translation type="unfinished" />
+      <translation>无预览。</translation>
     </message>
     <message>
       <source>No preview. Use Open PDF to view the report.</source>
-      <translation type="unfinished" />
+      <translation>没有预览。请用“打开 PDF”查看报告。</translation>
     </message>
     <message>
       <source>No report yet</source>
-      <translation type="unfinished" />
+      <translation>尚无报告</translation>
     </message>
     <message>
       <source>None expected</source>
-      <translation type="unfinished" />
+      <translation>预计没有</translation>
     </message>
     <message>
       <source>Not calibrated</source>
-      <translation type="unfinished" />
+      <translation>未标定</translation>
     </message>
     <message>
       <source>Nothing to report.</source>
-      <translation type="unfinished" />
+      <translation>无内容可报告。</translation>
     </message>
     <message>
       <source>Off</source>
-      <translation type="unfinished" />
+      <translation>关</translation>
     </message>
     <message>
       <source>Open PDF</source>
-      <translation type="unfinished" />
+      <translation>打开 PDF</translation>
     </message>
     <message>
       <source>Open a sample</source>
-      <translation type="unfinished" />
+      <translation>打开示例</translation>
     </message>
     <message>
       <source>PNG, JPEG or SVG</source>
-      <translation type="unfinished" />
+      <translation>PNG、JPEG 或 SVG</translation>
     </message>
     <message>
       <source>Per viewpoint</source>
-      <translation type="unfinished" />
+      <translation>每个视点</translation>
     </message>
     <message>
       <source>Pictures (*.png *.jpg *.jpeg *.svg)</source>
-      <translation type="unfinished" />
+      <translation>图片 (*.png *.jpg *.jpeg *.svg)</translation>
     </message>
     <message>
       <source>Pixel (row, column)</source>
-      <translation type="unfinished" />
+      <translation>像素（行，列）</translation>
     </message>
     <message>
       <source>Poor</source>
-      <translation type="unfinished" />
+      <translation>差</translation>
     </message>
     <message>
       <source>Poor fit: {list}. Calibrate again.</source>
-      <translation type="unfinished" />
+      <translation>拟合差：{list}。请重新标定。</translation>
     </message>
     <message>
       <source>Position on the part</source>
-      <translation type="unfinished" />
+      <translation>工件上的位置</translation>
     </message>
     <message>
       <source>Positions of views are corrected for it; what the poses of the calibration did not show of it is in U</source>
-      <translation type="unfinished" />
+      <translation>视图位置已据此修正；标定位姿未显示的部分计入 U</translation>
     </message>
     <message>
       <source>Predicted performance</source>
-      <translation type="unfinished" />
+      <translation>预计性能</translation>
     </message>
     <message>
       <source>Preparing picks</source>
-      <translation type="unfinished" />
+      <translation>正在准备拾取</translation>
     </message>
     <message>
       <source>Printed in the header of every document, and kept with the results of a series. Empty fields are not printed.</source>
-      <translation type="unfinished" />
+      <translation>打印在每个文档的抬头中，并随系列结果保存。空项不打印。</translation>
     </message>
     <message>
       <source>Project</source>
-      <translation type="unfinished" />
+      <translation>项目</translation>
     </message>
     <message>
       <source>Projector</source>
-      <translation type="unfinished" />
+      <translation>投影仪</translation>
     </message>
     <message>
       <source>Properties</source>
-      <translation type="unfinished" />
+      <translation>属性</translation>
     </message>
     <message>
       <source>Range</source>
-      <translation type="unfinished" />
+      <translation>范围</translation>
     </message>
     <message>
       <source>Rendering the pages…</source>
-      <translation type="unfinished" />
+      <translation>正在渲染页面…</translation>
     </message>
     <message>
       <source>Repeats…</source>
-      <translation type="unfinished" />
+      <translation>重复测量…</translation>
     </message>
     <message>
       <source>Reprojection up to {reprojection_limit_px} rms</source>
-      <translation type="unfinished" />
+      <translation>重投影不超过 {reprojection_limit_px}（均方根）</translation>
     </message>
     <message>
       <source>Residual</source>
-      <translation type="unfinished" />
+      <translation>残差</translation>
     </message>
     <message>
       <source>Residual (rms)</source>
-      <translation type="unfinished" />
+      <translation>残差（均方根）</translation>
     </message>
     <message>
       <source>Residual up to {axis_limit_mm}</source>
-      <translation type="unfinished" />
+      <translation>残差不超过 {axis_limit_mm}</translation>
     </message>
     <message>
       <source>Residual up to {robot_mm}, twice the robot's absolute accuracy</source>
-      <translation type="unfinished" />
+      <translation>残差不超过 {robot_mm}，即机器人绝对精度的两倍</translation>
     </message>
     <message>
       <source>Result</source>
-      <translation type="unfinished" />
+      <translation>结果</translation>
     </message>
     <message>
       <source>Rig</source>
-      <translation type="unfinished" />
+      <translation>测量系统</translation>
     </message>
     <message>
       <source>Root sum of squares, as for independent solutions. They are solved together, so a part of it cancels.</source>
-      <translation type="unfinished" />
+      <translation>平方和的根，按各解独立计算。它们一并求解，因此一部分相互抵消。</translation>
     </message>
     <message>
       <source>Saves a copy to a folder of your choice.</source>
-      <translation type="unfinished" />
+      <translation>将副本保存到您选择的文件夹。</translation>
     </message>
     <message>
       <source>Second point</source>
-      <translation type="unfinished" />
+      <translation>第二点</translation>
     </message>
     <message>
       <source>Select something to see its properties.</source>
-      <translation type="unfinished" />
+      <translation>选择某项以查看其属性。</translation>
     </message>
     <message>
       <source>Series…</source>
-      <translation type="unfinished" />
+      <translation>系列…</translation>
     </message>
     <message>
       <source>Set the box around everything</source>
-      <translation type="unfinished" />
+      <translation>将盒子设为包围全部</translation>
     </message>
     <message>
       <source>Show in folder</source>
-      <translation type="unfinished" />
+      <translation>在文件夹中显示</translation>
     </message>
     <message>
       <source>Solution</source>
-      <translation type="unfinished" />
+      <translation>解</translation>
     </message>
     <message>
       <source>Source</source>
-      <translation type="unfinished" />
+      <translation>来源</translation>
     </message>
     <message>
       <source>Standard deviation</source>
-      <translation type="unfinished" />
+      <translation>标准差</translation>
     </message>
     <message>
       <source>Standard deviation σ</source>
-      <translation type="unfinished" />
+      <translation>标准差 σ</translation>
     </message>
     <message>
       <source>Standard deviations</source>
-      <translation type="unfinished" />
+      <translation>标准差</translation>
     </message>
     <message>
       <source>Straightness</source>
-      <translation type="unfinished" />
+      <translation>直线度</translation>
     </message>
     <message>
       <source>Switch the clip box off; its numbers are kept</source>
-      <translation type="unfinished" />
+      <translation>关闭裁剪盒；其数值保留</translation>
     </message>
     <message>
       <source>Table axis</source>
-      <translation type="unfinished" />
+      <translation>转台轴线</translation>
     </message>
     <message>
       <source>Table axis, position</source>
-      <translation type="unfinished" />
+      <translation>转台轴线，位置</translation>
     </message>
     <message>
       <source>Table axis, tilt over {height_mm:.0f} mm</source>
-      <translation type="unfinished" />
+      <translation>{height_mm:.0f} mm 上的转台轴线倾斜</translation>
     </message>
     <message>
       <source>Template</source>
-      <translation type="unfinished" />
+      <translation>模板</translation>
     </message>
     <message>
       <source>The board is recorded from many sides. The solutions appear here.</source>
-      <translation type="unfinished" />
+      <translation>从多个方向拍摄标定板。解在此显示。</translation>
     </message>
     <message>
       <source>The cameras are calibrated; hand–eye, linear guide and table axis are not. Calibrate the whole rig next.</source>
-      <translation type="unfinished" />
+      <translation>相机已标定；手眼、直线导轨和转台轴线尚未标定。接下来请标定整个测量系统。</translation>
     </message>
     <message>
       <source>The connected rig takes all images of the board itself, and everything is solved together</source>
-      <translation type="unfinished" />
+      <translation>已连接的测量系统自行拍摄标定板的所有图像，并一并求解</translation>
     </message>
     <message>
       <source>The report is created when a part has been measured: pictures, dimensions, calibration and settings.</source>
-      <translation type="unfinished" />
+      <translation>工件测量后生成报告：图片、尺寸、标定和设置。</translation>
     </message>
     <message>
       <source>The report is written when the dimensions have been evaluated.</source>
-      <translation type="unfinished" />
+      <translation>尺寸评定后生成报告。</translation>
     </message>
     <message>
       <source>The true geometry of the rig is not known yet.</source>
-      <translation type="unfinished" />
+      <translation>测量系统的真实几何尚未知。</translation>
     </message>
     <message>
       <source>Through {vector} mm, tilted by {quantity}</source>
-      <translation type="unfinished" />
+      <translation>通过 {vector} mm，倾斜 {quantity}</translation>
     </message>
     <message>
       <source>Time</source>
-      <translation type="unfinished" />
+      <translation>时间</translation>
     </message>
     <message>
       <source>Together</source>
-      <translation type="unfinished" />
+      <translation>合计</translation>
     </message>
     <message>
       <source>Trend and capability over all parts measured by one program</source>
-      <translation type="unfinished" />
+      <translation>由同一程序测量的所有工件的趋势与能力</translation>
     </message>
     <message>
       <source>Uncertainty (k = 2)</source>
-      <translation type="unfinished" />
+      <translation>不确定度 (k = 2)</translation>
     </message>
     <message>
       <source>Use the calibration that was accepted without a project{words}</source>
-      <translation type="unfinished" />
+      <translation>使用未随项目接受的标定{words}</translation>
     </message>
     <message>
       <source>Use the last one</source>
-      <translation type="unfinished" />
+      <translation>使用上一次的</translation>
     </message>
     <message>
       <source>Verdict</source>
-      <translation type="unfinished" />
+      <translation>判定</translation>
     </message>
     <message>
       <source>View</source>
-      <translation type="unfinished" />
+      <translation>视图</translation>
     </message>
     <message>
       <source>Views that measured this point</source>
-      <translation type="unfinished" />
+      <translation>测量此点的视图</translation>
     </message>
     <message>
       <source>With the company and the logo below, for all your projects.</source>
-      <translation type="unfinished" />
+      <translation>使用下面的公司和徽标，适用于您的所有项目。</translation>
     </message>
     <message>
       <source>Wrong fringe orders</source>
-      <translation type="unfinished" />
+      <translation>条纹级次错误</translation>
     </message>
     <message>
       <source>added to a length between views (k = 2)</source>
-      <translation type="unfinished" />
+      <translation>增加到视图间长度 (k = 2)</translation>
     </message>
     <message>
       <source>camera</source>
-      <translation type="unfinished" />
+      <translation>相机</translation>
     </message>
     <message>
       <source>figure</source>
-      <translation type="unfinished" />
+      <translation>figure</translation>
     </message>
     <message>
       <source>heading</source>
-      <translation type="unfinished" />
+      <translation>heading</translation>
     </message>
     <message>
       <source>nd,nd-&gt;n</source>
-      <translation type="unfinished" />
+      <translation>nd,nd-&gt;n</translation>
     </message>
     <message>
       <source>report templates</source>
-      <translation type="unfinished" />
+      <translation>报告模板</translation>
     </message>
     <message>
       <source>the header</source>
-      <translation type="unfinished" />
+      <translation>抬头</translation>
     </message>
     <message>
       <source>x from</source>
-      <translation type="unfinished" />
+      <translation>x 从</translation>
     </message>
     <message>
       <source>x to</source>
-      <translation type="unfinished" />
+      <translation>x 至</translation>
     </message>
     <message>
       <source>y from</source>
-      <translation type="unfinished" />
+      <translation>y 从</translation>
     </message>
     <message>
       <source>y to</source>
-      <translation type="unfinished" />
+      <translation>y 至</translation>
     </message>
     <message>
       <source>z from</source>
-      <translation type="unfinished" />
+      <translation>z 从</translation>
     </message>
     <message>
       <source>z to</source>
-      <translation type="unfinished" />
+      <translation>z 至</translation>
     </message>
     <message>
       <source>{estimate}. Criterion: {lower}{criterion}.</source>
-      <translation type="unfinished" />
+      <translation>{estimate}。准则：{lower}{criterion}。</translation>
     </message>
     <message>
       <source>{file} cannot be written.</source>
-      <translation type="unfinished" />
+      <translation>无法写入 {file}。</translation>
     </message>
     <message>
       <source>{part_words}, measured {value}.</source>
-      <translation type="unfinished" />
+      <translation>{part_words}，{value}测量。</translation>
     </message>
     <message>
       <source>σ of the column</source>
-      <translation type="unfinished" />
+      <translation>列 σ</translation>
     </message>
     <message>
       <source>σ of the row</source>
-      <translation type="unfinished" />
+      <translation>行 σ</translation>
     </message>
   </context>
   <context>
     <name>plan</name>
     <message>
       <source> % of what the rig can measure</source>
-      <translation type="unfinished" />
+      <translation> %（测量系统可测部分）</translation>
     </message>
     <message>
       <source> viewpoints</source>
-      <translation type="unfinished" />
+      <translation> 个视点</translation>
     </message>
     <message>
       <source>A plan lists the viewpoints of a scan. Generate one from the nominal of the part, open a file, or add viewpoints one by one.</source>
-      <translation type="unfinished" />
+      <translation>计划列出扫描的视点。请由工件的名义模型生成、打开文件，或逐个添加视点。</translation>
     </message>
     <message>
       <source>Add a viewpoint</source>
-      <translation type="unfinished" />
+      <translation>添加视点</translation>
     </message>
     <message>
       <source>Add on the part</source>
-      <translation type="unfinished" />
+      <translation>在工件上添加</translation>
     </message>
     <message>
       <source>Add the present position of the connected rig</source>
-      <translation type="unfinished" />
+      <translation>添加已连接测量系统的当前位置</translation>
     </message>
     <message>
       <source>Aim</source>
-      <translation type="unfinished" />
+      <translation>瞄准</translation>
     </message>
     <message>
       <source>Axes</source>
-      <translation type="unfinished" />
+      <translation>各轴</translation>
     </message>
     <message>
       <source>Azimuth</source>
-      <translation type="unfinished" />
+      <translation>方位角</translation>
     </message>
     <message>
       <source>Azimuth, elevation, roll</source>
-      <translation type="unfinished" />
+      <translation>方位角、仰角、滚转角</translation>
     </message>
     <message>
       <source>Begin with one viewpoint aimed at the middle of the table</source>
-      <translation type="unfinished" />
+      <translation>从对准转台中心的一个视点开始</translation>
     </message>
     <message>
       <source>Choose patterns</source>
-      <translation type="unfinished" />
+      <translation>选择条纹图案</translation>
     </message>
     <message>
       <source>Choose the nominal of the part</source>
-      <translation type="unfinished" />
+      <translation>选择工件的名义模型</translation>
     </message>
     <message>
       <source>Choose the nominal of the part.</source>
-      <translation type="unfinished" />
+      <translation>选择工件的名义模型。</translation>
     </message>
     <message>
       <source>Choose the part first.</source>
-      <translation type="unfinished" />
+      <translation>请先选择工件。</translation>
     </message>
     <message>
       <source>Choose viewpoints by what they are predicted to measure</source>
-      <translation type="unfinished" />
+      <translation>按预计的测量内容选择视点</translation>
     </message>
     <message>
       <source>Click the part where a new viewpoint should look.</source>
-      <translation type="unfinished" />
+      <translation>单击工件上新视点应观察的位置。</translation>
     </message>
     <message>
       <source>Colours of the part</source>
-      <translation type="unfinished" />
+      <translation>工件颜色</translation>
     </message>
     <message>
       <source>Coverage</source>
-      <translation type="unfinished" />
+      <translation>覆盖率</translation>
     </message>
     <message>
       <source>Duplicate the selected rows (Ctrl+D)</source>
-      <translation type="unfinished" />
+      <translation>复制所选行 (Ctrl+D)</translation>
     </message>
     <message>
       <source>Elevation</source>
-      <translation type="unfinished" />
+      <translation>仰角</translation>
     </message>
     <message>
       <source>Enter the {words}.</source>
-      <translation type="unfinished" />
+      <translation>请输入{words}。</translation>
     </message>
     <message>
       <source>Exposures of the plan</source>
-      <translation type="unfinished" />
+      <translation>计划的曝光</translation>
     </message>
     <message>
       <source>Exposures, wait</source>
-      <translation type="unfinished" />
+      <translation>曝光、等待</translation>
     </message>
     <message>
       <source>Flange</source>
-      <translation type="unfinished" />
+      <translation>法兰</translation>
     </message>
     <message>
       <source>Flange x, y, z</source>
-      <translation type="unfinished" />
+      <translation>法兰 x、y、z</translation>
     </message>
     <message>
       <source>For no rotation enter 1, 0, 0, 0.</source>
-      <translation type="unfinished" />
+      <translation>若不旋转，请输入 1, 0, 0, 0。</translation>
     </message>
     <message>
       <source>Fringe pitches</source>
-      <translation type="unfinished" />
+      <translation>条纹间距</translation>
     </message>
     <message>
       <source>From long to short, in ms, separated by commas</source>
-      <translation type="unfinished" />
+      <translation>从长到短，ms，用逗号分隔</translation>
     </message>
     <message>
       <source>From long to short, in ms, separated by commas; empty: those of the plan</source>
-      <translation type="unfinished" />
+      <translation>从长到短，ms，用逗号分隔；留空：按计划</translation>
     </message>
     <message>
       <source>Generate a plan</source>
-      <translation type="unfinished" />
+      <translation>生成计划</translation>
     </message>
     <message>
       <source>Generate a plan…</source>
-      <translation type="unfinished" />
+      <translation>生成计划…</translation>
     </message>
     <message>
       <source>Generate…</source>
-      <translation type="unfinished" />
+      <translation>生成…</translation>
     </message>
     <message>
       <source>Guide, table</source>
-      <translation type="unfinished" />
+      <translation>导轨、转台</translation>
     </message>
     <message>
       <source>How many viewpoints measure each place of the part; hatched: none</source>
-      <translation type="unfinished" />
+      <translation>测量工件各处的视点数；阴影线：无</translation>
     </message>
     <message>
       <source>Measured {share}</source>
-      <translation type="unfinished" />
+      <translation>已测量 {share}</translation>
     </message>
     <message>
       <source>Measures of the part</source>
-      <translation type="unfinished" />
+      <translation>工件的量度</translation>
     </message>
     <message>
       <source>More often</source>
-      <translation type="unfinished" />
+      <translation>更多次</translation>
     </message>
     <message>
       <source>Move</source>
-      <translation type="unfinished" />
+      <translation>移动</translation>
     </message>
     <message>
       <source>Move down in the scan order (Alt+Down)</source>
-      <translation type="unfinished" />
+      <translation>在扫描顺序中下移 (Alt+Down)</translation>
     </message>
     <message>
       <source>Move the robot</source>
-      <translation type="unfinished" />
+      <translation>移动机器人</translation>
     </message>
     <message>
       <source>Move up in the scan order (Alt+Up)</source>
-      <translation type="unfinished" />
+      <translation>在扫描顺序中上移 (Alt+Up)</translation>
     </message>
     <message>
       <source>Name of the plan</source>
-      <translation type="unfinished" />
+      <translation>计划名称</translation>
     </message>
     <message>
       <source>Name, patterns, exposures and waiting time of the plan</source>
-      <translation type="unfinished" />
+      <translation>计划的名称、图案、曝光和等待时间</translation>
     </message>
     <message>
       <source>No scan plan yet</source>
-      <translation type="unfinished" />
+      <translation>尚无扫描计划</translation>
     </message>
     <message>
       <source>No scan plan.</source>
-      <translation type="unfinished" />
+      <translation>没有扫描计划。</translation>
     </message>
     <message>
       <source>Not measured</source>
-      <translation type="unfinished" />
+      <translation>未测量</translation>
     </message>
     <message>
       <source>Not measured {percent}</source>
-      <translation type="unfinished" />
+      <translation>未测量 {percent}</translation>
     </message>
     <message>
       <source>Nothing to redo</source>
-      <translation type="unfinished" />
+      <translation>没有可重做的操作</translation>
     </message>
     <message>
       <source>Nothing to undo</source>
-      <translation type="unfinished" />
+      <translation>没有可撤销的操作</translation>
     </message>
     <message>
       <source>Number of viewpoints</source>
-      <translation type="unfinished" />
+      <translation>视点数量</translation>
     </message>
     <message>
       <source>Once</source>
-      <translation type="unfinished" />
+      <translation>一次</translation>
     </message>
     <message>
       <source>Open a plan…</source>
-      <translation type="unfinished" />
+      <translation>打开计划…</translation>
     </message>
     <message>
       <source>Open a scan plan</source>
-      <translation type="unfinished" />
+      <translation>打开扫描计划</translation>
     </message>
     <message>
       <source>Open a scan plan (TOML or JSON)</source>
-      <translation type="unfinished" />
+      <translation>打开扫描计划（TOML 或 JSON）</translation>
     </message>
     <message>
       <source>Open…</source>
-      <translation type="unfinished" />
+      <translation>打开…</translation>
     </message>
     <message>
       <source>Order all viewpoints so that the axes move least; groups are dissolved</source>
-      <translation type="unfinished" />
+      <translation>排列所有视点，使各轴移动最少；分组会解散</translation>
     </message>
     <message>
       <source>Part…</source>
-      <translation type="unfinished" />
+      <translation>工件…</translation>
     </message>
     <message>
       <source>Patterns</source>
-      <translation type="unfinished" />
+      <translation>条纹图案</translation>
     </message>
     <message>
       <source>Patterns of the plan</source>
-      <translation type="unfinished" />
+      <translation>计划的条纹图案</translation>
     </message>
     <message>
       <source>Plan</source>
-      <translation type="unfinished" />
+      <translation>计划</translation>
     </message>
     <message>
       <source>Planning…</source>
-      <translation type="unfinished" />
+      <translation>正在规划…</translation>
     </message>
     <message>
       <source>Position and direction of the robot's flange, as its controller states them</source>
-      <translation type="unfinished" />
+      <translation>机器人法兰的位置和方向，按其控制器给出</translation>
     </message>
     <message>
       <source>Predicted</source>
-      <translation type="unfinished" />
+      <translation>预计</translation>
     </message>
     <message>
       <source>Predicted coverage {predicted}</source>
-      <translation type="unfinished" />
+      <translation>预计覆盖率 {predicted}</translation>
     </message>
     <message>
       <source>Prevents the scan</source>
-      <translation type="unfinished" />
+      <translation>阻止扫描</translation>
     </message>
     <message>
       <source>Properties of</source>
-      <translation type="unfinished" />
+      <translation>属性所属</translation>
     </message>
     <message>
       <source>Quaternion w, x, y, z</source>
-      <translation type="unfinished" />
+      <translation>四元数 w、x、y、z</translation>
     </message>
     <message>
       <source>Redo</source>
-      <translation type="unfinished" />
+      <translation>重做</translation>
     </message>
     <message>
       <source>Redo: {redotext}</source>
-      <translation type="unfinished" />
+      <translation>重做：{redotext}</translation>
     </message>
     <message>
       <source>Remove</source>
-      <translation type="unfinished" />
+      <translation>移除</translation>
     </message>
     <message>
       <source>Remove the selected rows (Del)</source>
-      <translation type="unfinished" />
+      <translation>移除所选行 (Del)</translation>
     </message>
     <message>
       <source>Rename the plan</source>
-      <translation type="unfinished" />
+      <translation>重命名计划</translation>
     </message>
     <message>
       <source>Rename {name}</source>
-      <translation type="unfinished" />
+      <translation>重命名 {name}</translation>
     </message>
     <message>
       <source>Repeat at table angles</source>
-      <translation type="unfinished" />
+      <translation>按转台角度重复</translation>
     </message>
     <message>
       <source>Repeat the selected viewpoints at several table angles, as a group</source>
-      <translation type="unfinished" />
+      <translation>在多个转台角度重复所选视点，作为一组</translation>
     </message>
     <message>
       <source>Replace the selected group by its viewpoints</source>
-      <translation type="unfinished" />
+      <translation>用所选组的视点替换该组</translation>
     </message>
     <message>
       <source>Robot pose</source>
-      <translation type="unfinished" />
+      <translation>机器人位姿</translation>
     </message>
     <message>
       <source>Roll</source>
-      <translation type="unfinished" />
+      <translation>滚转角</translation>
     </message>
     <message>
       <source>Save the plan as TOML or JSON</source>
-      <translation type="unfinished" />
+      <translation>将计划保存为 TOML 或 JSON</translation>
     </message>
     <message>
       <source>Save the scan plan</source>
-      <translation type="unfinished" />
+      <translation>保存扫描计划</translation>
     </message>
     <message>
       <source>Scan plans (*.toml *.json)</source>
-      <translation type="unfinished" />
+      <translation>扫描计划 (*.toml *.json)</translation>
     </message>
     <message>
       <source>Scan with this plan; it is stored in the open project</source>
-      <translation type="unfinished" />
+      <translation>按此计划扫描；它随打开的项目保存</translation>
     </message>
     <message>
       <source>Select a viewpoint to change it.</source>
-      <translation type="unfinished" />
+      <translation>选择一个视点以更改。</translation>
     </message>
     <message>
       <source>Select a viewpoint to see its properties.</source>
-      <translation type="unfinished" />
+      <translation>选择一个视点以查看其属性。</translation>
     </message>
     <message>
       <source>Set</source>
-      <translation type="unfinished" />
+      <translation>设置</translation>
     </message>
     <message>
       <source>Set exposures</source>
-      <translation type="unfinished" />
+      <translation>设置曝光</translation>
     </message>
     <message>
       <source>Set the waiting time</source>
-      <translation type="unfinished" />
+      <translation>设置等待时间</translation>
     </message>
     <message>
       <source>Set the {words}</source>
-      <translation type="unfinished" />
+      <translation>设置{words}</translation>
     </message>
     <message>
       <source>Set {value}</source>
-      <translation type="unfinished" />
+      <translation>设置 {value}</translation>
     </message>
     <message>
       <source>Stand-off</source>
-      <translation type="unfinished" />
+      <translation>工作距离</translation>
     </message>
     <message>
       <source>Table</source>
-      <translation type="unfinished" />
+      <translation>转台</translation>
     </message>
     <message>
       <source>Table angles in degrees, separated by commas:</source>
-      <translation type="unfinished" />
+      <translation>转台角度（度），用逗号分隔：</translation>
     </message>
     <message>
       <source>Target x, y, z</source>
-      <translation type="unfinished" />
+      <translation>目标 x、y、z</translation>
     </message>
     <message>
       <source>The part in one colour</source>
-      <translation type="unfinished" />
+      <translation>工件单色显示</translation>
     </message>
     <message>
       <source>The plan is being made.</source>
-      <translation type="unfinished" />
+      <translation>正在制定计划。</translation>
     </message>
     <message>
       <source>The quaternion (w, x, y, z) is zero and names no direction.</source>
-      <translation type="unfinished" />
+      <translation>四元数 (w, x, y, z) 为零，没有方向。</translation>
     </message>
     <message>
       <source>The scan uses this plan</source>
-      <translation type="unfinished" />
+      <translation>扫描使用此计划</translation>
     </message>
     <message>
       <source>This viewpoint</source>
-      <translation type="unfinished" />
+      <translation>此视点</translation>
     </message>
     <message>
       <source>Twice</source>
-      <translation type="unfinished" />
+      <translation>两次</translation>
     </message>
     <message>
       <source>Undo: {undotext}</source>
-      <translation type="unfinished" />
+      <translation>撤销：{undotext}</translation>
     </message>
     <message>
       <source>Ungroup</source>
-      <translation type="unfinished" />
+      <translation>取消分组</translation>
     </message>
     <message>
       <source>Until</source>
-      <translation type="unfinished" />
+      <translation>直至</translation>
     </message>
     <message>
       <source>Use for the scan</source>
-      <translation type="unfinished" />
+      <translation>用于扫描</translation>
     </message>
     <message>
       <source>Viewpoints are chosen by what cameras and projector are predicted to measure, and ordered so that the axes move little. The plan replaces the one shown; undo brings that back.</source>
-      <translation type="unfinished" />
+      <translation>视点按相机和投影仪预计的测量内容选择，并按各轴移动少的顺序排列。该计划替换所显示的计划；撤销可恢复。</translation>
     </message>
     <message>
       <source>Wait</source>
-      <translation type="unfinished" />
+      <translation>等待</translation>
     </message>
     <message>
       <source>Wait before images are taken, in s; empty: that of the plan</source>
-      <translation type="unfinished" />
+      <translation>拍摄前等待，s；留空：按计划</translation>
     </message>
     <message>
       <source>Wait before images are taken, in s; empty: that of the rig</source>
-      <translation type="unfinished" />
+      <translation>拍摄前等待，s；留空：按测量系统</translation>
     </message>
     <message>
       <source>Waiting time</source>
-      <translation type="unfinished" />
+      <translation>等待时间</translation>
     </message>
     <message>
       <source>Waiting time of the plan</source>
-      <translation type="unfinished" />
+      <translation>计划的等待时间</translation>
     </message>
     <message>
       <source>What the selected viewpoint measures; hatched: nothing</source>
-      <translation type="unfinished" />
+      <translation>所选视点测量的部分；阴影线：无</translation>
     </message>
     <message>
       <source>Where the head looks, from which side, elevation and distance</source>
-      <translation type="unfinished" />
+      <translation>测头观察的位置、方向、仰角和距离</translation>
     </message>
     <message>
       <source>Which no other measures</source>
-      <translation type="unfinished" />
+      <translation>其他视点均未测量</translation>
     </message>
     <message>
       <source>Whole plan</source>
-      <translation type="unfinished" />
+      <translation>整个计划</translation>
     </message>
     <message>
       <source>Write numbers separated by commas.</source>
-      <translation type="unfinished" />
+      <translation>请写以逗号分隔的数字。</translation>
     </message>
     <message>
       <source>about {time_s}, {bytes}</source>
-      <translation type="unfinished" />
+      <translation>约 {time_s}，{bytes}</translation>
     </message>
     <message>
       <source>being checked…</source>
-      <translation type="unfinished" />
+      <translation>正在检查…</translation>
     </message>
     <message>
       <source>guide in mm</source>
-      <translation type="unfinished" />
+      <translation>导轨（mm）</translation>
     </message>
     <message>
       <source>keep-out box</source>
-      <translation type="unfinished" />
+      <translation>禁入区</translation>
     </message>
     <message>
       <source>ni,ni-&gt;n</source>
-      <translation type="unfinished" />
+      <translation>ni,ni-&gt;n</translation>
     </message>
     <message>
       <source>nothing prevents the scan</source>
-      <translation type="unfinished" />
+      <translation>没有问题阻止扫描</translation>
     </message>
     <message>
       <source>row</source>
-      <translation type="unfinished" />
+      <translation>行</translation>
     </message>
     <message>
       <source>table in degrees</source>
-      <translation type="unfinished" />
+      <translation>转台（度）</translation>
     </message>
     <message>
       <source>viewpoint</source>
-      <translation type="unfinished" />
+      <translation>个视点</translation>
     </message>
     <message>
       <source>x of the flange</source>
-      <translation type="unfinished" />
+      <translation>法兰的 x</translation>
     </message>
     <message>
       <source>x of the target</source>
-      <translation type="unfinished" />
+      <translation>目标的 x</translation>
     </message>
     <message>
       <source>y of the flange</source>
-      <translation type="unfinished" />
+      <translation>法兰的 y</translation>
     </message>
     <message>
       <source>y of the target</source>
-      <translation type="unfinished" />
+      <translation>目标的 y</translation>
     </message>
     <message>
       <source>z of the flange</source>
-      <translation type="unfinished" />
+      <translation>法兰的 z</translation>
     </message>
     <message>
       <source>z of the target</source>
-      <translation type="unfinished" />
+      <translation>目标的 z</translation>
     </message>
     <message>
       <source>{rows} selected.</source>
-      <translation type="unfinished" />
+      <translation>已选择 {rows}。</translation>
     </message>
     <message>
       <source>{text!r} is not a list of angles.</source>
-      <translation type="unfinished" />
+      <translation>{text!r} 不是角度列表。</translation>
     </message>
     <message>
       <source>{text!r} is not a number.</source>
-      <translation type="unfinished" />
+      <translation>{text!r} 不是数字。</translation>
     </message>
   </context>
   <context>
     <name>repeats</name>
     <message>
       <source>A test needs two values and a stated U</source>
-      <translation type="unfinished" />
+      <translation>检验需要两个值和规定的 U</translation>
     </message>
     <message>
       <source>Add at least two projects with dimensions of the same inspection program.</source>
-      <translation type="unfinished" />
+      <translation>请至少添加两个具有相同检测程序尺寸的项目。</translation>
     </message>
     <message>
       <source>Add the project of one measurement</source>
-      <translation type="unfinished" />
+      <translation>添加一次测量的项目</translation>
     </message>
     <message>
       <source>Add…</source>
-      <translation type="unfinished" />
+      <translation>添加…</translation>
     </message>
     <message>
       <source>Clamp again before each</source>
-      <translation type="unfinished" />
+      <translation>每次之前重新装夹</translation>
     </message>
     <message>
       <source>Clamp the part again, then continue with measurement {number} of {count}.</source>
-      <translation type="unfinished" />
+      <translation>请重新装夹工件，然后继续第 {number} 次测量，共 {count} 次。</translation>
     </message>
     <message>
       <source>Compare</source>
-      <translation type="unfinished" />
+      <translation>比较</translation>
     </message>
     <message>
       <source>Continue</source>
-      <translation type="unfinished" />
+      <translation>继续</translation>
     </message>
     <message>
       <source>End</source>
-      <translation type="unfinished" />
+      <translation>结束</translation>
     </message>
     <message>
       <source>Evaluate mean and spread</source>
-      <translation type="unfinished" />
+      <translation>评定平均值与离散</translation>
     </message>
     <message>
       <source>Every measurement becomes a project beside the open one.</source>
-      <translation type="unfinished" />
+      <translation>每次测量都成为打开项目旁的一个项目。</translation>
     </message>
     <message>
       <source>Folder for the report of repeats</source>
-      <translation type="unfinished" />
+      <translation>重复测量报告的文件夹</translation>
     </message>
     <message>
       <source>Larger than U</source>
-      <translation type="unfinished" />
+      <translation>大于 U</translation>
     </message>
     <message>
       <source>Mean</source>
-      <translation type="unfinished" />
+      <translation>平均值</translation>
     </message>
     <message>
       <source>Mean, spread and deviation of every dimension over several measurements of one part, and whether the stated uncertainty explains the spread.</source>
-      <translation type="unfinished" />
+      <translation>同一工件多次测量中每个尺寸的平均值、离散和偏差，以及规定的不确定度是否能解释离散。</translation>
     </message>
     <message>
       <source>Measure no further; what was measured is kept</source>
-      <translation type="unfinished" />
+      <translation>不再测量；已测的内容保留</translation>
     </message>
     <message>
       <source>Measurement {number} of {count} is running.</source>
-      <translation type="unfinished" />
+      <translation>正在进行第 {number} 次测量，共 {count} 次。</translation>
     </message>
     <message>
       <source>Measurements</source>
-      <translation type="unfinished" />
+      <translation>测量</translation>
     </message>
     <message>
       <source>Measurements of one part</source>
-      <translation type="unfinished" />
+      <translation>同一工件的测量</translation>
     </message>
     <message>
       <source>Not tested</source>
-      <translation type="unfinished" />
+      <translation>未检验</translation>
     </message>
     <message>
       <source>One part under several names</source>
-      <translation type="unfinished" />
+      <translation>同一工件使用了多个名称</translation>
     </message>
     <message>
       <source>Open a calibrated project with a plan to measure its part again.</source>
-      <translation type="unfinished" />
+      <translation>打开带计划的已标定项目，以再次测量其工件。</translation>
     </message>
     <message>
       <source>PDF, table (CSV) and JSON</source>
-      <translation type="unfinished" />
+      <translation>PDF、表格 (CSV) 和 JSON</translation>
     </message>
     <message>
       <source>Projects</source>
-      <translation type="unfinished" />
+      <translation>项目</translation>
     </message>
     <message>
       <source>Relative</source>
-      <translation type="unfinished" />
+      <translation>相对</translation>
     </message>
     <message>
       <source>Repeated measurements</source>
-      <translation type="unfinished" />
+      <translation>重复测量</translation>
     </message>
     <message>
       <source>Save the report…</source>
-      <translation type="unfinished" />
+      <translation>保存报告…</translation>
     </message>
     <message>
       <source>Spread</source>
-      <translation type="unfinished" />
+      <translation>离散</translation>
     </message>
     <message>
       <source>Take the chosen project from the list; nothing is deleted</source>
-      <translation type="unfinished" />
+      <translation>从列表中去掉所选项目；不会删除任何内容</translation>
     </message>
     <message>
       <source>The part is clamped; begin the measurement</source>
-      <translation type="unfinished" />
+      <translation>工件已装夹；开始测量</translation>
     </message>
     <message>
       <source>The spread is larger than the stated U explains (chi-square test)</source>
-      <translation type="unfinished" />
+      <translation>离散大于规定的 U 所能解释的（卡方检验）</translation>
     </message>
     <message>
       <source>The stated U explains the spread (chi-square test)</source>
-      <translation type="unfinished" />
+      <translation>规定的 U 能解释离散（卡方检验）</translation>
     </message>
     <message>
       <source>Within U</source>
-      <translation type="unfinished" />
+      <translation>在 U 之内</translation>
     </message>
     <message>
       <source>measurement</source>
-      <translation type="unfinished" />
+      <translation>次测量</translation>
     </message>
     <message>
       <source>{count} by the program {program}. {list}</source>
-      <translation type="unfinished" />
+      <translation>按程序 {program}，{count}。{list}</translation>
     </message>
   </context>
   <context>
     <name>rig</name>
     <message>
       <source> {count} could not be loaded.</source>
-      <translation type="unfinished" />
+      <translation> 有 {count} 个无法加载。</translation>
     </message>
     <message>
       <source>A link is what several drivers share: a serial line, a gateway, a simulated rig. Drivers name it in their setting “Link”.</source>
-      <translation type="unfinished" />
+      <translation>连接是多个驱动共用的：串行线、网关或模拟测量系统。驱动在其“连接”设置中指明。</translation>
     </message>
     <message>
       <source>Absolute accuracy</source>
-      <translation type="unfinished" />
+      <translation>绝对精度</translation>
     </message>
     <message>
       <source>Add a link</source>
-      <translation type="unfinished" />
+      <translation>添加连接</translation>
     </message>
     <message>
       <source>All devices are ready.</source>
-      <translation type="unfinished" />
+      <translation>所有设备已就绪。</translation>
     </message>
     <message>
       <source>Allow</source>
-      <translation type="unfinished" />
+      <translation>允许</translation>
     </message>
     <message>
       <source>Allow the driver {row.name}?
 Folder: {row.folder}
 Fingerprint (SHA-256): {seen}
 Its code runs with your rights on this computer. If any of its files changes, you are asked again.</source>
-      <translation type="unfinished" />
+      <translation>允许驱动 {row.name}？
+文件夹：{row.folder}
+指纹 (SHA-256)：{seen}
+其代码以您的权限在此计算机上运行。若其任何文件更改，会再次询问。</translation>
     </message>
     <message>
       <source>Allow this driver…</source>
-      <translation type="unfinished" />
+      <translation>允许此驱动…</translation>
     </message>
     <message>
       <source>Calibrates a virtual rig with hidden errors, scans the part, stitches the clouds, evaluates the dimensions and writes the report.</source>
-      <translation type="unfinished" />
+      <translation>标定带隐藏误差的虚拟测量系统，扫描工件，拼接点云，评定尺寸并生成报告。</translation>
     </message>
     <message>
       <source>Calibration rules</source>
-      <translation type="unfinished" />
+      <translation>标定规则</translation>
     </message>
     <message>
       <source>Cell</source>
-      <translation type="unfinished" />
+      <translation>工作站</translation>
     </message>
     <message>
       <source>Choose a driver</source>
-      <translation type="unfinished" />
+      <translation>选择驱动</translation>
     </message>
     <message>
       <source>Choose a driver.</source>
-      <translation type="unfinished" />
+      <translation>请选择驱动。</translation>
     </message>
     <message>
       <source>Connect</source>
-      <translation type="unfinished" />
+      <translation>连接</translation>
     </message>
     <message>
       <source>Connect every device of this rig; nothing moves</source>
-      <translation type="unfinished" />
+      <translation>连接此测量系统的每台设备；不作任何运动</translation>
     </message>
     <message>
       <source>Connect the rig to move its axes.</source>
-      <translation type="unfinished" />
+      <translation>连接测量系统以移动其各轴。</translation>
     </message>
     <message>
       <source>Demo</source>
-      <translation type="unfinished" />
+      <translation>演示</translation>
     </message>
     <message>
       <source>Demo on the virtual rig</source>
-      <translation type="unfinished" />
+      <translation>虚拟测量系统演示</translation>
     </message>
     <message>
       <source>Device</source>
-      <translation type="unfinished" />
+      <translation>设备</translation>
     </message>
     <message>
       <source>Discard changes</source>
-      <translation type="unfinished" />
+      <translation>放弃更改</translation>
     </message>
     <message>
       <source>Disconnect</source>
-      <translation type="unfinished" />
+      <translation>断开</translation>
     </message>
     <message>
       <source>Driver</source>
-      <translation type="unfinished" />
+      <translation>驱动</translation>
     </message>
     <message>
       <source>Drivers</source>
-      <translation type="unfinished" />
+      <translation>驱动</translation>
     </message>
     <message>
       <source>Drivers of your own are folders in {folder}. The computer runs their code: allow only those whose origin you trust.</source>
-      <translation type="unfinished" />
+      <translation>您自己的驱动是 {folder} 中的文件夹。计算机会运行其代码：只允许来源可信的驱动。</translation>
     </message>
     <message>
       <source>Drivers, settings, motion rules and nominal values of this rig</source>
-      <translation type="unfinished" />
+      <translation>此测量系统的驱动、设置、运动规则和名义值</translation>
     </message>
     <message>
       <source>Drives</source>
-      <translation type="unfinished" />
+      <translation>驱动器</translation>
     </message>
     <message>
       <source>Edit rig: {name}</source>
-      <translation type="unfinished" />
+      <translation>编辑测量系统：{name}</translation>
     </message>
     <message>
       <source>Edit rig…</source>
-      <translation type="unfinished" />
+      <translation>编辑测量系统…</translation>
     </message>
     <message>
       <source>Enter a name for each link.</source>
-      <translation type="unfinished" />
+      <translation>请为每个连接输入名称。</translation>
     </message>
     <message>
       <source>Exposure of the live images</source>
-      <translation type="unfinished" />
+      <translation>实时图像的曝光</translation>
     </message>
     <message>
       <source>Find references</source>
-      <translation type="unfinished" />
+      <translation>回参考点</translation>
     </message>
     <message>
       <source>Guide and table find their reference positions</source>
-      <translation type="unfinished" />
+      <translation>导轨和转台寻找其参考位置</translation>
     </message>
     <message>
       <source>Hold a button to move on. Stop is no safety function:
 in danger use the emergency stop.</source>
-      <translation type="unfinished" />
+      <translation>按住按钮可继续移动。“停止”没有安全功能：
+危险时请使用急停。</translation>
     </message>
     <message>
       <source>Keep editing</source>
-      <translation type="unfinished" />
+      <translation>继续编辑</translation>
     </message>
     <message>
       <source>Let the rig run again, after the cause was removed</source>
-      <translation type="unfinished" />
+      <translation>排除原因后，让测量系统重新运行</translation>
     </message>
     <message>
       <source>Links</source>
-      <translation type="unfinished" />
+      <translation>连接</translation>
     </message>
     <message>
       <source>Loaded</source>
-      <translation type="unfinished" />
+      <translation>已加载</translation>
     </message>
     <message>
       <source>Loaded.</source>
-      <translation type="unfinished" />
+      <translation>已加载。</translation>
     </message>
     <message>
       <source>Loading the rig…</source>
-      <translation type="unfinished" />
+      <translation>正在加载测量系统…</translation>
     </message>
     <message>
       <source>Measuring head</source>
-      <translation type="unfinished" />
+      <translation>测头</translation>
     </message>
     <message>
       <source>Model</source>
-      <translation type="unfinished" />
+      <translation>型号</translation>
     </message>
     <message>
       <source>Motion</source>
-      <translation type="unfinished" />
+      <translation>运动</translation>
     </message>
     <message>
       <source>Move by hand</source>
-      <translation type="unfinished" />
+      <translation>手动移动</translation>
     </message>
     <message>
       <source>Name of the link</source>
-      <translation type="unfinished" />
+      <translation>连接名称</translation>
     </message>
     <message>
       <source>Nominal values</source>
-      <translation type="unfinished" />
+      <translation>名义值</translation>
     </message>
     <message>
       <source>Nominal values from data sheets. Calibration determines the true values.</source>
-      <translation type="unfinished" />
+      <translation>名义值取自数据表。真值由标定确定。</translation>
     </message>
     <message>
       <source>Not allowed yet</source>
-      <translation type="unfinished" />
+      <translation>尚未允许</translation>
     </message>
     <message>
       <source>Not loaded</source>
-      <translation type="unfinished" />
+      <translation>未加载</translation>
     </message>
     <message>
       <source>One for each device</source>
-      <translation type="unfinished" />
+      <translation>每台设备一个</translation>
     </message>
     <message>
       <source>One for the whole rig</source>
-      <translation type="unfinished" />
+      <translation>整个测量系统一个</translation>
     </message>
     <message>
       <source>Open a rig description</source>
-      <translation type="unfinished" />
+      <translation>打开测量系统描述</translation>
     </message>
     <message>
       <source>Open a rig description…</source>
-      <translation type="unfinished" />
+      <translation>打开测量系统描述…</translation>
     </message>
     <message>
       <source>Panel</source>
-      <translation type="unfinished" />
+      <translation>面板</translation>
     </message>
     <message>
       <source>Reach</source>
-      <translation type="unfinished" />
+      <translation>工作范围</translation>
     </message>
     <message>
       <source>Reach {max_reach_mm:.0f} mm · repeatability {repeatability_mm}</source>
-      <translation type="unfinished" />
+      <translation>工作范围 {max_reach_mm:.0f} mm · 重复精度 {repeatability_mm}</translation>
     </message>
     <message>
       <source>Recording: there are no devices</source>
-      <translation type="unfinished" />
+      <translation>录制：没有设备</translation>
     </message>
     <message>
       <source>Release every device</source>
-      <translation type="unfinished" />
+      <translation>释放所有设备</translation>
     </message>
     <message>
       <source>Remove the link {name}</source>
-      <translation type="unfinished" />
+      <translation>移除连接 {name}</translation>
     </message>
     <message>
       <source>Repeatability</source>
-      <translation type="unfinished" />
+      <translation>重复精度</translation>
     </message>
     <message>
       <source>Reset the stop before anything moves.</source>
-      <translation type="unfinished" />
+      <translation>在任何运动之前请复位停止。</translation>
     </message>
     <message>
       <source>Rig descriptions (*.toml)</source>
-      <translation type="unfinished" />
+      <translation>测量系统描述 (*.toml)</translation>
     </message>
     <message>
       <source>Robot</source>
-      <translation type="unfinished" />
+      <translation>机器人</translation>
     </message>
     <message>
       <source>Rotary table</source>
-      <translation type="unfinished" />
+      <translation>转台</translation>
     </message>
     <message>
       <source>Save the rig description</source>
-      <translation type="unfinished" />
+      <translation>保存测量系统描述</translation>
     </message>
     <message>
       <source>Save to another file</source>
-      <translation type="unfinished" />
+      <translation>保存到其他文件</translation>
     </message>
     <message>
       <source>Save to {file}</source>
-      <translation type="unfinished" />
+      <translation>保存到 {file}</translation>
     </message>
     <message>
       <source>Save without comments</source>
-      <translation type="unfinished" />
+      <translation>不带注释保存</translation>
     </message>
     <message>
       <source>Sections</source>
-      <translation type="unfinished" />
+      <translation>章节</translation>
     </message>
     <message>
       <source>Shows its folder and fingerprint, then asks</source>
-      <translation type="unfinished" />
+      <translation>显示其文件夹和指纹，然后询问</translation>
     </message>
     <message>
       <source>Standoff</source>
-      <translation type="unfinished" />
+      <translation>工作距离</translation>
     </message>
     <message>
       <source>The driver has no setting {list}; it is removed when you save.</source>
-      <translation type="unfinished" />
+      <translation>驱动没有设置 {list}；保存时将移除。</translation>
     </message>
     <message>
       <source>The rig description is being read.</source>
-      <translation type="unfinished" />
+      <translation>正在读取测量系统描述。</translation>
     </message>
     <message>
       <source>The rig is stopped: {stopped} Remove the cause, check that nothing is in the way, then reset.</source>
-      <translation type="unfinished" />
+      <translation>测量系统已停止：{stopped} 请排除原因，确认无障碍，然后复位。</translation>
     </message>
     <message>
       <source>The rig to work with: one that comes with the program, or a description of your own (TOML)</source>
-      <translation type="unfinished" />
+      <translation>要使用的测量系统：程序自带的，或您自己的描述 (TOML)</translation>
     </message>
     <message>
       <source>There is no link {name}. Add it under Links.</source>
-      <translation type="unfinished" />
+      <translation>没有连接 {name}。请在“连接”下添加。</translation>
     </message>
     <message>
       <source>There is no such driver.</source>
-      <translation type="unfinished" />
+      <translation>没有此驱动。</translation>
     </message>
     <message>
       <source>These settings are kept as they are and checked when the rig is connected.</source>
-      <translation type="unfinished" />
+      <translation>这些设置原样保留，连接测量系统时检查。</translation>
     </message>
     <message>
       <source>Two links have the name {twice}.</source>
-      <translation type="unfinished" />
+      <translation>两个连接同名 {twice}。</translation>
     </message>
     <message>
       <source>Version</source>
-      <translation type="unfinished" />
+      <translation>版本</translation>
     </message>
     <message>
       <source>Version {version}</source>
-      <translation type="unfinished" />
+      <translation>版本 {version}</translation>
     </message>
     <message>
       <source>What was changed here is not saved yet.</source>
-      <translation type="unfinished" />
+      <translation>此处的更改尚未保存。</translation>
     </message>
     <message>
       <source>by the program</source>
-      <translation type="unfinished" />
+      <translation>由程序</translation>
     </message>
     <message>
       <source>by the projector</source>
-      <translation type="unfinished" />
+      <translation>由投影仪</translation>
     </message>
     <message>
       <source>device</source>
-      <translation type="unfinished" />
+      <translation>个设备</translation>
     </message>
     <message>
       <source>driver</source>
-      <translation type="unfinished" />
+      <translation>个驱动</translation>
     </message>
     <message>
       <source>{count} not ready.</source>
-      <translation type="unfinished" />
+      <translation>{count} 未就绪。</translation>
     </message>
     <message>
       <source>{low} … {high} mm · repeatability {repeatability_mm}</source>
-      <translation type="unfinished" />
+      <translation>{low} … {high} mm · 重复精度 {repeatability_mm}</translation>
     </message>
     <message>
       <source>{name} has a size of {span:.4g}</source>
-      <translation type="unfinished" />
+      <translation>{name} 的大小为 {span:.4g}</translation>
     </message>
     <message>
       <source>{name} has comments. Saving writes the file anew and deletes them.</source>
-      <translation type="unfinished" />
+      <translation>{name} 有注释。保存会重写文件并删除注释。</translation>
     </message>
     <message>
       <source>{name}, connected. </source>
-      <translation type="unfinished" />
+      <translation>{name}，已连接。</translation>
     </message>
     <message>
       <source>{name}. {count}, projector, robot, guide and table; not connected.</source>
-      <translation type="unfinished" />
+      <translation>{name}。{count}、投影仪、机器人、导轨和转台；未连接。</translation>
     </message>
     <message>
       <source>{width_px} × {height_px} px · {focal_mm:g} mm lens · {bit_depth} bit</source>
-      <translation type="unfinished" />
+      <translation>{width_px} × {height_px} px · {focal_mm:g} mm 镜头 · {bit_depth} 位</translation>
     </message>
     <message>
       <source>{words} Folder: {folder}</source>
-      <translation type="unfinished" />
+      <translation>{words} 文件夹：{folder}</translation>
     </message>
     <message>
       <source>{words} – not loaded</source>
-      <translation type="unfinished" />
+      <translation>{words} – 未加载</translation>
     </message>
     <message>
       <source>⌀ {diameter_mm:.0f} mm · accuracy {accuracy_arcsec:g}″</source>
-      <translation type="unfinished" />
+      <translation>⌀ {diameter_mm:.0f} mm · 精度 {accuracy_arcsec:g}″</translation>
     </message>
   </context>
   <context>
     <name>scan</name>
     <message>
       <source>, at least {images_s} for the images</source>
-      <translation type="unfinished" />
+      <translation>，图像至少 {images_s}</translation>
     </message>
     <message>
       <source>, {failed} failed</source>
-      <translation type="unfinished" />
+      <translation>，{failed} 个失败</translation>
     </message>
     <message>
       <source>, {skipped} skipped.</source>
-      <translation type="unfinished" />
+      <translation>，跳过 {skipped} 个。</translation>
     </message>
     <message>
       <source>, {stored} stored</source>
-      <translation type="unfinished" />
+      <translation>，已存储 {stored}</translation>
     </message>
     <message>
       <source>A new project is made here.</source>
-      <translation type="unfinished" />
+      <translation>在此创建新项目。</translation>
     </message>
     <message>
       <source>A probe at every viewpoint chooses its exposures; for parts with bright and dark sides</source>
-      <translation type="unfinished" />
+      <translation>在每个视点试测选择其曝光；适用于有亮面和暗面的工件</translation>
     </message>
     <message>
       <source>A probe at the first viewpoint chooses the exposures of all</source>
-      <translation type="unfinished" />
+      <translation>在第一个视点试测选择全部视点的曝光</translation>
     </message>
     <message>
       <source>A ready-made scan of a sample part on the virtual rig</source>
-      <translation type="unfinished" />
+      <translation>虚拟测量系统上示例工件的现成扫描</translation>
     </message>
     <message>
       <source>A scan moves the rig from viewpoint to viewpoint, projects fringes and takes images. Choose a project and a plan, or run the demo.</source>
-      <translation type="unfinished" />
+      <translation>扫描使测量系统在视点间移动，投射条纹并拍摄图像。请选择项目和计划，或运行演示。</translation>
     </message>
     <message>
       <source>About {expected_s} left, at most {bound_s}; then the clouds are stitched.</source>
-      <translation type="unfinished" />
+      <translation>约剩 {expected_s}，最多 {bound_s}；随后拼接点云。</translation>
     </message>
     <message>
       <source>Add and scan them</source>
-      <translation type="unfinished" />
+      <translation>添加并扫描</translation>
     </message>
     <message>
       <source>Add these viewpoints to the plan and take them; stored images are kept</source>
-      <translation type="unfinished" />
+      <translation>将这些视点加入计划并拍摄；已存图像保留</translation>
     </message>
     <message>
       <source>All images are taken. The clouds are computed and stitched; Cancel keeps the images.</source>
-      <translation type="unfinished" />
+      <translation>所有图像已拍摄。正在计算并拼接点云；“取消”会保留图像。</translation>
     </message>
     <message>
       <source>As planned</source>
-      <translation type="unfinished" />
+      <translation>按计划</translation>
     </message>
     <message>
       <source>As the project states</source>
-      <translation type="unfinished" />
+      <translation>按项目规定</translation>
     </message>
     <message>
       <source>As they were taken; everything can be computed again</source>
-      <translation type="unfinished" />
+      <translation>按拍摄原样；一切都可重新计算</translation>
     </message>
     <message>
       <source>Back to viewpoints, images and clouds</source>
-      <translation type="unfinished" />
+      <translation>回到视点、图像和点云</translation>
     </message>
     <message>
       <source>Before the scan</source>
-      <translation type="unfinished" />
+      <translation>扫描之前</translation>
     </message>
     <message>
       <source>Calibration of</source>
-      <translation type="unfinished" />
+      <translation>标定来源</translation>
     </message>
     <message>
       <source>Check</source>
-      <translation type="unfinished" />
+      <translation>检查</translation>
     </message>
     <message>
       <source>Check connects the rig and lists what prevents the scan; nothing moves.</source>
-      <translation type="unfinished" />
+      <translation>“检查”连接测量系统并列出阻止扫描的问题；不作任何运动。</translation>
     </message>
     <message>
       <source>Check, then scan if nothing prevents it</source>
-      <translation type="unfinished" />
+      <translation>检查，若没有问题则扫描</translation>
     </message>
     <message>
       <source>Choose a rig, a project folder and a plan first</source>
-      <translation type="unfinished" />
+      <translation>请先选择测量系统、项目文件夹和计划</translation>
     </message>
     <message>
       <source>Choose a viewpoint to see its images, to skip it or to take it again.</source>
-      <translation type="unfinished" />
+      <translation>选择视点以查看其图像、跳过或重拍。</translation>
     </message>
     <message>
       <source>Choose project, plan and exposures of another scan</source>
-      <translation type="unfinished" />
+      <translation>选择另一次扫描的项目、计划和曝光</translation>
     </message>
     <message>
       <source>Choose project, plan and exposures.</source>
-      <translation type="unfinished" />
+      <translation>选择项目、计划和曝光。</translation>
     </message>
     <message>
       <source>Compare with the nominal, and propose the views that pay</source>
-      <translation type="unfinished" />
+      <translation>与名义模型比较，并建议有价值的视图</translation>
     </message>
     <message>
       <source>Compress after the scan</source>
-      <translation type="unfinished" />
+      <translation>扫描后压缩</translation>
     </message>
     <message>
       <source>Connect the rig and list what prevents the scan; nothing moves</source>
-      <translation type="unfinished" />
+      <translation>连接测量系统并列出阻止扫描的问题；不作任何运动</translation>
     </message>
     <message>
       <source>Continue the paused scan</source>
-      <translation type="unfinished" />
+      <translation>继续暂停的扫描</translation>
     </message>
     <message>
       <source>Do not take the chosen viewpoint, or the present one</source>
-      <translation type="unfinished" />
+      <translation>不拍摄所选或当前视点</translation>
     </message>
     <message>
       <source>Drop after the scan</source>
-      <translation type="unfinished" />
+      <translation>扫描后删除</translation>
     </message>
     <message>
       <source>Every viewpoint is stored completely or not at all.</source>
-      <translation type="unfinished" />
+      <translation>每个视点要么完整存储，要么不存储。</translation>
     </message>
     <message>
       <source>Existing project: stored viewpoints are kept, missing ones are taken.</source>
-      <translation type="unfinished" />
+      <translation>已有项目：保留已存视点，拍摄缺少的视点。</translation>
     </message>
     <message>
       <source>Failed viewpoints</source>
-      <translation type="unfinished" />
+      <translation>失败的视点</translation>
     </message>
     <message>
       <source>Fix the part on the table.</source>
-      <translation type="unfinished" />
+      <translation>将工件固定在转台上。</translation>
     </message>
     <message>
       <source>Folder of the project</source>
-      <translation type="unfinished" />
+      <translation>项目文件夹</translation>
     </message>
     <message>
       <source>For example {value}.</source>
-      <translation type="unfinished" />
+      <translation>例如 {value}。</translation>
     </message>
     <message>
       <source>Images of {viewpoint_id}</source>
-      <translation type="unfinished" />
+      <translation>{viewpoint_id} 的图像</translation>
     </message>
     <message>
       <source>It must not move until the scan has ended.</source>
-      <translation type="unfinished" />
+      <translation>扫描结束前不得移动。</translation>
     </message>
     <message>
       <source>Keep</source>
-      <translation type="unfinished" />
+      <translation>保留</translation>
     </message>
     <message>
       <source>Keep the cell clear.</source>
-      <translation type="unfinished" />
+      <translation>请保持工作站畅通。</translation>
     </message>
     <message>
       <source>Median standard deviation {median_sigma_mm:.4f} mm.</source>
-      <translation type="unfinished" />
+      <translation>标准差中位数 {median_sigma_mm:.4f} mm。</translation>
     </message>
     <message>
       <source>Name of the part</source>
-      <translation type="unfinished" />
+      <translation>工件名称</translation>
     </message>
     <message>
       <source>New folder, or an existing project</source>
-      <translation type="unfinished" />
+      <translation>新文件夹，或已有项目</translation>
     </message>
     <message>
       <source>New projects keep the images as they were taken</source>
-      <translation type="unfinished" />
+      <translation>新项目按拍摄原样保留图像</translation>
     </message>
     <message>
       <source>New scan…</source>
-      <translation type="unfinished" />
+      <translation>新扫描…</translation>
     </message>
     <message>
       <source>No viewpoint or exposure within reach is expected to measure more.</source>
-      <translation type="unfinished" />
+      <translation>可达范围内预计没有视点或曝光能测得更多。</translation>
     </message>
     <message>
       <source>No viewpoint scanned.</source>
-      <translation type="unfinished" />
+      <translation>未扫描任何视点。</translation>
     </message>
     <message>
       <source>Nominal of the part</source>
-      <translation type="unfinished" />
+      <translation>工件的名义模型</translation>
     </message>
     <message>
       <source>None yet: choose a file, or make one on the page Plan</source>
-      <translation type="unfinished" />
+      <translation>尚无：请选择文件，或在“计划”页制定</translation>
     </message>
     <message>
       <source>None: no comparison with CAD</source>
-      <translation type="unfinished" />
+      <translation>无：不与 CAD 比较</translation>
     </message>
     <message>
       <source>None: no dimensions</source>
-      <translation type="unfinished" />
+      <translation>无：没有尺寸</translation>
     </message>
     <message>
       <source>Nothing has been checked yet.</source>
-      <translation type="unfinished" />
+      <translation>尚未检查。</translation>
     </message>
     <message>
       <source>Nothing prevents the scan.</source>
-      <translation type="unfinished" />
+      <translation>没有问题阻止扫描。</translation>
     </message>
     <message>
       <source>Nothing scanned yet</source>
-      <translation type="unfinished" />
+      <translation>尚未扫描</translation>
     </message>
     <message>
       <source>Once their clouds are stored; clouds cannot be computed again, for example with a new calibration</source>
-      <translation type="unfinished" />
+      <translation>存储点云之后；点云将无法重新计算，例如用新的标定</translation>
     </message>
     <message>
       <source>Pause as soon as the rig is safe; nothing stored is lost</source>
-      <translation type="unfinished" />
+      <translation>测量系统安全后立即暂停；已存内容不会丢失</translation>
     </message>
     <message>
       <source>Pausing: the rig comes to a safe stop…</source>
-      <translation type="unfinished" />
+      <translation>正在暂停：测量系统正在安全停止…</translation>
     </message>
     <message>
       <source>Plan of the page Plan</source>
-      <translation type="unfinished" />
+      <translation>“计划”页的计划</translation>
     </message>
     <message>
       <source>Probe at every viewpoint</source>
-      <translation type="unfinished" />
+      <translation>在每个视点试测</translation>
     </message>
     <message>
       <source>Probe at the first viewpoint</source>
-      <translation type="unfinished" />
+      <translation>在第一个视点试测</translation>
     </message>
     <message>
       <source>Program</source>
-      <translation type="unfinished" />
+      <translation>程序</translation>
     </message>
     <message>
       <source>Project whose calibration is used</source>
-      <translation type="unfinished" />
+      <translation>使用其标定的项目</translation>
     </message>
     <message>
       <source>Project with a calibration of this rig</source>
-      <translation type="unfinished" />
+      <translation>带此测量系统标定的项目</translation>
     </message>
     <message>
       <source>Raw images</source>
-      <translation type="unfinished" />
+      <translation>原始图像</translation>
     </message>
     <message>
       <source>Recompute everything from the stored images</source>
-      <translation type="unfinished" />
+      <translation>由已存图像重新计算全部</translation>
     </message>
     <message>
       <source>Resume</source>
-      <translation type="unfinished" />
+      <translation>继续</translation>
     </message>
     <message>
       <source>Resume the scan</source>
-      <translation type="unfinished" />
+      <translation>继续扫描</translation>
     </message>
     <message>
       <source>Retake</source>
-      <translation type="unfinished" />
+      <translation>重拍</translation>
     </message>
     <message>
       <source>Scan plan</source>
-      <translation type="unfinished" />
+      <translation>扫描计划</translation>
     </message>
     <message>
       <source>See the clouds</source>
-      <translation type="unfinished" />
+      <translation>查看点云</translation>
     </message>
     <message>
       <source>Set up a scan</source>
-      <translation type="unfinished" />
+      <translation>设置扫描</translation>
     </message>
     <message>
       <source>Show the scan</source>
-      <translation type="unfinished" />
+      <translation>显示扫描</translation>
     </message>
     <message>
       <source>Skip</source>
-      <translation type="unfinished" />
+      <translation>跳过</translation>
     </message>
     <message>
       <source>Skipped viewpoints</source>
-      <translation type="unfinished" />
+      <translation>跳过的视点</translation>
     </message>
     <message>
       <source>So far</source>
-      <translation type="unfinished" />
+      <translation>至今</translation>
     </message>
     <message>
       <source>Start the scan</source>
-      <translation type="unfinished" />
+      <translation>开始扫描</translation>
     </message>
     <message>
       <source>Stop (Esc) is no safety function: in danger use the emergency stop.</source>
-      <translation type="unfinished" />
+      <translation>停止 (Esc) 没有安全功能：危险时请使用急停。</translation>
     </message>
     <message>
       <source>Stored</source>
-      <translation type="unfinished" />
+      <translation>已存储</translation>
     </message>
     <message>
       <source>Take the chosen viewpoint again; its images are kept until the new ones are stored</source>
-      <translation type="unfinished" />
+      <translation>重拍所选视点；新图像存储前保留旧图像</translation>
     </message>
     <message>
       <source>The exposures of the plan, the same or chosen for every viewpoint there</source>
-      <translation type="unfinished" />
+      <translation>计划的曝光，每个视点相同或在该处选择</translation>
     </message>
     <message>
       <source>The rig is being prepared…</source>
-      <translation type="unfinished" />
+      <translation>正在准备测量系统…</translation>
     </message>
     <message>
       <source>The viewpoints appear here when the scan begins.</source>
-      <translation type="unfinished" />
+      <translation>扫描开始后在此显示视点。</translation>
     </message>
     <message>
       <source>Time for each</source>
-      <translation type="unfinished" />
+      <translation>每项用时</translation>
     </message>
     <message>
       <source>Time for the exposures of one viewpoint</source>
-      <translation type="unfinished" />
+      <translation>一个视点的曝光时间</translation>
     </message>
     <message>
       <source>What is missing</source>
-      <translation type="unfinished" />
+      <translation>缺少的部分</translation>
     </message>
     <message>
       <source>What is missing…</source>
-      <translation type="unfinished" />
+      <translation>缺少的部分…</translation>
     </message>
     <message>
       <source>With all of them {expected} are expected.</source>
-      <translation type="unfinished" />
+      <translation>包含全部后预计 {expected}。</translation>
     </message>
     <message>
       <source>Without loss; everything can be computed again</source>
-      <translation type="unfinished" />
+      <translation>无损；一切都可重新计算</translation>
     </message>
     <message>
       <source>connected by Check or Start</source>
-      <translation type="unfinished" />
+      <translation>通过“检查”或“开始”连接</translation>
     </message>
     <message>
       <source>viewpoint is</source>
-      <translation type="unfinished" />
+      <translation>个视点</translation>
     </message>
     <message>
       <source>viewpoints are</source>
-      <translation type="unfinished" />
+      <translation>个视点</translation>
     </message>
     <message>
       <source>{count} stored already and kept.</source>
-      <translation type="unfinished" />
+      <translation>已存储并保留 {count}。</translation>
     </message>
     <message>
       <source>{count} stored and kept, {count_2} missing are taken</source>
-      <translation type="unfinished" />
+      <translation>已存储并保留 {count}，拍摄缺少的 {count_2}</translation>
     </message>
     <message>
       <source>{done} of {count} processed</source>
-      <translation type="unfinished" />
+      <translation>已处理 {done}/{count}</translation>
     </message>
     <message>
       <source>{id} is chosen.</source>
-      <translation type="unfinished" />
+      <translation>已选择 {id}。</translation>
     </message>
     <message>
       <source>{id}: + {share} in {seconds}.</source>
-      <translation type="unfinished" />
+      <translation>{id}：+ {share}，{seconds}。</translation>
     </message>
     <message>
       <source>{share} is missing: {words}.</source>
-      <translation type="unfinished" />
+      <translation>缺少 {share}：{words}。</translation>
     </message>
     <message>
       <source>{split}–{most} decoded</source>
-      <translation type="unfinished" />
+      <translation>已解码 {split}–{most}</translation>
     </message>
     <message>
       <source>{sufficient} of the surface is measured, of {accessible} that does not touch the support.</source>
-      <translation type="unfinished" />
+      <translation>已测量表面的 {sufficient}，不接触支承的部分为 {accessible}。</translation>
     </message>
   </context>
   <context>
     <name>second_screen</name>
     <message>
       <source>Connect it again, then connect the rig again.</source>
-      <translation type="unfinished" />
+      <translation>请重新接上，然后重新连接测量系统。</translation>
     </message>
     <message>
       <source>Load the pattern set first.</source>
-      <translation type="unfinished" />
+      <translation>请先加载图案集。</translation>
     </message>
     <message>
       <source>Name manufacturer, model or serial number too.</source>
-      <translation type="unfinished" />
+      <translation>请同时说明制造商、型号或序列号。</translation>
     </message>
     <message>
       <source>Patterns on a second screen.</source>
-      <translation type="unfinished" />
+      <translation>第二屏幕上的图案。</translation>
     </message>
     <message>
       <source>Set the scaling of this screen to 100 %.</source>
-      <translation type="unfinished" />
+      <translation>将此屏幕的缩放设为 100 %。</translation>
     </message>
     <message>
       <source>Switch the projector on, and check its cable and its name.</source>
-      <translation type="unfinished" />
+      <translation>打开投影仪，检查其电缆和名称。</translation>
     </message>
     <message>
       <source>Use driver and window of the same version.</source>
-      <translation type="unfinished" />
+      <translation>请使用同一版本的驱动和窗口。</translation>
     </message>
     <message>
       <source>any name</source>
-      <translation type="unfinished" />
+      <translation>任意名称</translation>
     </message>
     <message>
       <source>cover a screen and follow the commands on the standard input</source>
-      <translation type="unfinished" />
+      <translation>覆盖一个屏幕并执行标准输入的命令</translation>
     </message>
     <message>
       <source>of the patterns, px</source>
-      <translation type="unfinished" />
+      <translation>图案的间距，px</translation>
     </message>
     <message>
       <source>print the screens</source>
-      <translation type="unfinished" />
+      <translation>打印屏幕列表</translation>
     </message>
     <message>
       <source>python -m ui.second_screen</source>
-      <translation type="unfinished" />
+      <translation>python -m ui.second_screen</translation>
     </message>
     <message>
       <source>{"id": 0, "do": "quit"}</source>
-      <translation type="unfinished" />
+      <translation>{"id": 0, "do": "quit"}</translation>
     </message>
   </context>
   <context>
     <name>series</name>
     <message>
       <source>95 % interval; σ from {sigma_from}. {remark}</source>
-      <translation type="unfinished" />
+      <translation>95 % 区间；σ 来自 {sigma_from}。{remark}</translation>
     </message>
     <message>
       <source>Add the open measurement to the series of its program</source>
-      <translation type="unfinished" />
+      <translation>将打开的测量加入其程序的系列</translation>
     </message>
     <message>
       <source>Add this measurement</source>
-      <translation type="unfinished" />
+      <translation>添加此测量</translation>
     </message>
     <message>
       <source>Folder for the report of the series</source>
-      <translation type="unfinished" />
+      <translation>系列报告的文件夹</translation>
     </message>
     <message>
       <source>No series yet. Operator mode files every part; a measurement that is open here is added by the button below.</source>
-      <translation type="unfinished" />
+      <translation>尚无系列。操作模式会归档每个工件；此处打开的测量可用下面的按钮添加。</translation>
     </message>
     <message>
       <source>Overall</source>
-      <translation type="unfinished" />
+      <translation>总体</translation>
     </message>
     <message>
       <source>PDF with run charts, table (CSV) and JSON</source>
-      <translation type="unfinished" />
+      <translation>带运行图的 PDF、表格 (CSV) 和 JSON</translation>
     </message>
     <message>
       <source>Parts</source>
-      <translation type="unfinished" />
+      <translation>工件</translation>
     </message>
     <message>
       <source>Reason, if this part was measured before</source>
-      <translation type="unfinished" />
+      <translation>若此工件此前已测量，请说明原因</translation>
     </message>
     <message>
       <source>Run chart: values in order of measurement, with limits and mean; moving ranges below</source>
-      <translation type="unfinished" />
+      <translation>运行图：按测量顺序的值，带限值和平均值；下方为移动极差</translation>
     </message>
     <message>
       <source>Series of parts</source>
-      <translation type="unfinished" />
+      <translation>工件系列</translation>
     </message>
     <message>
       <source>Trend and capability of every dimension over all parts that were measured by one program.</source>
-      <translation type="unfinished" />
+      <translation>同一程序测量的所有工件中每个尺寸的趋势与能力。</translation>
     </message>
     <message>
       <source>Within</source>
-      <translation type="unfinished" />
+      <translation>组内</translation>
     </message>
     <message>
       <source>field</source>
-      <translation type="unfinished" />
+      <translation>field</translation>
     </message>
     <message>
       <source>no verdict</source>
-      <translation type="unfinished" />
+      <translation>不作判定</translation>
     </message>
     <message>
       <source>run</source>
-      <translation type="unfinished" />
+      <translation>运行</translation>
     </message>
     <message>
       <source>{count} by the program {program}: {counts}.</source>
-      <translation type="unfinished" />
+      <translation>按程序 {program}，{count}：{counts}。</translation>
     </message>
   </context>
   <context>
     <name>session</name>
     <message>
       <source>Wait until it has finished, or cancel it.</source>
-      <translation type="unfinished" />
+      <translation>请等待其完成，或取消。</translation>
     </message>
     <message>
       <source>{busy_with} is still running.</source>
-      <translation type="unfinished" />
+      <translation>{busy_with}仍在运行。</translation>
     </message>
   </context>
   <context>
     <name>shell</name>
     <message>
       <source>A STEP file is a nominal. Open a measured project first.</source>
-      <translation type="unfinished" />
+      <translation>STEP 文件是名义模型。请先打开已测量的项目。</translation>
     </message>
     <message>
       <source>A tour in seven steps leads through a part that has been measured on the virtual rig, up to its report. Nothing moves.</source>
-      <translation type="unfinished" />
+      <translation>分七步的导览，以一个在虚拟测量系统上测得的工件为例，直到其报告。不作任何运动。</translation>
     </message>
     <message>
       <source>All views in one frame. Turn the part with the left mouse button; click a point to see where it comes from.</source>
-      <translation type="unfinished" />
+      <translation>所有视图在同一坐标系中。用鼠标左键旋转工件；单击一点可查看其来源。</translation>
     </message>
     <message>
       <source>Calibration</source>
-      <translation type="unfinished" />
+      <translation>标定</translation>
     </message>
     <message>
       <source>Cameras, projector, robot, linear guide and rotary table, real or virtual. Connect them here, and move them by hand.</source>
-      <translation type="unfinished" />
+      <translation>相机、投影仪、机器人、直线导轨和转台，真实或虚拟。在此连接并手动移动。</translation>
     </message>
     <message>
       <source>Cancel the running job</source>
-      <translation type="unfinished" />
+      <translation>取消正在运行的任务</translation>
     </message>
     <message>
       <source>Change between light and dark</source>
-      <translation type="unfinished" />
+      <translation>切换浅色与深色</translation>
     </message>
     <message>
       <source>Choose a template</source>
-      <translation type="unfinished" />
+      <translation>选择模板</translation>
     </message>
     <message>
       <source>Choose another file.</source>
-      <translation type="unfinished" />
+      <translation>请选择其他文件。</translation>
     </message>
     <message>
       <source>Choose another folder.</source>
-      <translation type="unfinished" />
+      <translation>请选择其他文件夹。</translation>
     </message>
     <message>
       <source>Choose its nominal or inspection program</source>
-      <translation type="unfinished" />
+      <translation>选择其名义模型或检测程序</translation>
     </message>
     <message>
       <source>Choose the cloud or mesh to inspect</source>
-      <translation type="unfinished" />
+      <translation>选择要检测的点云或网格</translation>
     </message>
     <message>
       <source>Close project</source>
-      <translation type="unfinished" />
+      <translation>关闭项目</translation>
     </message>
     <message>
       <source>Clouds and meshes (*.ply *.stl *.obj *.pcd *.xyz *.txt *.csv *.asc *.pts)</source>
-      <translation type="unfinished" />
+      <translation>点云和网格 (*.ply *.stl *.obj *.pcd *.xyz *.txt *.csv *.asc *.pts)</translation>
     </message>
     <message>
       <source>Commands…</source>
-      <translation type="unfinished" />
+      <translation>命令…</translation>
     </message>
     <message>
       <source>Create the project in a new folder</source>
-      <translation type="unfinished" />
+      <translation>在新文件夹中创建项目</translation>
     </message>
     <message>
       <source>Ctrl+,</source>
-      <translation type="unfinished" />
+      <translation>Ctrl+,</translation>
     </message>
     <message>
       <source>Ctrl+{value}</source>
-      <translation type="unfinished" />
+      <translation>Ctrl+{value}</translation>
     </message>
     <message>
       <source>Dimensions with tolerance, uncertainty and verdict, the worst first, and the deviation from the CAD model in colours.</source>
-      <translation type="unfinished" />
+      <translation>带公差、不确定度和判定的尺寸，最差的在前，以及以颜色显示的与 CAD 模型的偏差。</translation>
     </message>
     <message>
       <source>Discard the edits</source>
-      <translation type="unfinished" />
+      <translation>放弃编辑</translation>
     </message>
     <message>
       <source>Drop one file or folder at a time.</source>
-      <translation type="unfinished" />
+      <translation>一次只拖放一个文件或文件夹。</translation>
     </message>
     <message>
       <source>Duplicate the viewpoints</source>
-      <translation type="unfinished" />
+      <translation>复制视点</translation>
     </message>
     <message>
       <source>Esc</source>
-      <translation type="unfinished" />
+      <translation>Esc</translation>
     </message>
     <message>
       <source>Exit</source>
-      <translation type="unfinished" />
+      <translation>退出</translation>
     </message>
     <message>
       <source>Finish</source>
-      <translation type="unfinished" />
+      <translation>完成</translation>
     </message>
     <message>
       <source>Free space at {folder}</source>
-      <translation type="unfinished" />
+      <translation>{folder} 的可用空间</translation>
     </message>
     <message>
       <source>Go to the page Plan first.</source>
-      <translation type="unfinished" />
+      <translation>请先到“计划”页。</translation>
     </message>
     <message>
       <source>Go to {word}</source>
-      <translation type="unfinished" />
+      <translation>转到{word}</translation>
     </message>
     <message>
       <source>Help for this page</source>
-      <translation type="unfinished" />
+      <translation>本页帮助</translation>
     </message>
     <message>
       <source>Inspect a cloud or mesh…</source>
-      <translation type="unfinished" />
+      <translation>检测点云或网格…</translation>
     </message>
     <message>
       <source>Inspection</source>
-      <translation type="unfinished" />
+      <translation>检测</translation>
     </message>
     <message>
       <source>MeasureApp cannot use {name}. Drop a project folder, a cloud, a mesh, a nominal, a rig, a plan or a program.</source>
-      <translation type="unfinished" />
+      <translation>MeasureApp 无法使用 {name}。请拖放项目文件夹、点云、网格、名义模型、测量系统、计划或程序。</translation>
     </message>
     <message>
       <source>Messages</source>
-      <translation type="unfinished" />
+      <translation>消息</translation>
     </message>
     <message>
       <source>Move the viewpoints down</source>
-      <translation type="unfinished" />
+      <translation>下移视点</translation>
     </message>
     <message>
       <source>Move the viewpoints up</source>
-      <translation type="unfinished" />
+      <translation>上移视点</translation>
     </message>
     <message>
       <source>New project from a template…</source>
-      <translation type="unfinished" />
+      <translation>从模板新建项目…</translation>
     </message>
     <message>
       <source>New project…</source>
-      <translation type="unfinished" />
+      <translation>新建项目…</translation>
     </message>
     <message>
       <source>Next: {lower}</source>
-      <translation type="unfinished" />
+      <translation>下一步：{lower}</translation>
     </message>
     <message>
       <source>No job is running.</source>
-      <translation type="unfinished" />
+      <translation>没有正在运行的任务。</translation>
     </message>
     <message>
       <source>Nominals and inspection programs (*.stl *.ply *.obj *.step *.stp *.toml)</source>
-      <translation type="unfinished" />
+      <translation>名义模型和检测程序 (*.stl *.ply *.obj *.step *.stp *.toml)</translation>
     </message>
     <message>
       <source>One automatic run calibrates the whole rig. The page states what the calibration adds to a length, and when it is due again.</source>
-      <translation type="unfinished" />
+      <translation>一次自动运行标定整个测量系统。该页说明标定给长度增加多少不确定度，以及下次标定的时间。</translation>
     </message>
     <message>
       <source>Open a project folder</source>
-      <translation type="unfinished" />
+      <translation>打开项目文件夹</translation>
     </message>
     <message>
       <source>Open a sample: {words}</source>
-      <translation type="unfinished" />
+      <translation>打开示例：{words}</translation>
     </message>
     <message>
       <source>Open a scan plan…</source>
-      <translation type="unfinished" />
+      <translation>打开扫描计划…</translation>
     </message>
     <message>
       <source>Open project…</source>
-      <translation type="unfinished" />
+      <translation>打开项目…</translation>
     </message>
     <message>
       <source>Open recent</source>
-      <translation type="unfinished" />
+      <translation>最近打开</translation>
     </message>
     <message>
       <source>Part programs are chosen in operator mode, from the folder of part programs.</source>
-      <translation type="unfinished" />
+      <translation>工件程序在操作模式中从工件程序文件夹选择。</translation>
     </message>
     <message>
       <source>Part: {part_words}</source>
-      <translation type="unfinished" />
+      <translation>工件：{part_words}</translation>
     </message>
     <message>
       <source>Python {split}</source>
-      <translation type="unfinished" />
+      <translation>Python {split}</translation>
     </message>
     <message>
       <source>Reading versions and graphics</source>
-      <translation type="unfinished" />
+      <translation>正在读取版本和图形信息</translation>
     </message>
     <message>
       <source>Recompute from the stored images</source>
-      <translation type="unfinished" />
+      <translation>由已存图像重新计算</translation>
     </message>
     <message>
       <source>Redo the change of the plan</source>
-      <translation type="unfinished" />
+      <translation>重做计划更改</translation>
     </message>
     <message>
       <source>Save a copy as…</source>
-      <translation type="unfinished" />
+      <translation>另存副本…</translation>
     </message>
     <message>
       <source>Save a copy of the project as</source>
-      <translation type="unfinished" />
+      <translation>将项目副本另存为</translation>
     </message>
     <message>
       <source>Save as a template…</source>
-      <translation type="unfinished" />
+      <translation>保存为模板…</translation>
     </message>
     <message>
       <source>Save log for support…</source>
-      <translation type="unfinished" />
+      <translation>保存支持日志…</translation>
     </message>
     <message>
       <source>Save the project as a template</source>
-      <translation type="unfinished" />
+      <translation>将项目保存为模板</translation>
     </message>
     <message>
       <source>Settings…</source>
-      <translation type="unfinished" />
+      <translation>设置…</translation>
     </message>
     <message>
       <source>Show me a measured part</source>
-      <translation type="unfinished" />
+      <translation>显示一个已测工件</translation>
     </message>
     <message>
       <source>Show or hide the properties</source>
-      <translation type="unfinished" />
+      <translation>显示或隐藏属性</translation>
     </message>
     <message>
       <source>Start takes all viewpoints while the cloud grows. This one is finished: every viewpoint is a tile.</source>
-      <translation type="unfinished" />
+      <translation>“开始”拍摄所有视点，点云随之增长。这里已完成：每个视点是一个方块。</translation>
     </message>
     <message>
       <source>Stay here</source>
-      <translation type="unfinished" />
+      <translation>留在此处</translation>
     </message>
     <message>
       <source>Stop all axes, lamps and cameras</source>
-      <translation type="unfinished" />
+      <translation>停止所有轴、灯和相机</translation>
     </message>
     <message>
       <source>Stopped</source>
-      <translation type="unfinished" />
+      <translation>已停止</translation>
     </message>
     <message>
       <source>Take the tour</source>
-      <translation type="unfinished" />
+      <translation>开始导览</translation>
     </message>
     <message>
       <source>Templates and part programs (*.mpart)</source>
-      <translation type="unfinished" />
+      <translation>模板和工件程序 (*.mpart)</translation>
     </message>
     <message>
       <source>The clouds</source>
-      <translation type="unfinished" />
+      <translation>点云</translation>
     </message>
     <message>
       <source>The project {name} is opened</source>
-      <translation type="unfinished" />
+      <translation>项目 {name} 已打开</translation>
     </message>
     <message>
       <source>The report</source>
-      <translation type="unfinished" />
+      <translation>报告</translation>
     </message>
     <message>
       <source>The rig</source>
-      <translation type="unfinished" />
+      <translation>测量系统</translation>
     </message>
     <message>
       <source>The rig {name} is chosen</source>
-      <translation type="unfinished" />
+      <translation>已选择测量系统 {name}</translation>
     </message>
     <message>
       <source>The scan</source>
-      <translation type="unfinished" />
+      <translation>扫描</translation>
     </message>
     <message>
       <source>The scan plan</source>
-      <translation type="unfinished" />
+      <translation>扫描计划</translation>
     </message>
     <message>
       <source>The scan plan {name} is opened</source>
-      <translation type="unfinished" />
+      <translation>扫描计划 {name} 已打开</translation>
     </message>
     <message>
       <source>The viewpoints around the part. They can be generated from its CAD model, checked and edited here.</source>
-      <translation type="unfinished" />
+      <translation>工件周围的视点。可在此由 CAD 模型生成、检查和编辑。</translation>
     </message>
     <message>
       <source>This is an inspection program. Open a measured project first.</source>
-      <translation type="unfinished" />
+      <translation>这是检测程序。请先打开已测量的项目。</translation>
     </message>
     <message>
       <source>This page belongs to the engineer's role.</source>
-      <translation type="unfinished" />
+      <translation>此页属于工程师角色。</translation>
     </message>
     <message>
       <source>Undo the change of the plan</source>
-      <translation type="unfinished" />
+      <translation>撤销计划更改</translation>
     </message>
     <message>
       <source>Virtual rig</source>
-      <translation type="unfinished" />
+      <translation>虚拟测量系统</translation>
     </message>
     <message>
       <source>Welcome to MeasureApp</source>
-      <translation type="unfinished" />
+      <translation>欢迎使用 MeasureApp</translation>
     </message>
     <message>
       <source>What you see is the PDF. Export it, or put your company and logo on it. To measure a part of your own, begin on the page Rig.</source>
-      <translation type="unfinished" />
+      <translation>您看到的是 PDF。可将其导出，或加上您的公司和徽标。要测量自己的工件，请从“测量系统”页开始。</translation>
     </message>
     <message>
       <source>Writing the file</source>
-      <translation type="unfinished" />
+      <translation>正在写入文件</translation>
     </message>
     <message>
       <source>create make folder</source>
-      <translation type="unfinished" />
+      <translation>新建 创建 文件夹</translation>
     </message>
     <message>
       <source>example project learn</source>
-      <translation type="unfinished" />
+      <translation>示例 项目 学习</translation>
     </message>
     <message>
       <source>first start introduction guide learn</source>
-      <translation type="unfinished" />
+      <translation>首次启动 介绍 指南 学习</translation>
     </message>
     <message>
       <source>folder load</source>
-      <translation type="unfinished" />
+      <translation>文件夹 加载</translation>
     </message>
     <message>
       <source>gear, one dimension is not proven</source>
-      <translation type="unfinished" />
+      <translation>齿轮，一个尺寸未证实</translation>
     </message>
     <message>
       <source>gypsum cross, all dimensions pass</source>
-      <translation type="unfinished" />
+      <translation>石膏十字，所有尺寸合格</translation>
     </message>
     <message>
       <source>halt emergency</source>
-      <translation type="unfinished" />
+      <translation>停机 紧急</translation>
     </message>
     <message>
       <source>keyboard keys list</source>
-      <translation type="unfinished" />
+      <translation>键盘 按键 列表</translation>
     </message>
     <message>
       <source>manual documentation</source>
-      <translation type="unfinished" />
+      <translation>手册 文档</translation>
     </message>
     <message>
       <source>mpart new</source>
-      <translation type="unfinished" />
+      <translation>工件程序 新建</translation>
     </message>
     <message>
       <source>panel side</source>
-      <translation type="unfinished" />
+      <translation>面板 侧栏</translation>
     </message>
     <message>
       <source>part program mpart</source>
-      <translation type="unfinished" />
+      <translation>工件程序 mpart</translation>
     </message>
     <message>
       <source>ply stl file compare</source>
-      <translation type="unfinished" />
+      <translation>ply stl 文件 比较</translation>
     </message>
     <message>
       <source>process again</source>
-      <translation type="unfinished" />
+      <translation>再次 处理</translation>
     </message>
     <message>
       <source>quit end</source>
-      <translation type="unfinished" />
+      <translation>退出 结束</translation>
     </message>
     <message>
       <source>save as duplicate</source>
-      <translation type="unfinished" />
+      <translation>另存 复制</translation>
     </message>
     <message>
       <source>search find palette</source>
-      <translation type="unfinished" />
+      <translation>搜索 查找 命令面板</translation>
     </message>
     <message>
       <source>stop abort</source>
-      <translation type="unfinished" />
+      <translation>停止 中止</translation>
     </message>
     <message>
       <source>support zip versions</source>
-      <translation type="unfinished" />
+      <translation>支持 zip 版本</translation>
     </message>
     <message>
       <source>theme night colours</source>
-      <translation type="unfinished" />
+      <translation>主题 夜间 颜色</translation>
     </message>
     <message>
       <source>theme preferences options</source>
-      <translation type="unfinished" />
+      <translation>主题 首选项 选项</translation>
     </message>
     <message>
       <source>virtual rig sample example</source>
-      <translation type="unfinished" />
+      <translation>虚拟 测量系统 示例</translation>
     </message>
     <message>
       <source>warnings errors log</source>
-      <translation type="unfinished" />
+      <translation>警告 错误 日志</translation>
     </message>
     <message>
       <source>{count} not ready</source>
-      <translation type="unfinished" />
+      <translation>{count} 未就绪</translation>
     </message>
     <message>
       <source>{drivers} failed</source>
-      <translation type="unfinished" />
+      <translation>{drivers}失败</translation>
     </message>
     <message>
       <source>{file} cannot be written: {value}.</source>
-      <translation type="unfinished" />
+      <translation>无法写入 {file}：{value}。</translation>
     </message>
     <message>
       <source>{name} becomes the inspection program of the project</source>
-      <translation type="unfinished" />
+      <translation>{name} 成为项目的检测程序</translation>
     </message>
     <message>
       <source>{name} becomes the nominal of the project</source>
-      <translation type="unfinished" />
+      <translation>{name} 成为项目的名义模型</translation>
     </message>
     <message>
       <source>{name} cannot be read: {error}.</source>
-      <translation type="unfinished" />
+      <translation>无法读取 {name}：{error}。</translation>
     </message>
     <message>
       <source>{name} is inspected</source>
-      <translation type="unfinished" />
+      <translation>{name} 已检测</translation>
     </message>
     <message>
       <source>{name} is neither a rig, a scan plan nor an inspection program.</source>
-      <translation type="unfinished" />
+      <translation>{name} 既不是测量系统、扫描计划，也不是检测程序。</translation>
     </message>
     <message>
       <source>{name} is not a MeasureApp project.</source>
-      <translation type="unfinished" />
+      <translation>{name} 不是 MeasureApp 项目。</translation>
     </message>
     <message>
       <source>{name} is not installed</source>
-      <translation type="unfinished" />
+      <translation>未安装 {name}</translation>
     </message>
     <message>
       <source>{name}, connected</source>
-      <translation type="unfinished" />
+      <translation>{name}，已连接</translation>
     </message>
     <message>
       <source>{name}, not connected</source>
-      <translation type="unfinished" />
+      <translation>{name}，未连接</translation>
     </message>
     <message>
       <source>{running} is still running. Wait until it has finished, or cancel it.</source>
-      <translation type="unfinished" />
+      <translation>{running}仍在运行。请等待其完成，或取消。</translation>
     </message>
     <message>
       <source>{size} free</source>
-      <translation type="unfinished" />
+      <translation>可用 {size}</translation>
     </message>
   </context>
   <context>
     <name>viewport</name>
     <message>
       <source>3-D view</source>
-      <translation type="unfinished" />
+      <translation>三维视图</translation>
     </message>
     <message>
       <source>Above</source>
-      <translation type="unfinished" />
+      <translation>以上</translation>
     </message>
     <message>
       <source>Axes, cube, scale and legend</source>
-      <translation type="unfinished" />
+      <translation>坐标轴、立方体、比例尺和图例</translation>
     </message>
     <message>
       <source>Backend: {choose_backend}</source>
-      <translation type="unfinished" />
+      <translation>后端：{choose_backend}</translation>
     </message>
     <message>
       <source>Below</source>
-      <translation type="unfinished" />
+      <translation>以下</translation>
     </message>
     <message>
       <source>Blue – white – red</source>
-      <translation type="unfinished" />
+      <translation>蓝 – 白 – 红</translation>
     </message>
     <message>
       <source>Bottom</source>
-      <translation type="unfinished" />
+      <translation>底</translation>
     </message>
     <message>
       <source>Class: {getclassname}</source>
-      <translation type="unfinished" />
+      <translation>类别：{getclassname}</translation>
     </message>
     <message>
       <source>Clipped</source>
-      <translation type="unfinished" />
+      <translation>已裁剪</translation>
     </message>
     <message>
       <source>Colour-blind-safe</source>
-      <translation type="unfinished" />
+      <translation>色盲友好</translation>
     </message>
     <message>
       <source>Continuous</source>
-      <translation type="unfinished" />
+      <translation>连续</translation>
     </message>
     <message>
       <source>Copy picture</source>
-      <translation type="unfinished" />
+      <translation>复制图片</translation>
     </message>
     <message>
       <source>Down</source>
-      <translation type="unfinished" />
+      <translation>下</translation>
     </message>
     <message>
       <source>Edges</source>
-      <translation type="unfinished" />
+      <translation>边线</translation>
     </message>
     <message>
       <source>F shows everything, Shift+F the selection, 1 to 7 the standard views. P changes the projection, E shows edges, T makes the surface transparent, L hides labels, H the furniture. Arrow keys rotate, with Shift they pan; plus and minus zoom. Enter picks the point in the centre.</source>
-      <translation type="unfinished" />
+      <translation>F 显示全部，Shift+F 显示所选，1 至 7 为标准视图。P 切换投影，E 显示边线，T 使表面透明，L 隐藏标签，H 隐藏附件。方向键旋转，加 Shift 平移；加号和减号缩放。Enter 拾取中心处的点。</translation>
     </message>
     <message>
       <source>Front</source>
-      <translation type="unfinished" />
+      <translation>前</translation>
     </message>
     <message>
       <source>Go / no-go</source>
-      <translation type="unfinished" />
+      <translation>合格/不合格</translation>
     </message>
     <message>
       <source>Home</source>
-      <translation type="unfinished" />
+      <translation>主页</translation>
     </message>
     <message>
       <source>Inside</source>
-      <translation type="unfinished" />
+      <translation>以内</translation>
     </message>
     <message>
       <source>Isometric</source>
-      <translation type="unfinished" />
+      <translation>等轴测</translation>
     </message>
     <message>
       <source>Left</source>
-      <translation type="unfinished" />
+      <translation>左</translation>
     </message>
     <message>
       <source>No data</source>
-      <translation type="unfinished" />
+      <translation>无数据</translation>
     </message>
     <message>
       <source>No graphics library was found. Backend: {choose_backend}.</source>
-      <translation type="unfinished" />
+      <translation>未找到图形库。后端：{choose_backend}。</translation>
     </message>
     <message>
       <source>OpenGL renderer</source>
-      <translation type="unfinished" />
+      <translation>OpenGL 渲染器</translation>
     </message>
     <message>
       <source>OpenGL vendor</source>
-      <translation type="unfinished" />
+      <translation>OpenGL 供应商</translation>
     </message>
     <message>
       <source>OpenGL version</source>
-      <translation type="unfinished" />
+      <translation>OpenGL 版本</translation>
     </message>
     <message>
       <source>Parallel projection</source>
-      <translation type="unfinished" />
+      <translation>平行投影</translation>
     </message>
     <message>
       <source>Preparing 3-D view…</source>
-      <translation type="unfinished" />
+      <translation>正在准备三维视图…</translation>
     </message>
     <message>
       <source>Rainbow with green band</source>
-      <translation type="unfinished" />
+      <translation>带绿色带的彩虹</translation>
     </message>
     <message>
       <source>Return</source>
-      <translation type="unfinished" />
+      <translation>回车</translation>
     </message>
     <message>
       <source>Right</source>
-      <translation type="unfinished" />
+      <translation>右</translation>
     </message>
     <message>
       <source>Rotate about this place</source>
-      <translation type="unfinished" />
+      <translation>绕此处旋转</translation>
     </message>
     <message>
       <source>Save picture</source>
-      <translation type="unfinished" />
+      <translation>保存图片</translation>
     </message>
     <message>
       <source>Save picture for print…</source>
-      <translation type="unfinished" />
+      <translation>保存打印图片…</translation>
     </message>
     <message>
       <source>Save picture without background…</source>
-      <translation type="unfinished" />
+      <translation>保存无背景图片…</translation>
     </message>
     <message>
       <source>Show everything</source>
-      <translation type="unfinished" />
+      <translation>显示全部</translation>
     </message>
     <message>
       <source>Showing {shown} of {total} points</source>
-      <translation type="unfinished" />
+      <translation>显示 {total} 个点中的 {shown} 个</translation>
     </message>
     <message>
       <source>Showing {value:.1f} of {value_2:.1f} million points</source>
-      <translation type="unfinished" />
+      <translation>显示 {value_2:.1f} 百万点中的 {value:.1f} 百万点</translation>
     </message>
     <message>
       <source>Simplified while turning</source>
-      <translation type="unfinished" />
+      <translation>旋转时简化</translation>
     </message>
     <message>
       <source>Standard views</source>
-      <translation type="unfinished" />
+      <translation>标准视图</translation>
     </message>
     <message>
       <source>Steps</source>
-      <translation type="unfinished" />
+      <translation>级数</translation>
     </message>
     <message>
       <source>Swap colours</source>
-      <translation type="unfinished" />
+      <translation>交换颜色</translation>
     </message>
     <message>
       <source>Symmetric range</source>
-      <translation type="unfinished" />
+      <translation>对称范围</translation>
     </message>
     <message>
       <source>The 3-D view needs a graphics library that is not installed. See Help, Scan: “If the 3-D view stays empty”.</source>
-      <translation type="unfinished" />
+      <translation>三维视图需要未安装的图形库。请见帮助“扫描”：“若三维视图为空”。</translation>
     </message>
     <message>
       <source>The 3-D view needs a library that is missing ({error}). Run the installer again.</source>
-      <translation type="unfinished" />
+      <translation>三维视图缺少所需的库 ({error})。请重新运行安装程序。</translation>
     </message>
     <message>
       <source>Top</source>
-      <translation type="unfinished" />
+      <translation>顶</translation>
     </message>
     <message>
       <source>Transparent surface</source>
-      <translation type="unfinished" />
+      <translation>透明表面</translation>
     </message>
     <message>
       <source>Up</source>
-      <translation type="unfinished" />
+      <translation>上</translation>
     </message>
     <message>
       <source>Value of the legend</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
-      <source>all(lessThan(abs(vertexColorVSOutput.rgb - vec3({}, {}, {}) / 255.0), vec3(0.012)))</source>
-      <translation type="unfinished" />
+      <translation>图例的值</translation>
     </message>
     <message>
       <source>basic render</source>
-      <translation type="unfinished" />
+      <translation>basic render</translation>
     </message>
     <message>
       <source>gdi generic</source>
-      <translation type="unfinished" />
+      <translation>gdi generic</translation>
     </message>
     <message>
       <source>tolerance high</source>
-      <translation type="unfinished" />
+      <translation>公差上限</translation>
     </message>
     <message>
       <source>tolerance low</source>
-      <translation type="unfinished" />
+      <translation>公差下限</translation>
     </message>
   </context>
   <context>
     <name>widgets</name>
     <message>
       <source> · {share} saturated</source>
-      <translation type="unfinished" />
+      <translation> · {share} 饱和</translation>
     </message>
     <message>
       <source> – too bright</source>
-      <translation type="unfinished" />
+      <translation> – 过亮</translation>
     </message>
     <message>
       <source># Help
 
 There is no page about “{name}”.</source>
-      <translation type="unfinished" />
+      <translation># 帮助
+
+没有关于“{name}”的页面。</translation>
     </message>
     <message>
       <source>1 message is open</source>
-      <translation type="unfinished" />
+      <translation>1 条消息未处理</translation>
     </message>
     <message>
       <source>A name cannot contain {list}.</source>
-      <translation type="unfinished" />
+      <translation>名称不能包含 {list}。</translation>
     </message>
     <message>
       <source>A name cannot end with a dot.</source>
-      <translation type="unfinished" />
+      <translation>名称不能以句点结尾。</translation>
     </message>
     <message>
       <source>A project belongs to a rig. Choose one on the page Rig first.</source>
-      <translation type="unfinished" />
+      <translation>项目属于一个测量系统。请先在“测量系统”页选择。</translation>
     </message>
     <message>
       <source>A sample part, or your own closed mesh; its unit is requested unless it is clearly millimetres</source>
-      <translation type="unfinished" />
+      <translation>示例工件，或您自己的封闭网格；除非明显是毫米，否则会询问单位</translation>
     </message>
     <message>
       <source>A tour of the window on a sample project, in seven steps</source>
-      <translation type="unfinished" />
+      <translation>在示例项目上分七步介绍窗口</translation>
     </message>
     <message>
       <source>Add: {field_words}</source>
-      <translation type="unfinished" />
+      <translation>添加：{field_words}</translation>
     </message>
     <message>
       <source>All</source>
-      <translation type="unfinished" />
+      <translation>全部</translation>
     </message>
     <message>
       <source>Apply to the merged cloud; the stitched cloud is kept</source>
-      <translation type="unfinished" />
+      <translation>应用于合并点云；拼接点云保留</translation>
     </message>
     <message>
       <source>Board temperature</source>
-      <translation type="unfinished" />
+      <translation>标定板温度</translation>
     </message>
     <message>
       <source>Box</source>
-      <translation type="unfinished" />
+      <translation>盒</translation>
     </message>
     <message>
       <source>Browse…</source>
-      <translation type="unfinished" />
+      <translation>浏览…</translation>
     </message>
     <message>
       <source>Capturing</source>
-      <translation type="unfinished" />
+      <translation>正在采集</translation>
     </message>
     <message>
       <source>Certificate of the board</source>
-      <translation type="unfinished" />
+      <translation>标定板证书</translation>
     </message>
     <message>
       <source>Certificate {name}</source>
-      <translation type="unfinished" />
+      <translation>证书 {name}</translation>
     </message>
     <message>
       <source>Certificate {number}</source>
-      <translation type="unfinished" />
+      <translation>证书 {number}</translation>
     </message>
     <message>
       <source>Certificates (*.toml *.csv);;All files (*)</source>
-      <translation type="unfinished" />
+      <translation>证书 (*.toml *.csv);;所有文件 (*)</translation>
     </message>
     <message>
       <source>Certificate…</source>
-      <translation type="unfinished" />
+      <translation>证书…</translation>
     </message>
     <message>
       <source>Certified marks</source>
-      <translation type="unfinished" />
+      <translation>已认证的标记</translation>
     </message>
     <message>
       <source>Change between the light and the dark theme</source>
-      <translation type="unfinished" />
+      <translation>在浅色与深色主题间切换</translation>
     </message>
     <message>
       <source>Checkerboard</source>
-      <translation type="unfinished" />
+      <translation>棋盘格</translation>
     </message>
     <message>
       <source>Checking</source>
-      <translation type="unfinished" />
+      <translation>正在检查</translation>
     </message>
     <message>
       <source>Choose a mesh of the part</source>
-      <translation type="unfinished" />
+      <translation>选择工件网格</translation>
     </message>
     <message>
       <source>Choose one on the page Rig first.</source>
-      <translation type="unfinished" />
+      <translation>请先在“测量系统”页选择。</translation>
     </message>
     <message>
       <source>Choose where the project is made</source>
-      <translation type="unfinished" />
+      <translation>选择创建项目的位置</translation>
     </message>
     <message>
       <source>Chrome on glass or ceramic</source>
-      <translation type="unfinished" />
+      <translation>玻璃或陶瓷镀铬</translation>
     </message>
     <message>
       <source>Circles</source>
-      <translation type="unfinished" />
+      <translation>圆点</translation>
     </message>
     <message>
       <source>Circles in a row</source>
-      <translation type="unfinished" />
+      <translation>排列的圆点</translation>
     </message>
     <message>
       <source>Click a pixel to explain it. The wheel zooms, dragging pans, the arrow keys move by one pixel.</source>
-      <translation type="unfinished" />
+      <translation>单击像素以得到说明。滚轮缩放，拖动平移，方向键移动一个像素。</translation>
     </message>
     <message>
       <source>Click a viewpoint to show its images</source>
-      <translation type="unfinished" />
+      <translation>单击视点以显示其图像</translation>
     </message>
     <message>
       <source>Close the settings</source>
-      <translation type="unfinished" />
+      <translation>关闭设置</translation>
     </message>
     <message>
       <source>Close this message, because its cause is gone</source>
-      <translation type="unfinished" />
+      <translation>关闭此消息，因为其原因已消除</translation>
     </message>
     <message>
       <source>Copy</source>
-      <translation type="unfinished" />
+      <translation>复制</translation>
     </message>
     <message>
       <source>Copy all messages as text</source>
-      <translation type="unfinished" />
+      <translation>将所有消息复制为文本</translation>
     </message>
     <message>
       <source>Create</source>
-      <translation type="unfinished" />
+      <translation>创建</translation>
     </message>
     <message>
       <source>Dark</source>
-      <translation type="unfinished" />
+      <translation>深色</translation>
     </message>
     <message>
       <source>Dictionary</source>
-      <translation type="unfinished" />
+      <translation>字典</translation>
     </message>
     <message>
       <source>Do what helps</source>
-      <translation type="unfinished" />
+      <translation>执行补救措施</translation>
     </message>
     <message>
       <source>End the tour</source>
-      <translation type="unfinished" />
+      <translation>结束导览</translation>
     </message>
     <message>
       <source>English</source>
-      <translation type="unfinished" />
+      <translation>英语</translation>
     </message>
     <message>
       <source>Exact</source>
-      <translation type="unfinished" />
+      <translation>精确</translation>
     </message>
     <message>
       <source>Fail</source>
-      <translation type="unfinished" />
+      <translation>不合格</translation>
     </message>
     <message>
       <source>Failed</source>
-      <translation type="unfinished" />
+      <translation>失败</translation>
     </message>
     <message>
       <source>Film on glass, ± 50 ppm</source>
-      <translation type="unfinished" />
+      <translation>玻璃上胶片，± 50 ppm</translation>
     </message>
     <message>
       <source>Flat plate</source>
-      <translation type="unfinished" />
+      <translation>平板</translation>
     </message>
     <message>
       <source>Fold or unfold the properties</source>
-      <translation type="unfinished" />
+      <translation>折叠或展开属性</translation>
     </message>
     <message>
       <source>Folder of your projects</source>
-      <translation type="unfinished" />
+      <translation>您的项目文件夹</translation>
     </message>
     <message>
       <source>Forget sizes</source>
-      <translation type="unfinished" />
+      <translation>忘记尺寸</translation>
     </message>
     <message>
       <source>Forgotten.</source>
-      <translation type="unfinished" />
+      <translation>已忘记。</translation>
     </message>
     <message>
       <source>From</source>
-      <translation type="unfinished" />
+      <translation>从</translation>
     </message>
     <message>
       <source>Full</source>
-      <translation type="unfinished" />
+      <translation>全</translation>
     </message>
     <message>
       <source>Gear</source>
-      <translation type="unfinished" />
+      <translation>齿轮</translation>
     </message>
     <message>
       <source>Give window and panels their first sizes at the next start</source>
-      <translation type="unfinished" />
+      <translation>下次启动时恢复窗口和面板的初始大小</translation>
     </message>
     <message>
       <source>Guide {value:.0f} mm</source>
-      <translation type="unfinished" />
+      <translation>导轨 {value:.0f} mm</translation>
     </message>
     <message>
       <source>Gypsum cross</source>
-      <translation type="unfinished" />
+      <translation>石膏十字</translation>
     </message>
     <message>
       <source>Half</source>
-      <translation type="unfinished" />
+      <translation>半</translation>
     </message>
     <message>
       <source>Help</source>
-      <translation type="unfinished" />
+      <translation>帮助</translation>
     </message>
     <message>
       <source>Help for this page (F1)</source>
-      <translation type="unfinished" />
+      <translation>本页帮助 (F1)</translation>
     </message>
     <message>
       <source>How well the lengths of the board are known: the scale of everything that is measured with this calibration</source>
-      <translation type="unfinished" />
+      <translation>标定板长度的已知程度：用此标定测得的一切的比例</translation>
     </message>
     <message>
       <source>Impeller</source>
-      <translation type="unfinished" />
+      <translation>叶轮</translation>
     </message>
     <message>
       <source>In the folder</source>
-      <translation type="unfinished" />
+      <translation>在文件夹中</translation>
     </message>
     <message>
       <source>In which unit {words} the {kind}?</source>
-      <translation type="unfinished" />
+      <translation>{kind}中的{words}以何单位表示？</translation>
     </message>
     <message>
       <source>Inner corners across</source>
-      <translation type="unfinished" />
+      <translation>横向内角点</translation>
     </message>
     <message>
       <source>Inner corners down</source>
-      <translation type="unfinished" />
+      <translation>纵向内角点</translation>
     </message>
     <message>
       <source>Inspect a cloud or mesh from a file, against a nominal or by a program</source>
-      <translation type="unfinished" />
+      <translation>按名义模型或程序检测文件中的点云或网格</translation>
     </message>
     <message>
       <source>Keep points</source>
-      <translation type="unfinished" />
+      <translation>保留点</translation>
     </message>
     <message>
       <source>Keep running</source>
-      <translation type="unfinished" />
+      <translation>继续运行</translation>
     </message>
     <message>
       <source>Keep the points inside a box</source>
-      <translation type="unfinished" />
+      <translation>保留盒内的点</translation>
     </message>
     <message>
       <source>Keep the points on one side of a plane</source>
-      <translation type="unfinished" />
+      <translation>保留平面一侧的点</translation>
     </message>
     <message>
       <source>Kept in {file}.</source>
-      <translation type="unfinished" />
+      <translation>保存在 {file}。</translation>
     </message>
     <message>
       <source>Kind of filter</source>
-      <translation type="unfinished" />
+      <translation>过滤器类型</translation>
     </message>
     <message>
       <source>Language</source>
-      <translation type="unfinished" />
+      <translation>语言</translation>
     </message>
     <message>
       <source>Least area of a patch to keep, in mm²</source>
-      <translation type="unfinished" />
+      <translation>要保留的碎片的最小面积，mm²</translation>
     </message>
     <message>
       <source>Least number of other points within the radius</source>
-      <translation type="unfinished" />
+      <translation>半径内其他点的最少数量</translation>
     </message>
     <message>
       <source>Leave the window open</source>
-      <translation type="unfinished" />
+      <translation>保持窗口打开</translation>
     </message>
     <message>
       <source>Lengths</source>
-      <translation type="unfinished" />
+      <translation>长度</translation>
     </message>
     <message>
       <source>Light</source>
-      <translation type="unfinished" />
+      <translation>浅色</translation>
     </message>
     <message>
       <source>Like the system</source>
-      <translation type="unfinished" />
+      <translation>跟随系统</translation>
     </message>
     <message>
       <source>Limit in standard deviations above the mean distance</source>
-      <translation type="unfinished" />
+      <translation>高于平均距离的标准差倍数限值</translation>
     </message>
     <message>
       <source>Loading devices…</source>
-      <translation type="unfinished" />
+      <translation>正在加载设备…</translation>
     </message>
     <message>
       <source>Look here</source>
-      <translation type="unfinished" />
+      <translation>看这里</translation>
     </message>
     <message>
       <source>Lower</source>
-      <translation type="unfinished" />
+      <translation>下</translation>
     </message>
     <message>
       <source>Make nothing</source>
-      <translation type="unfinished" />
+      <translation>不创建</translation>
     </message>
     <message>
       <source>Make the folder of the project</source>
-      <translation type="unfinished" />
+      <translation>创建项目文件夹</translation>
     </message>
     <message>
       <source>Marker</source>
-      <translation type="unfinished" />
+      <translation>标记</translation>
     </message>
     <message>
       <source>Median level {median} · saturated {saturated}</source>
-      <translation type="unfinished" />
+      <translation>中位灰度 {median} · 饱和 {saturated}</translation>
     </message>
     <message>
       <source>Meshes (*.stl *.ply *.obj)</source>
-      <translation type="unfinished" />
+      <translation>网格 (*.stl *.ply *.obj)</translation>
     </message>
     <message>
       <source>Messages shown</source>
-      <translation type="unfinished" />
+      <translation>显示的消息</translation>
     </message>
     <message>
       <source>Moving</source>
-      <translation type="unfinished" />
+      <translation>移动中</translation>
     </message>
     <message>
       <source>New, open, copy or close a project; settings; exit</source>
-      <translation type="unfinished" />
+      <translation>新建、打开、复制或关闭项目；设置；退出</translation>
     </message>
     <message>
       <source>No image yet.</source>
-      <translation type="unfinished" />
+      <translation>尚无图像。</translation>
     </message>
     <message>
       <source>No project open</source>
-      <translation type="unfinished" />
+      <translation>没有打开的项目</translation>
     </message>
     <message>
       <source>No tolerance</source>
-      <translation type="unfinished" />
+      <translation>无公差</translation>
     </message>
     <message>
       <source>Not checked yet</source>
-      <translation type="unfinished" />
+      <translation>尚未检查</translation>
     </message>
     <message>
       <source>Not now</source>
-      <translation type="unfinished" />
+      <translation>以后再说</translation>
     </message>
     <message>
       <source>Not proven</source>
-      <translation type="unfinished" />
+      <translation>未证实</translation>
     </message>
     <message>
       <source>Not stated</source>
-      <translation type="unfinished" />
+      <translation>未说明</translation>
     </message>
     <message>
       <source>Now</source>
-      <translation type="unfinished" />
+      <translation>现在</translation>
     </message>
     <message>
       <source>Number of neighbours for the mean distance</source>
-      <translation type="unfinished" />
+      <translation>用于平均距离的邻点数</translation>
     </message>
     <message>
       <source>Of the board in °C with its uncertainty (k = 2), while the images are taken; empty: not measured</source>
-      <translation type="unfinished" />
+      <translation>拍摄时标定板的温度，°C，及其不确定度 (k = 2)；留空：未测量</translation>
     </message>
     <message>
       <source>Open</source>
-      <translation type="unfinished" />
+      <translation>打开</translation>
     </message>
     <message>
       <source>Operator</source>
-      <translation type="unfinished" />
+      <translation>操作员</translation>
     </message>
     <message>
       <source>Own mesh file…</source>
-      <translation type="unfinished" />
+      <translation>自有网格文件…</translation>
     </message>
     <message>
       <source>Pass</source>
-      <translation type="unfinished" />
+      <translation>合格</translation>
     </message>
     <message>
       <source>Patches</source>
-      <translation type="unfinished" />
+      <translation>碎片</translation>
     </message>
     <message>
       <source>Point and mesh files do not contain a unit. All lengths and verdicts depend on it, so it has to be confirmed.</source>
-      <translation type="unfinished" />
+      <translation>点和网格文件不含单位。所有长度和判定都取决于它，因此须确认。</translation>
     </message>
     <message>
       <source>Position of the plane along its axis, in mm</source>
-      <translation type="unfinished" />
+      <translation>平面沿其轴线的位置，mm</translation>
     </message>
     <message>
       <source>Printed, ± 0.1 mm on 180 mm</source>
-      <translation type="unfinished" />
+      <translation>打印，180 mm 上 ± 0.1 mm</translation>
     </message>
     <message>
       <source>Processed</source>
-      <translation type="unfinished" />
+      <translation>已处理</translation>
     </message>
     <message>
       <source>Progress of the job</source>
-      <translation type="unfinished" />
+      <translation>任务进度</translation>
     </message>
     <message>
       <source>Quarter</source>
-      <translation type="unfinished" />
+      <translation>四分之一</translation>
     </message>
     <message>
       <source>Radius in mm</source>
-      <translation type="unfinished" />
+      <translation>半径（mm）</translation>
     </message>
     <message>
       <source>Radius outlier removal, by the number of neighbours</source>
-      <translation type="unfinished" />
+      <translation>按邻点数去除半径离群点</translation>
     </message>
     <message>
       <source>Remove beyond</source>
-      <translation type="unfinished" />
+      <translation>去除超过</translation>
     </message>
     <message>
       <source>Remove isolated patches below</source>
-      <translation type="unfinished" />
+      <translation>去除孤立碎片，小于</translation>
     </message>
     <message>
       <source>Remove small isolated patches</source>
-      <translation type="unfinished" />
+      <translation>去除小的孤立碎片</translation>
     </message>
     <message>
       <source>Remove with fewer than</source>
-      <translation type="unfinished" />
+      <translation>去除邻点少于</translation>
     </message>
     <message>
       <source>Resolution</source>
-      <translation type="unfinished" />
+      <translation>分辨率</translation>
     </message>
     <message>
       <source>Robot x</source>
-      <translation type="unfinished" />
+      <translation>机器人 x</translation>
     </message>
     <message>
       <source>Robot y</source>
-      <translation type="unfinished" />
+      <translation>机器人 y</translation>
     </message>
     <message>
       <source>Robot z</source>
-      <translation type="unfinished" />
+      <translation>机器人 z</translation>
     </message>
     <message>
       <source>Row distance</source>
-      <translation type="unfinished" />
+      <translation>行距</translation>
     </message>
     <message>
       <source>Rows</source>
-      <translation type="unfinished" />
+      <translation>行</translation>
     </message>
     <message>
       <source>Save log, settings and versions in one file; it holds no secrets</source>
-      <translation type="unfinished" />
+      <translation>将日志、设置和版本保存到一个文件；不含秘密</translation>
     </message>
     <message>
       <source>Seed of the rig</source>
-      <translation type="unfinished" />
+      <translation>测量系统的种子</translation>
     </message>
     <message>
       <source>Seen to</source>
-      <translation type="unfinished" />
+      <translation>已看到</translation>
     </message>
     <message>
       <source>Set up operator mode: PIN, folders, shifts</source>
-      <translation type="unfinished" />
+      <translation>设置操作模式：PIN、文件夹、班次</translation>
     </message>
     <message>
       <source>Settings</source>
-      <translation type="unfinished" />
+      <translation>设置</translation>
     </message>
     <message>
       <source>Settling</source>
-      <translation type="unfinished" />
+      <translation>正在稳定</translation>
     </message>
     <message>
       <source>Show all messages</source>
-      <translation type="unfinished" />
+      <translation>显示所有消息</translation>
     </message>
     <message>
       <source>Side of the plane to keep</source>
-      <translation type="unfinished" />
+      <translation>要保留的平面一侧</translation>
     </message>
     <message>
       <source>Side view</source>
-      <translation type="unfinished" />
+      <translation>侧视图</translation>
     </message>
     <message>
       <source>Skipped</source>
-      <translation type="unfinished" />
+      <translation>已跳过</translation>
     </message>
     <message>
       <source>Sphere plate</source>
-      <translation type="unfinished" />
+      <translation>球板</translation>
     </message>
     <message>
       <source>Square</source>
-      <translation type="unfinished" />
+      <translation>方格</translation>
     </message>
     <message>
       <source>Statistical</source>
-      <translation type="unfinished" />
+      <translation>统计</translation>
     </message>
     <message>
       <source>Statistical outlier removal, by the mean distance to neighbours</source>
-      <translation type="unfinished" />
+      <translation>按到邻点的平均距离去除统计离群点</translation>
     </message>
     <message>
       <source>Step</source>
-      <translation type="unfinished" />
+      <translation>步</translation>
     </message>
     <message>
       <source>Step in mm or degrees</source>
-      <translation type="unfinished" />
+      <translation>步长（mm 或度）</translation>
     </message>
     <message>
       <source>Stop all axes, lamps and cameras (Esc). This is no safety function.</source>
-      <translation type="unfinished" />
+      <translation>停止所有轴、灯和相机 (Esc)。这不是安全功能。</translation>
     </message>
     <message>
       <source>Stop and close</source>
-      <translation type="unfinished" />
+      <translation>停止并关闭</translation>
     </message>
     <message>
       <source>Stop at the next safe point</source>
-      <translation type="unfinished" />
+      <translation>在下一个安全点停止</translation>
     </message>
     <message>
       <source>Stop everything that moves, then close the window</source>
-      <translation type="unfinished" />
+      <translation>停止一切运动，然后关闭窗口</translation>
     </message>
     <message>
       <source>Stopping…</source>
-      <translation type="unfinished" />
+      <translation>正在停止…</translation>
     </message>
     <message>
       <source>Such as “Housing 4711”</source>
-      <translation type="unfinished" />
+      <translation>例如“壳体 4711”</translation>
     </message>
     <message>
       <source>Table ⌀ {value:.0f} mm</source>
-      <translation type="unfinished" />
+      <translation>转台 ⌀ {value:.0f} mm</translation>
     </message>
     <message>
       <source>Temperature of the board</source>
-      <translation type="unfinished" />
+      <translation>标定板的温度</translation>
     </message>
     <message>
       <source>The seed determines the hidden errors of robot, guide, table and lenses</source>
-      <translation type="unfinished" />
+      <translation>种子决定机器人、导轨、转台和镜头的隐藏误差</translation>
     </message>
     <message>
       <source>Theme</source>
-      <translation type="unfinished" />
+      <translation>主题</translation>
     </message>
     <message>
       <source>This cannot be read. {tip}.</source>
-      <translation type="unfinished" />
+      <translation>无法读取。{tip}。</translation>
     </message>
     <message>
       <source>This is not a number.</source>
-      <translation type="unfinished" />
+      <translation>这不是数字。</translation>
     </message>
     <message>
       <source>Top view</source>
-      <translation type="unfinished" />
+      <translation>顶视图</translation>
     </message>
     <message>
       <source>Turn about x</source>
-      <translation type="unfinished" />
+      <translation>绕 x 旋转</translation>
     </message>
     <message>
       <source>Turn about y</source>
-      <translation type="unfinished" />
+      <translation>绕 y 旋转</translation>
     </message>
     <message>
       <source>Turn about z</source>
-      <translation type="unfinished" />
+      <translation>绕 z 旋转</translation>
     </message>
     <message>
       <source>Unit of lengths</source>
-      <translation type="unfinished" />
+      <translation>长度单位</translation>
     </message>
     <message>
       <source>Upper</source>
-      <translation type="unfinished" />
+      <translation>上</translation>
     </message>
     <message>
       <source>Use this unit</source>
-      <translation type="unfinished" />
+      <translation>使用此单位</translation>
     </message>
     <message>
       <source>Viewpoint</source>
-      <translation type="unfinished" />
+      <translation>视点</translation>
     </message>
     <message>
       <source>Viewpoints</source>
-      <translation type="unfinished" />
+      <translation>视点</translation>
     </message>
     <message>
       <source>Waiting</source>
-      <translation type="unfinished" />
+      <translation>等待中</translation>
     </message>
     <message>
       <source>What happened</source>
-      <translation type="unfinished" />
+      <translation>发生了什么</translation>
     </message>
     <message>
       <source>What to do</source>
-      <translation type="unfinished" />
+      <translation>应对措施</translation>
     </message>
     <message>
       <source>While a button is held, one step follows the other; the motion ends with the step under way when it is released.</source>
-      <translation type="unfinished" />
+      <translation>按住按钮时逐步移动；松开后，运动在当前步结束。</translation>
     </message>
     <message>
       <source>Window</source>
-      <translation type="unfinished" />
+      <translation>窗口</translation>
     </message>
     <message>
       <source>Write one setting per line, as TOML: name = value. Texts are in quotation marks</source>
-      <translation type="unfinished" />
+      <translation>每行写一个设置，TOML 格式：名称 = 值。文本加引号</translation>
     </message>
     <message>
       <source>a {{ color: {colour}; }}</source>
-      <translation type="unfinished" />
+      <translation>a {{ color: {colour}; }}</translation>
     </message>
     <message>
       <source>above x</source>
-      <translation type="unfinished" />
+      <translation>高于 x</translation>
     </message>
     <message>
       <source>above y</source>
-      <translation type="unfinished" />
+      <translation>高于 y</translation>
     </message>
     <message>
       <source>above z</source>
-      <translation type="unfinished" />
+      <translation>高于 z</translation>
     </message>
     <message>
       <source>angle</source>
-      <translation type="unfinished" />
+      <translation>角度</translation>
     </message>
     <message>
       <source>below x</source>
-      <translation type="unfinished" />
+      <translation>低于 x</translation>
     </message>
     <message>
       <source>below y</source>
-      <translation type="unfinished" />
+      <translation>低于 y</translation>
     </message>
     <message>
       <source>below z</source>
-      <translation type="unfinished" />
+      <translation>低于 z</translation>
     </message>
     <message>
       <source>mm</source>
-      <translation type="unfinished" />
+      <translation>mm</translation>
     </message>
     <message>
       <source>name = value</source>
-      <translation type="unfinished" />
+      <translation>名称 = 值</translation>
     </message>
     <message>
       <source>neighbours</source>
-      <translation type="unfinished" />
+      <translation>邻点</translation>
     </message>
     <message>
       <source>not measured; such as 21.5±0.5</source>
-      <translation type="unfinished" />
+      <translation>未测量；例如 21.5±0.5</translation>
     </message>
     <message>
       <source>others within</source>
-      <translation type="unfinished" />
+      <translation>个其他点，距离不超过</translation>
     </message>
     <message>
       <source>plan's</source>
-      <translation type="unfinished" />
+      <translation>按计划</translation>
     </message>
     <message>
       <source>pose</source>
-      <translation type="unfinished" />
+      <translation>位姿</translation>
     </message>
     <message>
       <source>{closed} Show</source>
-      <translation type="unfinished" />
+      <translation>{closed} 显示</translation>
     </message>
     <message>
       <source>{count} cannot be scanned. {tip}</source>
-      <translation type="unfinished" />
+      <translation>{count}无法扫描。{tip}</translation>
     </message>
     <message>
       <source>{count} messages are open</source>
-      <translation type="unfinished" />
+      <translation>{count} 条消息未处理</translation>
     </message>
     <message>
       <source>{end} limit of the box along {axis}, in mm</source>
-      <translation type="unfinished" />
+      <translation>盒子沿 {axis} 的{end}限，mm</translation>
     </message>
     <message>
       <source>{finding}: probably {words}.</source>
-      <translation type="unfinished" />
+      <translation>{finding}：可能是{words}。</translation>
     </message>
     <message>
       <source>{name}, in {words}</source>
-      <translation type="unfinished" />
+      <translation>{name}，位于 {words}</translation>
     </message>
     <message>
       <source>{open} Hide</source>
-      <translation type="unfinished" />
+      <translation>{open} 隐藏</translation>
     </message>
     <message>
       <source>{time} left</source>
-      <translation type="unfinished" />
+      <translation>剩余 {time}</translation>
     </message>
     <message>
       <source>{title} is still running. Closing the window stops it; everything stored so far is kept.</source>
-      <translation type="unfinished" />
+      <translation>{title}仍在运行。关闭窗口会停止它；已存内容会保留。</translation>
     </message>
     <message>
       <source>{value} exists already. Choose another name.</source>
-      <translation type="unfinished" />
+      <translation>{value} 已存在。请选择其他名称。</translation>
     </message>
     <message>
       <source>{words}
 Click to see all messages.</source>
-      <translation type="unfinished" />
+      <translation>{words}
+单击查看所有消息。</translation>
     </message>
     <message>
       <source>{words} – the longest side is {quantity}</source>
-      <translation type="unfinished" />
+      <translation>{words} – 最长边为 {quantity}</translation>
     </message>
     <message>
       <source>{word} (Ctrl+{value})</source>
-      <translation type="unfinished" />
+      <translation>{word} (Ctrl+{value})</translation>
     </message>
     <message>
       <source>σ over</source>
-      <translation type="unfinished" />
+      <translation>σ，相对</translation>
     </message>
   </context>
   <context>
     <name>wizards</name>
     <message>
       <source>, {out} not used</source>
-      <translation type="unfinished" />
+      <translation>，{out} 未使用</translation>
     </message>
     <message>
       <source>A calibration is valid for the temperature at which it was made.</source>
-      <translation type="unfinished" />
+      <translation>标定对其进行时的温度有效。</translation>
     </message>
     <message>
       <source>A new project is made.</source>
-      <translation type="unfinished" />
+      <translation>创建一个新项目。</translation>
     </message>
     <message>
       <source>A run that was stopped is continued.</source>
-      <translation type="unfinished" />
+      <translation>已停止的运行会继续。</translation>
     </message>
     <message>
       <source>A simulated rig with hidden errors. The result page shows the true values beside the estimates.</source>
-      <translation type="unfinished" />
+      <translation>带隐藏误差的模拟测量系统。结果页在估计值旁显示真值。</translation>
     </message>
     <message>
       <source>Accept</source>
-      <translation type="unfinished" />
+      <translation>接受</translation>
     </message>
     <message>
       <source>Accept anyway</source>
-      <translation type="unfinished" />
+      <translation>仍然接受</translation>
     </message>
     <message>
       <source>Back to live</source>
-      <translation type="unfinished" />
+      <translation>回到实时</translation>
     </message>
     <message>
       <source>Back to the views</source>
-      <translation type="unfinished" />
+      <translation>回到视图</translation>
     </message>
     <message>
       <source>Begin</source>
-      <translation type="unfinished" />
+      <translation>开始</translation>
     </message>
     <message>
       <source>Board</source>
-      <translation type="unfinished" />
+      <translation>标定板</translation>
     </message>
     <message>
       <source>Calibrate automatically</source>
-      <translation type="unfinished" />
+      <translation>自动标定</translation>
     </message>
     <message>
       <source>Calibrated and stored in the project.</source>
-      <translation type="unfinished" />
+      <translation>已标定并随项目保存。</translation>
     </message>
     <message>
       <source>Change</source>
-      <translation type="unfinished" />
+      <translation>更改</translation>
     </message>
     <message>
       <source>Check the board</source>
-      <translation type="unfinished" />
+      <translation>检查标定板</translation>
     </message>
     <message>
       <source>Choose a folder</source>
-      <translation type="unfinished" />
+      <translation>选择文件夹</translation>
     </message>
     <message>
       <source>Choose other images</source>
-      <translation type="unfinished" />
+      <translation>选择其他图像</translation>
     </message>
     <message>
       <source>Collect more</source>
-      <translation type="unfinished" />
+      <translation>继续采集</translation>
     </message>
     <message>
       <source>Connect the rig and take the images</source>
-      <translation type="unfinished" />
+      <translation>连接测量系统并拍摄图像</translation>
     </message>
     <message>
       <source>Continue it</source>
-      <translation type="unfinished" />
+      <translation>继续</translation>
     </message>
     <message>
       <source>Corners</source>
-      <translation type="unfinished" />
+      <translation>角点</translation>
     </message>
     <message>
       <source>Cross-validation</source>
-      <translation type="unfinished" />
+      <translation>交叉验证</translation>
     </message>
     <message>
       <source>Detected corners; rejected ones in red</source>
-      <translation type="unfinished" />
+      <translation>检测到的角点；被拒绝的为红色</translation>
     </message>
     <message>
       <source>Each view is predicted by a calibration without it: {quantity}</source>
-      <translation type="unfinished" />
+      <translation>每个视图由不含它的标定预测：{quantity}</translation>
     </message>
     <message>
       <source>Error</source>
-      <translation type="unfinished" />
+      <translation>误差</translation>
     </message>
     <message>
       <source>Evaluating the result…</source>
-      <translation type="unfinished" />
+      <translation>正在评定结果…</translation>
     </message>
     <message>
       <source>Fix the board in the centre of the table, tilted about 45° towards the robot.</source>
-      <translation type="unfinished" />
+      <translation>将标定板固定在转台中心，朝机器人倾斜约 45°。</translation>
     </message>
     <message>
       <source>Folder with images of the board</source>
-      <translation type="unfinished" />
+      <translation>含标定板图像的文件夹</translation>
     </message>
     <message>
       <source>Folder with the images</source>
-      <translation type="unfinished" />
+      <translation>图像文件夹</translation>
     </message>
     <message>
       <source>From the rig</source>
-      <translation type="unfinished" />
+      <translation>来自测量系统</translation>
     </message>
     <message>
       <source>Good views</source>
-      <translation type="unfinished" />
+      <translation>良好视图</translation>
     </message>
     <message>
       <source>Guide positions</source>
-      <translation type="unfinished" />
+      <translation>导轨位置</translation>
     </message>
     <message>
       <source>How it was determined</source>
-      <translation type="unfinished" />
+      <translation>如何确定</translation>
     </message>
     <message>
       <source>It must not move until the run has ended.</source>
-      <translation type="unfinished" />
+      <translation>运行结束前不得移动。</translation>
     </message>
     <message>
       <source>Keep the previous one</source>
-      <translation type="unfinished" />
+      <translation>保留之前的</translation>
     </message>
     <message>
       <source>Let the cameras warm up.</source>
-      <translation type="unfinished" />
+      <translation>请让相机预热。</translation>
     </message>
     <message>
       <source>New folder, or an existing project of this rig</source>
-      <translation type="unfinished" />
+      <translation>新文件夹，或此测量系统的已有项目</translation>
     </message>
     <message>
       <source>No board</source>
-      <translation type="unfinished" />
+      <translation>没有标定板</translation>
     </message>
     <message>
       <source>No board found</source>
-      <translation type="unfinished" />
+      <translation>未找到标定板</translation>
     </message>
     <message>
       <source>No camera detects the board from {names}.</source>
-      <translation type="unfinished" />
+      <translation>没有相机从 {names} 检测到标定板。</translation>
     </message>
     <message>
       <source>No rig is chosen: choose one on the page Rig.</source>
-      <translation type="unfinished" />
+      <translation>未选择测量系统：请在“测量系统”页选择。</translation>
     </message>
     <message>
       <source>Not calibrated. Views taken so far are kept; Start continues.</source>
-      <translation type="unfinished" />
+      <translation>未标定。至今拍摄的视图保留；“开始”会继续。</translation>
     </message>
     <message>
       <source>Not determined: {what}.</source>
-      <translation type="unfinished" />
+      <translation>未确定：{what}。</translation>
     </message>
     <message>
       <source>Not used yet</source>
-      <translation type="unfinished" />
+      <translation>尚未使用</translation>
     </message>
     <message>
       <source>Nothing is missing</source>
-      <translation type="unfinished" />
+      <translation>没有缺少</translation>
     </message>
     <message>
       <source>One line per position of the board, in the order of the images. A folder in which a project keeps its views of the board needs no tables: it holds where the axes stood.</source>
-      <translation type="unfinished" />
+      <translation>每行对应标定板的一个位置，按图像顺序。保存标定板视图的项目文件夹不需要表格：其中记录了各轴的位置。</translation>
     </message>
     <message>
       <source>Previous calibration</source>
-      <translation type="unfinished" />
+      <translation>之前的标定</translation>
     </message>
     <message>
       <source>Redo the change (Ctrl+Shift+Z)</source>
-      <translation type="unfinished" />
+      <translation>重做更改 (Ctrl+Shift+Z)</translation>
     </message>
     <message>
       <source>Remove the chosen view (Delete)</source>
-      <translation type="unfinished" />
+      <translation>移除所选视图 (Delete)</translation>
     </message>
     <message>
       <source>Removed</source>
-      <translation type="unfinished" />
+      <translation>已移除</translation>
     </message>
     <message>
       <source>Robot poses</source>
-      <translation type="unfinished" />
+      <translation>机器人位姿</translation>
     </message>
     <message>
       <source>See the result</source>
-      <translation type="unfinished" />
+      <translation>查看结果</translation>
     </message>
     <message>
       <source>Set up</source>
-      <translation type="unfinished" />
+      <translation>设置</translation>
     </message>
     <message>
       <source>Show next</source>
-      <translation type="unfinished" />
+      <translation>显示下一个</translation>
     </message>
     <message>
       <source>Show the newest image again</source>
-      <translation type="unfinished" />
+      <translation>再次显示最新图像</translation>
     </message>
     <message>
       <source>Start again takes it again.</source>
-      <translation type="unfinished" />
+      <translation>“重新开始”会重新拍摄。</translation>
     </message>
     <message>
       <source>Std. dev.</source>
-      <translation type="unfinished" />
+      <translation>标准差</translation>
     </message>
     <message>
       <source>Stop after this view; what was collected is kept</source>
-      <translation type="unfinished" />
+      <translation>此视图后停止；已采集的内容保留</translation>
     </message>
     <message>
       <source>Stop everything that moves; views taken so far are kept</source>
-      <translation type="unfinished" />
+      <translation>停止一切运动；至今拍摄的视图保留</translation>
     </message>
     <message>
       <source>Stop this check; the result does not change and can be accepted now</source>
-      <translation type="unfinished" />
+      <translation>停止此检查；结果不变，现在即可接受</translation>
     </message>
     <message>
       <source>Stopped. Views taken so far are kept; Start continues.</source>
-      <translation type="unfinished" />
+      <translation>已停止。至今拍摄的视图保留；“开始”会继续。</translation>
     </message>
     <message>
       <source>Table angles</source>
-      <translation type="unfinished" />
+      <translation>转台角度</translation>
     </message>
     <message>
       <source>Tables (*.csv);;All files (*)</source>
-      <translation type="unfinished" />
+      <translation>表格 (*.csv);;所有文件 (*)</translation>
     </message>
     <message>
       <source>Take one view</source>
-      <translation type="unfinished" />
+      <translation>拍摄一个视图</translation>
     </message>
     <message>
       <source>Take {count}</source>
-      <translation type="unfinished" />
+      <translation>拍摄 {count}</translation>
     </message>
     <message>
       <source>Take {more} more views</source>
-      <translation type="unfinished" />
+      <translation>再拍摄 {more} 个视图</translation>
     </message>
     <message>
       <source>The board of this project.</source>
-      <translation type="unfinished" />
+      <translation>此项目的标定板。</translation>
     </message>
     <message>
       <source>The images appear here as they are taken.</source>
-      <translation type="unfinished" />
+      <translation>拍摄的图像在此显示。</translation>
     </message>
     <message>
       <source>The rig takes about 70 images of one board from all sides. Cameras, hand–eye, linear guide and table axis are then solved together.</source>
-      <translation type="unfinished" />
+      <translation>测量系统从各个方向拍摄约 70 幅同一标定板的图像。随后一并求解相机、手眼、直线导轨和转台轴线。</translation>
     </message>
     <message>
       <source>The robot brings the cameras to the board. Fix the board on the table first, and keep the cell clear.</source>
-      <translation type="unfinished" />
+      <translation>机器人将相机移到标定板处。请先将标定板固定在转台上，并保持工作站畅通。</translation>
     </message>
     <message>
       <source>The wizard shows what is missing while you collect, and saves every view at once.</source>
-      <translation type="unfinished" />
+      <translation>向导在采集时显示缺少的部分，并立即保存每个视图。</translation>
     </message>
     <message>
       <source>There are enough views. More of them improve the result slightly.</source>
-      <translation type="unfinished" />
+      <translation>视图已足够。更多视图会略微改善结果。</translation>
     </message>
     <message>
       <source>These views do not determine a result yet.</source>
-      <translation type="unfinished" />
+      <translation>这些视图尚不能确定结果。</translation>
     </message>
     <message>
       <source>True value</source>
-      <translation type="unfinished" />
+      <translation>真值</translation>
     </message>
     <message>
       <source>True values are known because the rig is simulated. The measurement never reads them.</source>
-      <translation type="unfinished" />
+      <translation>测量系统是模拟的，因此真值已知。测量从不读取真值。</translation>
     </message>
     <message>
       <source>Undo the last change (Ctrl+Z)</source>
-      <translation type="unfinished" />
+      <translation>撤销上一次更改 (Ctrl+Z)</translation>
     </message>
     <message>
       <source>Value</source>
-      <translation type="unfinished" />
+      <translation>值</translation>
     </message>
     <message>
       <source>View {view} rejected: {reason}</source>
-      <translation type="unfinished" />
+      <translation>视图 {view} 被拒绝：{reason}</translation>
     </message>
     <message>
       <source>Views stored in the project are not taken again.</source>
-      <translation type="unfinished" />
+      <translation>存储在项目中的视图不再拍摄。</translation>
     </message>
     <message>
       <source>What is still missing</source>
-      <translation type="unfinished" />
+      <translation>仍缺少的部分</translation>
     </message>
     <message>
       <source>What this wizard does (F1)</source>
-      <translation type="unfinished" />
+      <translation>此向导的作用 (F1)</translation>
     </message>
     <message>
       <source>Where corners were detected so far; the darker, the more often</source>
-      <translation type="unfinished" />
+      <translation>至今检测到角点的位置；越深越频繁</translation>
     </message>
     <message>
       <source>Where the board should appear in the next view</source>
-      <translation type="unfinished" />
+      <translation>下一视图中标定板应出现的位置</translation>
     </message>
     <message>
       <source>With these views</source>
-      <translation type="unfinished" />
+      <translation>使用这些视图</translation>
     </message>
     <message>
       <source>and {value} more</source>
-      <translation type="unfinished" />
+      <translation>以及另外 {value} 项</translation>
     </message>
     <message>
       <source>board images</source>
-      <translation type="unfinished" />
+      <translation>标定板图像</translation>
     </message>
     <message>
       <source>corner</source>
-      <translation type="unfinished" />
+      <translation>个角点</translation>
     </message>
     <message>
       <source>looking for the board</source>
-      <translation type="unfinished" />
+      <translation>正在寻找标定板</translation>
     </message>
     <message>
       <source>more views</source>
-      <translation type="unfinished" />
+      <translation>个更多视图</translation>
     </message>
     <message>
       <source>name,position_mm</source>
-      <translation type="unfinished" />
+      <translation>name,position_mm</translation>
     </message>
     <message>
       <source>name,x_mm,y_mm,z_mm,qw,qx,qy,qz</source>
-      <translation type="unfinished" />
+      <translation>name,x_mm,y_mm,z_mm,qw,qx,qy,qz</translation>
     </message>
     <message>
       <source>position,angle_deg</source>
-      <translation type="unfinished" />
+      <translation>position,angle_deg</translation>
     </message>
     <message>
       <source>shows fringes</source>
-      <translation type="unfinished" />
+      <translation>投射条纹</translation>
     </message>
     <message>
       <source>{caption}
 There is no image of this view.</source>
-      <translation type="unfinished" />
+      <translation>{caption}
+没有此视图的图像。</translation>
     </message>
     <message>
       <source>{count} in use</source>
-      <translation type="unfinished" />
+      <translation>使用 {count}</translation>
     </message>
     <message>
       <source>{count} of an earlier session are kept{words}.</source>
-      <translation type="unfinished" />
+      <translation>保留了先前会话的 {count}{words}。</translation>
     </message>
     <message>
       <source>{count} taken, {kept} stored before.</source>
-      <translation type="unfinished" />
+      <translation>已拍摄 {count}，此前存储 {kept}。</translation>
     </message>
     <message>
       <source>{rest} more have enough</source>
-      <translation type="unfinished" />
+      <translation>另外 {rest} 项已足够</translation>
     </message>
     <message>
       <source>{value:.1f} standard deviations</source>
-      <translation type="unfinished" />
+      <translation>{value:.1f} 倍标准差</translation>
     </message>
     <message>
       <source>{viewpoint_id} failed: {reason}</source>
-      <translation type="unfinished" />
+      <translation>{viewpoint_id} 失败：{reason}</translation>
     </message>
   </context>
   <context>
     <name>workers</name>
     <message>
       <source>A file</source>
-      <translation type="unfinished" />
+      <translation>文件</translation>
     </message>
     <message>
       <source>Stored data is not affected; try again. If it happens again, send {log} in the folder MeasureApp of your home to support.</source>
-      <translation type="unfinished" />
+      <translation>已存数据不受影响；请重试。若再次发生，请将主目录 MeasureApp 文件夹中的 {log} 发送给支持人员。</translation>
     </message>
     <message>
       <source>{doing} stopped by an internal error ({name}: {error}).</source>
-      <translation type="unfinished" />
+      <translation>{doing}因内部错误停止（{name}：{error}）。</translation>
     </message>
     <message>
       <source>{value} cannot be used: {value_2}.</source>
-      <translation type="unfinished" />
+      <translation>无法使用 {value}：{value_2}。</translation>
     </message>
   </context>
 </TS>

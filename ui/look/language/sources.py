@@ -12,6 +12,7 @@ from measureapp.resources import resource
 ROOT = resource("languages").parent.parent
 WORDS = re.compile(r"[A-Za-z]{2}")
 PLACEHOLDER = re.compile(r"\{\w+[^{}]*\}")
+CODE = re.compile(r"px;|vec3\(|%\(|color: ")  # style sheets, shaders and formats of the log
 NAMES = re.compile(r"[\w./\\*#:+-]*")  # of files, keys and settings
 MESSAGES = {  # calls of the core whose texts reach the window
     "InputError", "StorageError", "DeviceError", "PlanError", "CalibrationError", "ReconstructError", "RegisterError", "InspectionError",
@@ -66,6 +67,8 @@ def _texts(tree: ast.Module) -> Iterator[str]:
 
 def _is_text(value: str) -> bool:
     """Whether a string reads like a text for people: several words, or one with a capital letter."""
+    if CODE.search(value):
+        return False
     bare = PLACEHOLDER.sub("", value).strip()
     if bare != value and " " in value and re.search(r"[a-z]{3}", bare):
         return True
