@@ -52,6 +52,7 @@ def build(application: QApplication) -> Application:
     language.choose(settings.text("language"))
     session = Session(settings)
     controllers = Controllers(session)
+    language.changed.connect(look.changed)  # what is painted is drawn anew
     window = MainWindow(look, session, controllers, settings)
     settings.changed.connect(lambda name: look.set_shade(_shade(application, settings)) if name == "theme" else None)
     settings.changed.connect(lambda name: language.choose(settings.text("language")) if name == "language" else None)

@@ -8799,6 +8799,10 @@
       <translation>缩放到其特征</translation>
     </message>
     <message>
+      <source>best fit</source>
+      <translation>最佳拟合</translation>
+    </message>
+    <message>
       <source>blade section</source>
       <translation>叶片截面</translation>
     </message>
@@ -8811,8 +8815,16 @@
       <translation>圆锥</translation>
     </message>
     <message>
+      <source>coordinates</source>
+      <translation>坐标</translation>
+    </message>
+    <message>
       <source>cylinder</source>
       <translation>圆柱</translation>
+    </message>
+    <message>
+      <source>datums</source>
+      <translation>基准</translation>
     </message>
     <message>
       <source>datums </source>
@@ -8849,6 +8861,10 @@
     <message>
       <source>problem</source>
       <translation>个问题</translation>
+    </message>
+    <message>
+      <source>reference points</source>
+      <translation>参考点</translation>
     </message>
     <message>
       <source>slot</source>
@@ -8954,16 +8970,16 @@
   <context>
     <name>look</name>
     <message>
-      <source>, both directions</source>
-      <translation>，两个方向</translation>
-    </message>
-    <message>
       <source>10 images: 4 steps at 16 px.</source>
       <translation>10 幅图像：16 px 处 4 步。</translation>
     </message>
     <message>
       <source>11 images: 4 steps at 16 px.</source>
       <translation>11 幅图像：16 px 处 4 步。</translation>
+    </message>
+    <message>
+      <source>12 images: 4 steps at 16, 131.9 and 1088 px.</source>
+      <translation>12 幅图像：16、131.9 和 1088 px 处 4 步。</translation>
     </message>
     <message>
       <source>12 images: 4 steps at 32, 186.6 and 1088 px.</source>
@@ -8974,8 +8990,28 @@
       <translation>15 幅图像：16 px 处 8 步。</translation>
     </message>
     <message>
+      <source>16 images: 4 steps at 32 and 33 px, both directions.</source>
+      <translation>16 幅图像：32 和 33 px 处 4 步，两个方向。</translation>
+    </message>
+    <message>
       <source>16 images: 8 steps at 32 and 33 px.</source>
       <translation>16 幅图像：32 和 33 px 处 8 步。</translation>
+    </message>
+    <message>
+      <source>16 images: 8, 4 and 4 steps at 16, 131.9 and 1088 px.</source>
+      <translation>16 幅图像：16、131.9 和 1088 px 处 8、4、4 步。</translation>
+    </message>
+    <message>
+      <source>22 images: 4 steps at 16 px, both directions.</source>
+      <translation>22 幅图像：16 px 处 4 步，两个方向。</translation>
+    </message>
+    <message>
+      <source>24 images: 4 steps at 16, 17.84 and 18.14 px, both directions.</source>
+      <translation>24 幅图像：16、17.84 和 18.14 px 处 4 步，两个方向。</translation>
+    </message>
+    <message>
+      <source>24 images: 8 steps at 16, 17.84 and 18.14 px.</source>
+      <translation>24 幅图像：16、17.84 和 18.14 px 处 8 步。</translation>
     </message>
     <message>
       <source>28 images: 4 steps, each pitch half of the one before, from 17 px.</source>
@@ -8988,6 +9024,10 @@
     <message>
       <source>8 images: 4 steps at 32 and 33 px.</source>
       <translation>8 幅图像：32 和 33 px 处 4 步。</translation>
+    </message>
+    <message>
+      <source>9 images: 3 steps at 16, 17.84 and 18.14 px.</source>
+      <translation>9 幅图像：16、17.84 和 18.14 px 处 3 步。</translation>
     </message>
     <message>
       <source>All {count} pass.</source>
@@ -9186,6 +9226,10 @@
       <translation>四元数</translation>
     </message>
     <message>
+      <source>Recommended. 12 images: 4 steps at 16, 17.84 and 18.14 px.</source>
+      <translation>推荐。12 幅图像：16、17.84 和 18.14 px 处 4 步。</translation>
+    </message>
+    <message>
       <source>Reference camera</source>
       <translation>参考相机</translation>
     </message>
@@ -9276,14 +9320,6 @@
     <message>
       <source>Value error, </source>
       <translation>数值错误，</translation>
-    </message>
-    <message>
-      <source>at 16, 131.9 and 1088 px</source>
-      <translation>16、131.9 和 1088 px</translation>
-    </message>
-    <message>
-      <source>at 16, 17.84 and 18.14 px</source>
-      <translation>16、17.84 和 18.14 px</translation>
     </message>
     <message>
       <source>at a rim</source>
@@ -10533,8 +10569,8 @@ The first run of this part counts.</source>
       <translation>z 至</translation>
     </message>
     <message>
-      <source>{estimate}. Criterion: {lower}{criterion}.</source>
-      <translation>{estimate}。准则：{lower}{criterion}。</translation>
+      <source>{estimate}. Criterion: {criterion}.</source>
+      <translation>{estimate}。准则：{criterion}。</translation>
     </message>
     <message>
       <source>{file} cannot be written.</source>
@@ -14014,10 +14050,6 @@ Click to see all messages.</source>
     <message>
       <source>looking for the board</source>
       <translation>正在寻找标定板</translation>
-    </message>
-    <message>
-      <source>more views</source>
-      <translation>个更多视图</translation>
     </message>
     <message>
       <source>name,position_mm</source>

@@ -66,7 +66,7 @@ class BarChart(Chart):
         from ui.look.theme import font
 
         theme = self._look.theme
-        plot.axes[1].setTicks([[(place, bar.name) for place, bar in enumerate(self.bars)]])
+        plot.axes[1].setTicks([[(place, translated(bar.name)) for place, bar in enumerate(self.bars)]])
         plot.axes[1].setTextPen(theme.colour("text"))
         longest = max((bar.value for bar in self.bars), default=0.0) or 1.0
         self._longest = longest

@@ -10,6 +10,7 @@ from PySide6.QtCore import QSize, Qt
 from PySide6.QtGui import QColor
 from PySide6.QtWidgets import QFrame, QMenu, QWidget
 
+from ui.look.language.words import translated
 from ui.look.theme import Theme, font
 from ui.look.wording import MINUS
 
@@ -37,7 +38,7 @@ class NumberAxis(pg.AxisItem):
         self.setPen(theme.colour("line"))
         self.setTextPen(theme.colour("soft"))
         if self.words:
-            self.setLabel(self.words, **{"color": theme.colours["soft"], "font-size": f"{small}px"})
+            self.setLabel(translated(self.words), **{"color": theme.colours["soft"], "font-size": f"{small}px"})
 
 
 class Plot(pg.PlotWidget):
@@ -110,7 +111,7 @@ class ColourScale:
         self._bar.rounding = max(1e-9, (span[1] - span[0]) / 1000)
         self._bar.setColorMap(pg.colormap.get(colours))
         self._bar.setLevels(span)
-        self._bar.axis.setLabel(words)
+        self._bar.axis.setLabel(translated(words))
 
     def leave(self) -> None:
         """Show no scale."""
@@ -123,7 +124,7 @@ class ColourScale:
         axis.setTickFont(font(small))
         axis.setPen(theme.colour("line"))
         axis.setTextPen(theme.colour("soft"))
-        axis.setLabel(axis.labelText, **{"color": theme.colours["soft"], "font-size": f"{small}px"})
+        axis.setLabel(translated(axis.labelText), **{"color": theme.colours["soft"], "font-size": f"{small}px"})
 
 
 def adopt_menu(owner: QWidget, menu: QMenu) -> None:

@@ -6,6 +6,7 @@ from PySide6.QtCore import QRectF, Qt
 from PySide6.QtGui import QPainter, QPainterPath
 from PySide6.QtWidgets import QWidget
 
+from ui.look.language.words import translated
 from ui.look.theme import Theme
 
 LEFT = Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft
@@ -32,5 +33,5 @@ def set_letters(painter: QPainter, size_px: int, *, bold: bool = False) -> None:
 
 def write_elided(painter: QPainter, box: QRectF, words: str, alignment: Qt.AlignmentFlag = LEFT) -> None:
     """Draw one line of text in a box, elided if too long."""
-    elided = painter.fontMetrics().elidedText(words, Qt.TextElideMode.ElideRight, int(box.width()))
+    elided = painter.fontMetrics().elidedText(translated(words), Qt.TextElideMode.ElideRight, int(box.width()))
     painter.drawText(box, alignment, elided)

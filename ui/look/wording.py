@@ -67,7 +67,8 @@ def counted(value: int) -> str:
 
 def several(value: int, one: str, many: str = "") -> str:
     """Format a count with its noun: ``1 view`` or ``8 views``."""
-    return f"{counted(value)} {translated(one if value == 1 else many or one + 's')}"
+    noun = translated(one)  # a translation serves any count
+    return f"{counted(value)} {noun if noun != one or value == 1 else many or one + 's'}"
 
 
 def duration(seconds: float) -> str:

@@ -198,6 +198,7 @@ class CalibrationPage(Page):
         deviations = tuple(starmap(deviation_words, camera.standard_deviations.items())) if camera else ()
         of_pairs = camera is not None and found.name != PROJECTOR_ROW
         pairs = tuple((f"{pair} pair", f"{rms:.3f} px") for pair, rms in cameras.pair_rms_px.items()) if of_pairs else ()
+        criterion = translated(found.criterion)
         source = cameras.provenance if calibration is None else calibration.provenance
         if found.name == PROJECTOR_ROW and cameras.projector is not None:
             source = cameras.projector.provenance
@@ -222,12 +223,7 @@ class CalibrationPage(Page):
                     )
                     if group.rows
                 ),
-                tr(
-                    "{estimate}. Criterion: {lower}{criterion}.",
-                    estimate=found.estimate,
-                    lower=found.criterion[0].lower(),
-                    criterion=found.criterion[1:],
-                ),
+                tr("{estimate}. Criterion: {criterion}.", estimate=found.estimate, criterion=criterion[:1].lower() + criterion[1:]),
             )
         )
 

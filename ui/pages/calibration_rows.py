@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from math import acos, degrees
 from typing import TYPE_CHECKING
 
-from ui.look.language.words import tr
+from ui.look.language.words import later, tr
 from ui.look.wording import millimetres, quantity, sentence_case
 
 if TYPE_CHECKING:
@@ -89,7 +89,7 @@ def motion_rows(motions: AxisMotions) -> list[SolutionRow]:
 def camera_rows(cameras: CameraArrayCalibration) -> list[SolutionRow]:
     """Return one row per camera, and one of the projector where it is calibrated."""
     projector = () if cameras.projector is None else (_lens_row(PROJECTOR_ROW, cameras.projector),)
-    return [*(_lens_row(tr("Camera {name}", name=name), cameras.cameras[name]) for name in cameras.names), *projector]
+    return [*(_lens_row(later("Camera {name}").format(name=name), cameras.cameras[name]) for name in cameras.names), *projector]
 
 
 def _lens_row(name: str, camera: CameraCalibration | ProjectorCalibration) -> SolutionRow:
@@ -139,10 +139,10 @@ def contributions(calibration: RigCalibration, rig: RigDescription | None) -> li
     hand_eye, guide, axis = calibration.hand_eye, calibration.guide, calibration.axis
     parts = [
         ("Hand–eye, position", hand_eye.translation_sigma_mm),
-        (tr("Hand–eye, rotation over {standoff:.0f} mm", standoff=standoff), hand_eye.rotation_sigma_rad * standoff),
-        (tr("Guide direction over {stroke:.0f} mm", stroke=stroke), guide.direction_sigma_rad * stroke),
-        (tr("Guide scale over {stroke:.0f} mm", stroke=stroke), guide.scale_sigma * stroke),
+        (later("Hand–eye, rotation over {standoff:.0f} mm").format(standoff=standoff), hand_eye.rotation_sigma_rad * standoff),
+        (later("Guide direction over {stroke:.0f} mm").format(stroke=stroke), guide.direction_sigma_rad * stroke),
+        (later("Guide scale over {stroke:.0f} mm").format(stroke=stroke), guide.scale_sigma * stroke),
         ("Table axis, position", axis.point_sigma_mm),
-        (tr("Table axis, tilt over {height_mm:.0f} mm", height_mm=HEIGHT_MM), axis.direction_sigma_rad * HEIGHT_MM),
+        (later("Table axis, tilt over {height_mm:.0f} mm").format(height_mm=HEIGHT_MM), axis.direction_sigma_rad * HEIGHT_MM),
     ]
     return [*parts, ("Together", sum(value**2 for _, value in parts) ** 0.5)]

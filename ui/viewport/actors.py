@@ -13,7 +13,7 @@ from ui.viewport.layers import LineLayer, SurfaceLayer
 from ui.viewport.prepared_surface import SurfacePart
 
 HATCH_PERIOD_PX = 9.0
-AMBIENT, DIFFUSE = 0.32, 0.8
+AMBIENT, DIFFUSE = 0.36, 0.8
 READ_AMBIENT, READ_DIFFUSE = 0.7, 0.3  # for colours of a scale: the hue means the same everywhere, and the shape is still seen
 IS_UNKNOWN = "all(lessThan(abs(vertexColorVSOutput.rgb - vec3({}, {}, {}) / 255.0), vec3(0.012)))".format(*UNKNOWN)
 HATCHED = (  # in screen space, so that unmeasured areas are recognisable at every distance

@@ -5,6 +5,7 @@ from __future__ import annotations
 from PySide6.QtCore import QPointF, QRectF, Qt
 from PySide6.QtGui import QColor, QPainter, QPen, QPolygonF
 
+from ui.look.language.words import translated
 from ui.look.painting import set_letters
 from ui.look.theme import Theme
 
@@ -77,6 +78,7 @@ class Canvas:
         clear: bool = False,
     ) -> None:
         """Draw text at a world point with an offset in pixels, beside the texts drawn before; ``clear`` fills its background."""
+        words = translated(words)
         set_letters(self._painter, self.theme.sizes["small"], bold=bold)
         self._painter.setPen(self.theme.colour(colour))
         place = self.at(x, y) + QPointF(*offset)
@@ -103,4 +105,4 @@ class Canvas:
         """Draw the name of the projection in its corner."""
         set_letters(self._painter, self.theme.sizes["small"], bold=True)
         self._painter.setPen(self.theme.colour("soft"))
-        self._painter.drawText(QPointF(self.area.left(), self.area.top() - 8), words)
+        self._painter.drawText(QPointF(self.area.left(), self.area.top() - 8), translated(words))

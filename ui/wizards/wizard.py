@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QDialog, QStackedWidget, QWidget
 from measureapp.calibrate.cameras.projector_sightings import PROJECTOR
 from ui.controllers.calibrating import CalibratingController
 from ui.controllers.result import Result
-from ui.look.language.words import tr, translated
+from ui.look.language.words import later, tr, translated
 from ui.look.look import Look
 from ui.look.wording import several
 from ui.widgets.basic import column, label, row
@@ -28,6 +28,7 @@ if TYPE_CHECKING:
 SETUP, COLLECT, RESULT = range(3)
 SMALLEST, USUAL = (1264, 660), (1340, 740)  # the smallest fits a screen of 1280 × 720
 MORE = 5  # views at a time, beyond those planned
+TAKE_MORE = later("Take {more} more views").format(more=MORE)
 HELP_PAGE = "calibration_wizards"
 ANYWAY, KEEP_OLD, NOT_NOW = "Accept anyway", "Keep the previous one", "Not now"
 OTHER_IMAGES = "Choose other images"
@@ -148,7 +149,7 @@ class CalibrationWizard(QDialog):
             if collecting.capture.viewpoints_left and not collecting.is_collecting:
                 return tr("Take {count}", count=several(len(collecting.capture.viewpoints_left), "view")), see, "Take one view"
             if collecting.capture.can_take_more and not collecting.is_collecting:
-                more = tr("Take {more} more views", more=MORE)
+                more = TAKE_MORE
                 return (see, more, "") if collecting.solver.is_good or collecting.capture.took_more else (more, see, "")
             if not (see or collecting.capture.rig is not None or collecting.is_collecting or collecting.solver.is_running):
                 return OTHER_IMAGES, "", ""
@@ -194,7 +195,7 @@ class CalibrationWizard(QDialog):
             self.show_step(COLLECT)
 
     def _take(self, offered: str) -> None:
-        if offered.endswith("more views"):
+        if offered == TAKE_MORE:
             self.collecting.capture.take_more(MORE)
         else:
             self.collecting.capture.take()

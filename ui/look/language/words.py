@@ -6,12 +6,24 @@ import re
 from collections import OrderedDict
 from collections.abc import Mapping
 from dataclasses import dataclass
+from string import Formatter
 
 from ui.look.language.catalogue import Catalogue
 
 KEPT = 20_000  # texts whose origin is remembered, so that they can be translated anew when the language changes
 SEPARATORS = [re.compile(f"({one})") for one in (r"\n", r"(?<=[.!?…]) ", " · ", ": ", ", ")]  # the coarsest first
 LETTERS = re.compile(r"[A-Za-z]{2}")
+
+
+class WordsFormatter(Formatter):
+    """Puts values into a template; those that are texts already, as found in a message, are not formatted again."""
+
+    def format_field(self, value: object, format_spec: str) -> str:
+        """Format one value."""
+        return value if isinstance(value, str) else format(value, format_spec)
+
+
+FORMATTER = WordsFormatter()
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,7 +60,7 @@ class Translator:
             template = self._catalogue.translation(source) or source
         if self._state:
             put = {name: self.renewed(value) if isinstance(value, str) else value for name, value in values.items()}
-        made = template.format(**put) if values else template
+        made = FORMATTER.vformat(template, (), put) if values else template
         if made:
             self._issued[made] = Origin(source, values, self._state)
             self._issued.move_to_end(made)

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 DATUM_LETTERS = "ABC"
 
 
+ALIGNMENTS = (later("best fit"), later("datums"), later("reference points"), later("coordinates"))  # names that results state
 SHAPES = {
     "plane": later("plane"),
     "circle": later("circle"),

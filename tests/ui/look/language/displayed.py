@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from PySide6.QtCore import QObject, Qt
+from PySide6.QtCore import QAbstractListModel, QObject, Qt
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QAbstractButton, QAbstractItemView, QComboBox, QGroupBox, QLabel, QLineEdit, QTabBar, QWidget
 
@@ -30,13 +30,23 @@ def displayed_texts(top: QWidget) -> Iterator[tuple[str, str]]:
         elif isinstance(widget, QAbstractItemView) and widget.model() is not None:
             yield from _cells(widget)
     for action in top.findChildren(QObject):
-        if isinstance(action, QAction):
+        if isinstance(action, QAction) and not _is_of_charts(action):
             yield "QAction", action.text()
 
 
 def _cells(view: QAbstractItemView) -> Iterator[tuple[str, str]]:
     model, kind = view.model(), type(view).__name__
-    for column in range(model.columnCount()):
+    columns = 1 if isinstance(model, QAbstractListModel) else model.columnCount()
+    for column in range(columns):
         yield f"{kind}.header", str(model.headerData(column, Qt.Orientation.Horizontal) or "")
         for row in range(min(model.rowCount(), MOST_ROWS)):
             yield kind, str(model.index(row, column).data() or "")
+
+
+def _is_of_charts(one: QObject | None) -> bool:
+    """Whether something belongs to the menus of the library of charts, which the window never shows."""
+    while one is not None:
+        if type(one).__module__.startswith("pyqtgraph"):
+            return True
+        one = one.parent()
+    return False

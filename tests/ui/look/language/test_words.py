@@ -37,6 +37,12 @@ def test_a_message_of_the_core_is_recognised_with_its_values(translator):
     assert translator.renewed("Camera left does not answer: the cable is loose.") == "相机 left 没有应答：电缆松动。"
 
 
+def test_a_number_that_was_formatted_in_a_message_stays_as_it_is(translator):
+    translator.use(Catalogue("zh_CN", {"Guide over {stroke:.0f} mm": Entry("Guide over {stroke:.0f} mm", "{stroke:.0f} mm 上的导轨")}))
+    assert translator.renewed("Guide over 650 mm") == "650 mm 上的导轨"
+    assert translator.translate("Guide over {stroke:.0f} mm", {"stroke": 650.2}) == "650 mm 上的导轨"
+
+
 def test_sentences_put_together_are_translated_one_by_one(translator):
     assert translator.renewed("Check the cable. Camera left does not answer: the cable is loose.").startswith("检查电缆。 相机 left")
     assert translator.renewed("Surface…") == "表面…"
