@@ -139,7 +139,9 @@ class MapView(Chart):
         plot.invertY(True)
         plot.setAspectLocked(True)
         plot.setFocusProxy(self)
-        image = pg.ImageItem(axisOrder="row-major")
+        image = pg.ImageItem(
+            np.zeros((1, 1), np.float32), axisOrder="row-major"
+        )  # without data it would keep the scale's range for pictures
         line = pg.LineSegmentROI([(0, 0), (1, 1)])
         line.setZValue(20)
         line.setVisible(False)

@@ -118,6 +118,17 @@ def test_saturated_pixels_of_a_stored_image_are_red(view):
     assert tuple(drawn[4, 5]) == (209, 73, 91)
 
 
+@pytest.mark.parametrize("colour", [(12, 90, 200), (240, 128, 7)])
+def test_a_picture_is_drawn_in_its_colours_from_the_first_time_on(qtbot, view, colour):
+    pixels = np.empty((30, 40, 3), np.uint8)
+    pixels[:] = colour
+    for _ in range(2):
+        view.show_pixels(pixels)
+        qtbot.wait(30)
+        drawn = view.grab().toImage().pixelColor(view.place_of(15, 20).toPoint())
+        assert drawn.getRgb()[:3] == colour
+
+
 def test_a_map_without_any_value_is_shown_empty(view):
     view.show_layer(Layer("Absolute phase", "rad", np.full((10, 12), np.nan, np.float32), 3))
     assert not view.grab().isNull()
