@@ -198,8 +198,8 @@ class MapView(Chart):
             return
         line = self._items["line"]
         ends = []
-        for _, place in line.getSceneHandlePositions():
-            at = self._items["image"].getViewBox().mapSceneToView(place)
+        for handle in line.getHandles():
+            at = line.mapToParent(handle.pos())
             ends.append((min(max(0, round(at.y())), self._shape[0] - 1), min(max(0, round(at.x())), self._shape[1] - 1)))
         self.lineMoved.emit(tuple(ends))
 
