@@ -338,6 +338,7 @@ def test_both_themes_and_all_maps_do_not_stall_the_window(qtbot, application, op
     with Heartbeat() as heart:
         for shade in ("dark", "light"):
             application.look.set_shade(shade)
+            qtbot.wait(60)
             for kind in KINDS:
                 opened.kind.setValue(kind)
                 qtbot.wait(30)

@@ -26,6 +26,7 @@ WAITING = "The images are decoded; the project is not changed."
 TOLD = ("phase", "wrapped", "sigma", "modulation", "exposure", "state")
 COLUMNS = {"phase": "phase_rad", "wrapped": "wrapped_rad", "sigma": "sigma_rad", "modulation": "modulation_grey"}  # of a saved profile
 HIGHEST_PROFILE = 200  # px
+NOTHING_DRAWN = (("", ""), (-1, -1))
 
 
 class ImagesDialog(QDialog):
@@ -38,6 +39,7 @@ class ImagesDialog(QDialog):
         self.resize(1240, 680)
         self.viewpoint_id = ""
         self.view: ViewImages | None = None
+        self._drawn = NOTHING_DRAWN  # viewpoint and camera, exposure and image
         self._make_parts()
         self._lay_out()
         images.loaded.connect(self._show)
@@ -150,7 +152,7 @@ class ImagesDialog(QDialog):
     @Slot()
     def _forget(self) -> None:
         """Show nothing: the project, or the view, is another one."""
-        self.view = None
+        self.view, self._drawn = None, NOTHING_DRAWN
         self.map.clear()
         self.pixel.setText("")
         self.values.setText(ASK)
@@ -203,8 +205,12 @@ class ImagesDialog(QDialog):
         self.map.show_layer(layer, self.view.stack.saturation if kind == "fringes" else None)
         self.legend.setText(legend_words(layer) if layer.categories else "Saturated pixels are red." if kind == "fringes" else "")
         self.legend.setVisible(bool(self.legend.text()))
-        self.histogram.show_levels(self._frame(), self.view.stack.saturation)
-        self._show_valid(self.view)
+        of, frame = (self.view.viewpoint_id, self.cameras.value()), self.frames.value()
+        if (of, frame) != self._drawn:  # what does not depend on the kind of map
+            self.histogram.show_levels(self._frame(), self.view.stack.saturation)
+            if of != self._drawn[0]:
+                self._show_valid(self.view)
+            self._drawn = of, frame
         self.panel.fit(layer.values.shape)
         self._show_profile()
         if self.map.cursor_pixel is not None:
