@@ -9,7 +9,11 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal, Slot
 
 from ui.controllers.jobs import JobRunner
+<<<<<<< HEAD
 from ui.look.language.words import tr
+=======
+from ui.images.layers import Layer, layers_of
+>>>>>>> main
 from ui.session import Session
 
 if TYPE_CHECKING:
@@ -28,6 +32,7 @@ class ViewImages:
 
     stack: FringeStack
     maps: Mapping[str, PhaseMap]  # by camera, decoded as the program measures
+    layers: Mapping[str, Mapping[str, Layer]]  # by camera and kind of map
     exposures: Mapping[str, CameraExposures]
 
     @property
@@ -109,4 +114,8 @@ def load_images(folder: Path, viewpoint_id: str, job: Job) -> ViewImages:
     stack = project.frames.load(viewpoint_id)
     job.check()
     maps = decode_by_rules(stack, decode_settings_of(project), job)
-    return ViewImages(stack, maps["combined"], ratios_of(stack, maps))
+    layers = {}
+    for camera, phase_map in maps["combined"].items():
+        job.check()
+        layers[camera] = layers_of(phase_map)
+    return ViewImages(stack, maps["combined"], layers, ratios_of(stack, maps))

@@ -31,9 +31,11 @@ class FrameBar(QWidget):
         """Offer these exposures, and so many images of each; the present choice is kept where it exists."""
         self._times = tuple(exposures_us)
         for slider, count in zip(self._sliders.values(), (len(self._times), images), strict=True):
+            slider.blockSignals(True)
             slider.setRange(0, max(0, count - 1))
+            slider.blockSignals(False)
             slider.setEnabled(count > 1)
-        self._tell()
+        self._write()
 
     def value(self) -> tuple[int, int]:
         """Return exposure and image, both from 0."""
@@ -57,9 +59,10 @@ class FrameBar(QWidget):
         return slider
 
     def _tell(self) -> None:
-        if not self._times:
-            return
-        time, image = self.value()
-        self._words["Exposure"].setText(exposure(self._times[time]))
-        self._words["Image"].setText(f"{image + 1} of {self._sliders['Image'].maximum() + 1}")
+        self._write()
         self.valueChanged.emit(self.value())
+
+    def _write(self) -> None:
+        time, image = self.value()
+        self._words["Exposure"].setText(exposure(self._times[time]) if self._times else "")
+        self._words["Image"].setText(f"{image + 1} of {self._sliders['Image'].maximum() + 1}")

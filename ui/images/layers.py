@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from math import tau
 from typing import TYPE_CHECKING
 
@@ -57,7 +58,7 @@ class Layer:
     colours: str = "viridis"  # a colour map of pyqtgraph
     categories: tuple[Category, ...] = ()  # of whole values from 0; then the colours are theirs
 
-    @property
+    @cached_property
     def span(self) -> tuple[float, float]:
         """Range of the colours: nearly all finite values."""
         finite = self.values[np.isfinite(self.values)]
@@ -72,6 +73,14 @@ class Layer:
         if self.categories:
             return self.categories[int(value)].words if np.isfinite(value) else "–"
         return quantity(value, self.unit, self.digits)
+
+
+def layers_of(phase_map: PhaseMap) -> dict[str, Layer]:
+    """Return all layers of a decoded camera by kind, with their spans; for a large camera it takes some tenths of a second."""
+    layers = {kind: layer_of(phase_map, kind) for kind in KINDS if kind != "fringes"}
+    for layer in layers.values():
+        _ = layer.span  # kept
+    return layers
 
 
 def layer_of(phase_map: PhaseMap, kind: str) -> Layer:

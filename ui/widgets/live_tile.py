@@ -1,4 +1,4 @@
-"""The live image of a camera with its grey levels: histogram, saturation, darkness."""
+"""The live image of a camera, saturated pixels in red, with its grey levels: histogram, saturation, darkness."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from ui.look.language.words import tr
 from ui.look.look import Look
 from ui.look.wording import exposure, percent
 from ui.widgets.basic import column, label
-from ui.widgets.image_view import ImageView, grey_image
+from ui.widgets.image_view import ImageView, marked_image
 
 
 class LiveTile(QWidget):
@@ -29,7 +29,7 @@ class LiveTile(QWidget):
 
     def show_pixels(self, pixels: np.ndarray, exposure_us: int) -> None:
         """Show a new image (H, W)."""
-        self.image.show_image(grey_image(pixels), f"{self._camera} · {exposure(exposure_us)}")
+        self.image.show_image(marked_image(pixels, self._saturation), f"{self._camera} · {exposure(exposure_us)}")
         self.histogram.show_levels(pixels, self._saturation)
         thin = pixels[::EVERY, ::EVERY]
         saturated = float(np.mean(thin >= self._saturation))

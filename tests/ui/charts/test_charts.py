@@ -13,6 +13,7 @@ from ui.charts.level_histogram import LevelHistogram
 from ui.look.look import Look
 from ui.look.theme import Theme
 from ui.viewport.overlay.legend import Legend
+from ui.widgets.live_tile import LiveTile
 
 BARS = (Bar("Cameras", 0.004), Bar("Hand–eye", 0.021), Bar("Together", 0.0214, strong=True))
 
@@ -90,6 +91,20 @@ def test_levels_are_shares_and_saturation_is_marked_only_where_it_is_much(qtbot,
     assert bars.opts["brushes"][-1] == fail and chart.saturated == pytest.approx(0.5)
     chart.show_levels(np.zeros((0, 0), np.uint8), 255)
     assert chart.saturated == 0.0
+
+
+def test_a_live_image_marks_saturated_pixels_and_says_their_share(qtbot, look):
+    tile = LiveTile(look, "left", 255)
+    qtbot.addWidget(tile)
+    pixels = np.full((120, 160), 100, np.uint8)
+    pixels[:60] = 255
+    tile.show_pixels(pixels, 20_000)
+    image = tile.image._image
+    assert image.pixelColor(10, 10).name() == "#d1495b"
+    below = image.pixelColor(10, 100)
+    assert below.red() == below.green() == below.blue()
+    assert "saturated 50.0" in tile.words.text() and "too bright" in tile.words.text()
+    assert tile.histogram.saturated == pytest.approx(0.5)
 
 
 def test_charts_follow_the_theme_without_new_data(qtbot, look):

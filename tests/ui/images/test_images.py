@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -116,6 +117,17 @@ def test_saturated_pixels_of_a_stored_image_are_red(view):
     drawn = view._items["image"].image
     assert tuple(drawn[0, 0]) == (100, 100, 100)
     assert tuple(drawn[4, 5]) == (209, 73, 91)
+
+
+@pytest.mark.parametrize("colour", [(12, 90, 200), (240, 128, 7)])
+def test_a_picture_is_drawn_in_its_colours_from_the_first_time_on(qtbot, view, colour):
+    pixels = np.empty((30, 40, 3), np.uint8)
+    pixels[:] = colour
+    for _ in range(2):
+        view.show_pixels(pixels)
+        qtbot.wait(30)
+        drawn = view.grab().toImage().pixelColor(view.place_of(15, 20).toPoint())
+        assert drawn.getRgb()[:3] == colour
 
 
 def test_a_map_without_any_value_is_shown_empty(view):
@@ -326,7 +338,50 @@ def test_both_themes_and_all_maps_do_not_stall_the_window(qtbot, application, op
     with Heartbeat() as heart:
         for shade in ("dark", "light"):
             application.look.set_shade(shade)
+            qtbot.wait(60)
             for kind in KINDS:
                 opened.kind.setValue(kind)
                 qtbot.wait(30)
+    heart.check()
+
+
+def test_a_view_of_a_large_camera_is_looked_through_without_a_stall(qtbot, application, window, measurement, monkeypatch, tmp_path):
+    monkeypatch.setattr(application.controllers.documents, "preview", lambda: None)
+    project = fringe_project(tmp_path / "p")
+    small = shiny_stack("view-01")
+    project.frames.store(replace(small, images={name: np.tile(images, (1, 1, 18, 3)) for name, images in small.images.items()}))
+    application.session.open_project("shiny", "gear", project.path)
+    application.session.set_measurement(measurement, {})
+    window.show_page("clouds")
+    decode_by_rules(small, DecodeSettings(), NoProgress())  # the kernels are loaded, as by the warm-up after the start
+    qtbot.wait(300)
+    page = window.pages["clouds"]
+    dialog = page.images_dialog
+    with Heartbeat() as heart:
+        heart.place = "opening"
+        page.images.click()
+        qtbot.waitUntil(lambda: dialog.view is not None and not dialog.progress.isVisible(), timeout=PATIENCE_MS)
+        qtbot.wait(100)
+        for camera in CAMERAS:
+            heart.place = f"camera {camera}"
+            dialog.cameras.setValue(camera)
+            qtbot.wait(60)
+            for kind in KINDS:
+                heart.place = f"{kind} of {camera}"
+                dialog.kind.setValue(kind)
+                qtbot.wait(60)
+                dialog.map.point_at(500, 700)
+                qtbot.wait(60)
+        heart.place = "profile"
+        dialog.line.click()
+        qtbot.wait(60)
+        for row in range(100, 120):
+            dialog.panel.fields[0].setValue(row)
+            qtbot.wait(30)
+        heart.place = "frames"
+        dialog.kind.setValue("fringes")
+        for image in range(8):
+            dialog.frames.setValue((1, image))
+            qtbot.wait(30)
+    dialog.close()
     heart.check()

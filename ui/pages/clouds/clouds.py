@@ -81,6 +81,7 @@ class CloudsPage(ViewportPage):
         self.holes.clicked.connect(self.act)
         self.action_row.addWidget(self.holes)
         self.images_dialog = ImagesDialog(look, controllers.images, self)
+        self.dialog.imagesAsked.connect(self.images_dialog.open_view)
         self.images = Button(
             "Images…", look, "images", tip="Stored images, phase, modulation, σ and exposures of the selected view, and profiles"
         )

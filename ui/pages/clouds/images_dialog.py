@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from PySide6.QtCore import Slot
+from PySide6.QtCore import QTimer, Slot
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QDialog, QProgressBar, QWidget
 
@@ -12,7 +12,7 @@ from ui.charts.bar_chart import Bar, BarChart
 from ui.charts.level_histogram import LevelHistogram
 from ui.controllers.images import ImagesController, ViewImages
 from ui.images.frame_bar import FrameBar
-from ui.images.layers import KINDS, TIPS, Layer, frame_layer, layer_of, legend_words
+from ui.images.layers import KINDS, TIPS, Layer, frame_layer, legend_words
 from ui.images.map_view import MapView
 from ui.images.profile_panel import ProfilePanel
 from ui.look.language.words import tr, translated
@@ -27,6 +27,7 @@ WAITING = "The images are decoded; the project is not changed."
 TOLD = ("phase", "wrapped", "sigma", "modulation", "exposure", "state")
 COLUMNS = {"phase": "phase_rad", "wrapped": "wrapped_rad", "sigma": "sigma_rad", "modulation": "modulation_grey"}  # of a saved profile
 HIGHEST_PROFILE = 200  # px
+NOTHING_DRAWN = (("", ""), (-1, -1))
 
 
 class ImagesDialog(QDialog):
@@ -39,7 +40,7 @@ class ImagesDialog(QDialog):
         self.resize(1240, 680)
         self.viewpoint_id = ""
         self.view: ViewImages | None = None
-        self._layers: dict[tuple[str, str], Layer] = {}  # by camera and kind
+        self._drawn = NOTHING_DRAWN  # viewpoint and camera, exposure and image
         self._make_parts()
         self._lay_out()
         images.loaded.connect(self._show)
@@ -120,8 +121,21 @@ class ImagesDialog(QDialog):
 
     def _load(self) -> None:
         self._show_running(True)
+<<<<<<< HEAD
         self.state.setText(translated(WAITING))
+=======
+        self.state.setText(WAITING)
+        QTimer.singleShot(0, self, self._prepare)
+>>>>>>> main
         self.images.load(self.viewpoint_id)
+
+    def _prepare(self) -> None:
+        """Make the axes while the images are decoded, one after the other so that the window answers in between."""
+        for chart in (self.map, self.chart, self.histogram, self.panel.upper, self.panel.lower):
+            if chart.plot is None:
+                chart.prepare()
+                QTimer.singleShot(0, self, self._prepare)
+                return
 
     def _show_running(self, running: bool) -> None:
         for part in (self.progress, self.note, self.cancel):
@@ -143,8 +157,7 @@ class ImagesDialog(QDialog):
     @Slot()
     def _forget(self) -> None:
         """Show nothing: the project, or the view, is another one."""
-        self.view = None
-        self._layers.clear()
+        self.view, self._drawn = None, NOTHING_DRAWN
         self.map.clear()
         self.pixel.setText("")
         self.values.setText(translated(ASK))
@@ -159,7 +172,6 @@ class ImagesDialog(QDialog):
             return
         if view is not self.view:
             self.view = view
-            self._layers.clear()
             self._make_cameras(tuple(view.maps))
             self.frames.show_stack(view.stack.exposures_us, view.stack.patterns.count)
         self._show_running(False)
@@ -185,12 +197,7 @@ class ImagesDialog(QDialog):
 
     def _layer(self, kind: str) -> Layer:
         assert self.view is not None
-        if kind == "fringes":
-            return frame_layer(self._frame())
-        key = self.cameras.value(), kind
-        if key not in self._layers:
-            self._layers[key] = layer_of(self.view.maps[key[0]], kind)
-        return self._layers[key]
+        return frame_layer(self._frame()) if kind == "fringes" else self.view.layers[self.cameras.value()][kind]
 
     def _draw_frame(self) -> None:
         if self.view is not None:
@@ -205,8 +212,12 @@ class ImagesDialog(QDialog):
             translated(legend_words(layer)) if layer.categories else tr("Saturated pixels are red.") if kind == "fringes" else ""
         )
         self.legend.setVisible(bool(self.legend.text()))
-        self.histogram.show_levels(self._frame(), self.view.stack.saturation)
-        self._show_valid(self.view)
+        of, frame = (self.view.viewpoint_id, self.cameras.value()), self.frames.value()
+        if (of, frame) != self._drawn:  # what does not depend on the kind of map
+            self.histogram.show_levels(self._frame(), self.view.stack.saturation)
+            if of != self._drawn[0]:
+                self._show_valid(self.view)
+            self._drawn = of, frame
         self.panel.fit(layer.values.shape)
         self._show_profile()
         if self.map.cursor_pixel is not None:

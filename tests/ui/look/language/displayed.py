@@ -46,7 +46,7 @@ def _cells(view: QAbstractItemView) -> Iterator[tuple[str, str]]:
 def _is_of_charts(one: QObject | None) -> bool:
     """Whether something belongs to the menus of the library of charts, which the window never shows."""
     while one is not None:
-        if type(one).__module__.startswith("pyqtgraph"):
+        if any(base.__module__.startswith("pyqtgraph") for base in type(one).__mro__):
             return True
         one = one.parent()
     return False
