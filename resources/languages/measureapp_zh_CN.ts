@@ -449,6 +449,10 @@
       <translation>像素状态</translation>
     </message>
     <message>
+      <source>Stored images, phase, modulation and σ at this pixel, and profiles</source>
+      <translation>该像素的已存图像、相位、调制度和 σ，以及剖面曲线</translation>
+    </message>
+    <message>
       <source>Stored images, phase, modulation, σ and exposures of the selected view, and profiles</source>
       <translation>所选视图的已存图像、相位、调制度、σ 和曝光，以及剖面</translation>
     </message>
@@ -531,6 +535,10 @@
     <message>
       <source>Values along a line, which the mouse or the numbers move</source>
       <translation>沿直线的数值，直线由鼠标或数字移动</translation>
+    </message>
+    <message>
+      <source>Values…</source>
+      <translation>数值…</translation>
     </message>
     <message>
       <source>Views</source>
@@ -3852,8 +3860,8 @@
       <translation>请至少五个电平各给出一次。</translation>
     </message>
     <message>
-      <source>Image {v1} of camera {v2} at {v3} µs contradicts the other exposures in {v4} of its pixels (it is {v5} times as bright as they predict).</source>
-      <translation>相机 {v2} 在 {v3} µs 的图像 {v1} 在其 {v4} 的像素上与其他曝光矛盾（亮度为其预测的 {v5} 倍）。</translation>
+      <source>Image {v1} of camera {v2} at {v3} µs contradicts the other exposures {v4}.</source>
+      <translation>相机 {v2} 在 {v3} µs 的图像 {v1} 与其他曝光矛盾{v4}。</translation>
     </message>
     <message>
       <source>No camera sees fringes at {v1} µs.</source>
@@ -7892,6 +7900,10 @@
       <translation>最细条纹一个周期内的相位</translation>
     </message>
     <message>
+      <source>Picture</source>
+      <translation>图像</translation>
+    </message>
+    <message>
       <source>Profile</source>
       <translation>剖面</translation>
     </message>
@@ -8513,10 +8525,6 @@
     <message>
       <source>Pick faces</source>
       <translation>选取面</translation>
-    </message>
-    <message>
-      <source>Picture</source>
-      <translation>图像</translation>
     </message>
     <message>
       <source>Pitch circle</source>
@@ -13025,10 +13033,6 @@ There is no page about “{name}”.</source>
     <message>
       <source>Circles in a row</source>
       <translation>排列的圆点</translation>
-    </message>
-    <message>
-      <source>Click a pixel to explain it. The wheel zooms, dragging pans, the arrow keys move by one pixel.</source>
-      <translation>单击像素以得到说明。滚轮缩放，拖动平移，方向键移动一个像素。</translation>
     </message>
     <message>
       <source>Click a viewpoint to show its images</source>

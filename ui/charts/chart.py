@@ -37,17 +37,13 @@ class Chart(QWidget):
 
     def redraw(self, spoken: str) -> None:
         """Draw the present data; ``spoken`` describes them to a screen reader."""
-<<<<<<< HEAD
         self.setAccessibleDescription(translated(spoken))
-=======
-        self.setAccessibleDescription(spoken)
         plot = self.prepare()
         plot.clear()
         self._draw(plot)
 
     def prepare(self) -> Plot:
         """Return the axes; they are made where there are none yet, which takes a while."""
->>>>>>> main
         if self.plot is None:
             self.plot = self._make_plot()
             self.layout().addWidget(self.plot)

@@ -9,11 +9,8 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal, Slot
 
 from ui.controllers.jobs import JobRunner
-<<<<<<< HEAD
-from ui.look.language.words import tr
-=======
 from ui.images.layers import Layer, layers_of
->>>>>>> main
+from ui.look.language.words import tr
 from ui.session import Session
 
 if TYPE_CHECKING:

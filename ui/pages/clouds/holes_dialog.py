@@ -9,11 +9,8 @@ from PySide6.QtGui import QCloseEvent, QColor
 from PySide6.QtWidgets import QDialog, QHeaderView, QProgressBar, QWidget
 
 from ui.controllers.holes import DrawnImage, Explanation, HolesController
-<<<<<<< HEAD
-from ui.look.language.words import tr, translated
-=======
 from ui.images.map_view import MapView
->>>>>>> main
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.look.wording import counted, exposure, percent, point_reason, quantity, sentence_case
 from ui.widgets.basic import Button, card, column, label, row
@@ -188,14 +185,8 @@ class HolesDialog(QDialog):
     def _show_image(self, image: DrawnImage) -> None:
         if (image.camera, image.kind) != (self.cameras.value(), self.kind.value()):
             return
-<<<<<<< HEAD
-        self.picture.show_image(coloured_image(image.pixels))
-        self.picture.choose(self.picture.chosen)
-        self.heading.setText(translated(HEADINGS[image.kind]))
-=======
         self.picture.show_pixels(image.pixels)
-        self.heading.setText(HEADINGS[image.kind])
->>>>>>> main
+        self.heading.setText(translated(HEADINGS[image.kind]))
         self._reasons = []
         if image.kind in ("exposure", "snr"):
             self.table.set_rows([_legend_cells(entry.words, entry.colour, entry.share) for entry in image.legend])

@@ -121,12 +121,8 @@ class ImagesDialog(QDialog):
 
     def _load(self) -> None:
         self._show_running(True)
-<<<<<<< HEAD
         self.state.setText(translated(WAITING))
-=======
-        self.state.setText(WAITING)
         QTimer.singleShot(0, self, self._prepare)
->>>>>>> main
         self.images.load(self.viewpoint_id)
 
     def _prepare(self) -> None:
