@@ -14,6 +14,8 @@ MOST_ROWS = 30
 def displayed_texts(top: QWidget) -> Iterator[tuple[str, str]]:
     """Return kind and text of what ``top`` and the widgets in it display or tell."""
     for widget in (top, *top.findChildren(QWidget)):
+        if _is_of_charts(widget):
+            continue
         kind = type(widget).__name__
         for text in (widget.toolTip(), widget.accessibleName(), widget.windowTitle() if widget.isWindow() else ""):
             yield f"{kind}.tip", text
