@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Literal
 
 from PySide6.QtCore import QObject, Signal
 
-from measureapp.data.deviation_scale import DeviationScale
 from ui.messages import BUSY, CALIBRATION, CANCEL, DEVICES, PROJECT, STOPPED, Level, Message, Messages
 from ui.settings.settings import Settings
 from ui.workers.mailbox import Mailboxes
@@ -21,6 +20,7 @@ if TYPE_CHECKING:
     from measureapp.acquire.states import DeviceState
     from measureapp.data.calibration import CameraArrayCalibration, RigCalibration
     from measureapp.data.cloud import StitchedCloud
+    from measureapp.data.deviation_scale import DeviationScale
     from measureapp.data.fringe import AxisReadback
     from measureapp.data.measurement import Inspection, Measurement, ViewResult
     from measureapp.data.plan import ScanPlan
@@ -42,6 +42,12 @@ Role = Literal["operator", "engineer"]
 GraphicsState = Literal["preparing", "ready", "failed"]
 
 
+def _usual_scale() -> DeviationScale:
+    from measureapp.data.deviation_scale import DeviationScale  # brings pydantic, for which the window does not wait
+
+    return DeviationScale()
+
+
 @dataclass(frozen=True, eq=False)
 class Comparison:
     """Deviations of one cloud from the nominal, and the areas of the nominal that were not measured."""
@@ -56,7 +62,7 @@ class Comparison:
     statistics: DeviationStatistics | None = None  # the numbers of legend, window, report and JSON
     smoothed: Smoothed | None = None  # for the eye only
     map: DeviationMap | None = None  # on the nominal
-    scale: DeviationScale = field(default_factory=DeviationScale)  # of the inspection program
+    scale: DeviationScale = field(default_factory=_usual_scale)  # of the inspection program
 
 
 @dataclass(frozen=True)

@@ -22,8 +22,8 @@ from measureapp.fringe.order_vote import settle_orders, vote_limits
 from measureapp.fringe.pixel_loop import UNGUARDED, PixelLoop, contiguous, total_counts
 from measureapp.fringe.unwrap import extent_px
 
+CLEARLY = 2.0  # times the phase noise, from which on changing light counts
 LEAST_USABLE, MOST_OUTSIDE = 0.01, 0.8
-CLEARLY = 2.0  # times the phase noise, from which on motion and changing light count
 Fill = Callable[[ExposureSums, list[tuple[int, int]]], None]  # writes the sums of some chunks (begin, end) one after the other
 UNLIT = (PixelState.SATURATED, PixelState.WEAK_MODULATION, PixelState.SHADOW, PixelState.BLOOMING)
 
@@ -199,10 +199,10 @@ class DirectionDecoder:
         evidence = self._residuals.evidence(self._noise, scatter)
         if factors is not None:
             widen(sigma, factors)
-        common = float(np.hypot(evidence.vibration_rad, evidence.light_rad))
-        known = sigma[:: max(1, self._shape[0] // 100)]
-        if common > CLEARLY * _median_of_known(known):
-            np.sqrt(sigma * sigma + np.where(sigma > 0, np.float32(common**2), np.float32(0)), out=sigma)
+        moved, known = evidence.vibration_rad, sigma[:: max(1, self._shape[0] // 100)]
+        lit = evidence.light_rad if evidence.light_rad > CLEARLY * _median_of_known(known) else 0.0
+        if moved or lit:
+            np.sqrt(sigma * sigma + np.where(sigma > 0, np.float32(moved**2 + lit**2), np.float32(0)), out=sigma)
         return evidence
 
     def _check_within(self, states: IntArray) -> None:

@@ -29,6 +29,7 @@ from measureapp.report.deviation_pictures import summarise_deviation
 from measureapp.report.header import calibration_age, header, plan_lines
 from measureapp.report.model import Details, DeviationSummary, Fact, Picture, ReportModel, Section, ViewLine
 from measureapp.report.part_pictures import placed_mesh, render_failing, render_part, scene_of
+from measureapp.report.valid_pixels import valid_pixel_facts, valid_pixels
 from measureapp.report.words import format_key, format_name, format_setting, number, percent
 
 
@@ -69,7 +70,7 @@ def compose(
         dimensions=tuple(dimensions),
         views=view_lines(measurement),
         header=header(measurement, details),
-        sections=_sections(measurement, deviation, why_not),
+        sections=_sections(measurement, details, deviation, why_not),
         pictures=render_part(measurement, scene) if pictures else (),
         deviation=summary_of_deviation,
         details=details,
@@ -86,7 +87,7 @@ def _cross_sections(nominal: Mesh | None, deviation: Deviation | None, summary: 
     return render_sections(nominal, deviation, summary.scale)
 
 
-def _sections(measurement: Measurement, deviation: Deviation | None, why_not: str) -> tuple[Section, ...]:
+def _sections(measurement: Measurement, details: Details, deviation: Deviation | None, why_not: str) -> tuple[Section, ...]:
     dimensions = () if measurement.inspection is None else measurement.inspection.dimensions
     calibration = (
         *_validity_facts(measurement.validity),
@@ -98,6 +99,7 @@ def _sections(measurement: Measurement, deviation: Deviation | None, why_not: st
         Section("Cloud and alignment", _cloud_facts(measurement, deviation, why_not)),
         Section("Set-ups", _setup_facts(measurement.setups)),
         Section("Checks of the error model", _consistency_facts(measurement.consistency)),
+        Section("Valid pixels of the exposures", valid_pixel_facts(valid_pixels(measurement, details.exposures_us))),
         Section("Calibration", calibration),
         Section("Settings", _settings_facts(measurement.settings)),
     )

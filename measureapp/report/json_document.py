@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import asdict
 from math import degrees, isfinite
 from typing import Any
 
@@ -14,6 +15,7 @@ from measureapp.data.measurement import Alignment, Measurement
 from measureapp.inspection.surface.statistics import DeviationStatistics, Extreme
 from measureapp.project.documents import consistency_document, setup_document, validity_document
 from measureapp.report.model import ReportModel, ViewLine
+from measureapp.report.valid_pixels import valid_pixels
 
 
 def dimension_document(dimension: Dimension) -> dict[str, Any]:
@@ -215,6 +217,7 @@ def report_document(model: ReportModel) -> dict[str, Any]:
         "verdict": None if model.verdict is None else model.verdict.value,
         "summary": model.summary,
         "verdict_rule": model.verdict_rule,
+        "valid_pixels": [asdict(one) for one in valid_pixels(model.measurement, model.details.exposures_us)],
         "deviation_mm": None if deviation is None else _figures(deviation.statistics),
         "unmeasured_share": None if deviation is None else deviation.statistics.no_data.total,
         "deviation_statistics": None if deviation is None else statistics_document(deviation.statistics),

@@ -41,6 +41,7 @@ class SensorEffects(Model):
     )
     dark_spread_e: float = Field(default=0.0, ge=0, description="dark signal non-uniformity in electrons, standard deviation (EMVA 1288)")
     curvature: float = Field(default=0.0, ge=0, lt=0.2, description="largest deviation of the response from a straight line, of full scale")
+    hot_ppm: float = Field(default=0.0, ge=0, lt=1e5, description="pixels per million with a high dark signal, up to full scale")
 
 
 class LensEffects(Model):
@@ -59,6 +60,9 @@ class ProjectorEffects(Model):
     level_spread: float = Field(default=0.0, ge=0, description="light from one image to the next, relative standard deviation")
     vignetting: float = Field(default=0.0, ge=0, lt=1, description="loss of light in the corners")
     drift_px: float = Field(default=0.0, ge=0, description="displacement of the image until the projector is warm, at full resolution")
+    shake_px: float = Field(
+        default=0.0, ge=0, description="vibration: displacement of each image across the fringes, standard deviation at full resolution"
+    )
 
 
 class AxisEffects(Model):
@@ -70,6 +74,8 @@ class AxisEffects(Model):
     guide_angle_arcsec: float = Field(default=0.0, ge=0, description="pitch, yaw and roll of the slide, half their range over the stroke")
     guide_straightness_mm: float = Field(default=0.0, ge=0, description="further straightness error of the guide, half its range")
     robot_growth_mm: float = Field(default=0.0, ge=0, description="displacement of the flange until the robot is warm")
+    table_backlash_arcsec: float = Field(default=0.0, ge=0, description="play of the table between both directions of turning")
+    guide_backlash_mm: float = Field(default=0.0, ge=0, description="play of the slide between both directions of travel")
 
 
 class WarmthEffects(Model):

@@ -16,7 +16,11 @@ from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.geometry.transform import RigidTransform, rotation_about
 from measureapp.simulate.effects.bounce import Bounce
 from measureapp.simulate.effects.effects import draw_effects
+from measureapp.simulate.effects.motions import play
+from measureapp.simulate.effects.shake import displaced
 from measureapp.simulate.effects.sharpness import object_depth
+from measureapp.simulate.effects.warmth import FULL_PROJECTOR_PX
+from measureapp.simulate.kinematics import ARCSEC
 from measureapp.simulate.optics import ProjectorLight, SeeingCamera, expose, project_images
 from measureapp.simulate.options import WorldOptions
 from measureapp.simulate.part import Part
@@ -71,7 +75,8 @@ class World:
         self._noise_key = int(np.random.default_rng([seed, 102]).integers(2**31)) << 31
         self._images = 0
         self._levels = np.random.default_rng([seed, 103])
-        self._level, self._ambient = 1.0, self.options.light.ambient
+        self._level, self._ambient, self._shake_px = 1.0, self.options.light.ambient, 0.0
+        self._shakes = np.random.default_rng([seed, 104])
         self._printed = PrintedBoard(board, self.options.board_bow_mm, self._effects.board_print)
         self._surface: Surface | None = None
         self._table_holds: TableContent = "empty"
@@ -120,14 +125,16 @@ class World:
         """Bring the slide to a commanded position."""
         with self._lock:
             if position_mm != self._commanded.guide_mm:
-                self._guide_from_base = self._slide_reached(position_mm)
+                late = play(self._commanded.guide_mm, position_mm, self.options.motions.guide_backlash_mm)
+                self._guide_from_base = self._slide_reached(position_mm + late)
                 self._set_commanded(AxisReadback(self._commanded.base_from_flange, position_mm, self._commanded.table_rad))
 
     def turn_table(self, angle_rad: float) -> None:
         """Bring the table to a commanded angle."""
         with self._lock:
             if angle_rad != self._commanded.table_rad:
-                self._table_rad = self._angle_reached(angle_rad)
+                late = play(self._commanded.table_rad, angle_rad, self.options.motions.table_backlash_arcsec * ARCSEC)
+                self._table_rad = self._angle_reached(angle_rad) + late
                 self._set_commanded(AxisReadback(self._commanded.base_from_flange, self._commanded.guide_mm, angle_rad))
 
     def _set_commanded(self, commanded: AxisReadback) -> None:
@@ -166,6 +173,8 @@ class World:
             self._shown = index
             self._level = 1.0 + self.options.projector.level_spread * float(self._levels.standard_normal())
             self._ambient = self.options.light.ambient * (1.0 + self.options.ambient_flicker * float(self._levels.standard_normal()))
+            scale = self.description.projector.width_px / FULL_PROJECTOR_PX
+            self._shake_px = self.options.projector.shake_px * scale * float(self._shakes.standard_normal())
 
     @property
     def shown(self) -> int:
@@ -218,6 +227,8 @@ class World:
         if self._shown == PLAIN_LIGHT:
             return None
         pattern = self._patterns[self._shown]
+        if self._shake_px:
+            pattern = displaced(pattern, self._shake_px)
         return pattern if self._level == 1.0 else pattern * np.float32(self._level)
 
     def _light_map(self, camera: str) -> FloatArray:

@@ -97,6 +97,7 @@ INPUTS: list[tuple[str, str]] = [
     ("rig check paper --calibration IN", ""),
     ("process IN", ""),
     ("verify IN", ""),
+    ("exposures IN", ""),
     ("raw IN", ""),
     ("discard IN view01", ""),
     ("report IN --out OUT", ""),

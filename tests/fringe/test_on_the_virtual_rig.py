@@ -10,6 +10,7 @@ from measureapp.data.pattern_sets import DEFAULT_PATTERNS, PAPER_PATTERNS
 from measureapp.fringe.decode import decode
 from measureapp.fringe.settings import DecodeSettings
 from measureapp.pattern_trial import Scene, capture, evaluate, run_trial
+from measureapp.simulate.options import ProjectorEffects
 
 MOST_WRONG_PAPER, MOST_WRONG_OURS = 5e-4, 1e-5
 LEAST_DECODED = 0.99
@@ -51,6 +52,23 @@ def test_combined_exposures_lower_the_noise_and_lose_no_pixel_against_the_papers
 def test_the_predicted_noise_of_the_column_is_that_of_the_images() -> None:
     found = evaluate(world := Scene("gypsum").world(), decode(capture(world, DEFAULT_PATTERNS))["left"])
     assert 1.4826 * np.median(np.abs(found.error_px / found.sigma_px)) == pytest.approx(1.0, abs=0.06)
+
+
+def test_vibration_widens_sigma_by_what_it_costs() -> None:
+    """Ten groups of four displacements: some eight degrees of freedom that every pixel shares, so that one view scatters by a factor of two."""
+    ratios, widened = [], []
+    for seed in (1, 2, 3):
+        sigmas = []
+        for shake in (0.0, 0.2):
+            world = Scene("gypsum", seed=seed).world()
+            world.options = world.options.model_copy(update={"projector": ProjectorEffects(shake_px=shake)})
+            found = decode(capture(world, DEFAULT_PATTERNS))["left"]
+            sigmas.append(np.median(found.sigma_rad[found.valid]))
+        off = evaluate(world, found)
+        ratios.append(1.4826 * np.median(np.abs(off.error_px / off.sigma_px)))
+        widened.append(sigmas[1] / sigmas[0])
+    assert np.sqrt(np.mean(np.square(ratios))) < 1.5
+    assert min(widened) > 1.3
 
 
 @pytest.mark.slow

@@ -18,7 +18,7 @@ ROOT = Path(__file__).resolve().parents[2]
 LOCK = ROOT / "installer" / "requirements.lock"
 PLACES = re.compile("|".join("/" + place + "/" for place in ("work", "root", "home", "tmp", "opt/pypi")) + r"|[A-Z]:\\Users|file:/" + "/")
 INDEX = re.compile(r"--(extra-)?index-" + r"url\b|pypi\.org/" + r"simple|--find-" + "links|--trusted-" + "host")
-NOT_YET_IMPORTED = {"pymodbus", "pyserial", "pyqtgraph", "pyvista"}  # for drivers and plots to come
+NOT_YET_IMPORTED = {"pymodbus", "pyserial", "pyvista"}  # for drivers to come
 TEXT = {".py", ".toml", ".md", ".lock", ".yaml", ".yml", ".typ", ".qss", ".json", ".csv", ".txt", ""}
 
 

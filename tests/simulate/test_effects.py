@@ -13,7 +13,8 @@ from measureapp.data.rig import RigDescription
 from measureapp.simulate.effects.board_print import draw_print
 from measureapp.simulate.effects.form import made_part, with_surroundings
 from measureapp.simulate.effects.motions import draw_guide_motion, draw_table_motion
-from measureapp.simulate.effects.sensor import draw_pixels
+from measureapp.simulate.effects.sensor import HOT_FROM, draw_pixels
+from measureapp.simulate.effects.shake import displaced
 from measureapp.simulate.effects.sharpness import Sharpness
 from measureapp.simulate.effects.warmth import draw_warmth
 from measureapp.simulate.effects.waves import draw_waves
@@ -24,6 +25,7 @@ from measureapp.simulate.options import (
     LensEffects,
     PartEffects,
     ProjectorEffects,
+    RigErrors,
     SensorEffects,
     WarmthEffects,
     WorldOptions,
@@ -34,6 +36,7 @@ from measureapp.simulate.world import PLAIN_LIGHT, World
 from measureapp.simulate.worlds import WORLDS
 
 EXPOSURE_US = 60_000
+ALONE = ("hot_ppm", "shake_px", "table_backlash_arcsec", "guide_backlash_mm")  # effects that no named world has yet
 
 
 def rng(seed: int = 5) -> np.random.Generator:
@@ -184,6 +187,75 @@ def test_pixels_differ_by_their_gain_and_the_response_bends() -> None:
     assert 0.25 * 0.02 < np.abs(bend).max() <= 0.0201
 
 
+def test_hot_pixels_are_as_many_as_stated_and_brighter_than_all_others() -> None:
+    pixels = draw_pixels(SensorEffects(hot_ppm=1000), 500, 400, 6000.0, rng())
+    assert pixels is not None
+    hot = pixels.dark > 0
+    assert np.count_nonzero(hot) == pytest.approx(200, abs=4 * 200**0.5)
+    assert pixels.dark[hot].min() >= HOT_FROM
+    assert pixels.dark.max() <= 1.0
+    other = draw_pixels(SensorEffects(hot_ppm=1000), 500, 400, 6000.0, rng(6))
+    assert other is not None
+    assert np.count_nonzero(hot & (other.dark > 0)) < 5
+
+
+def test_a_displaced_pattern_keeps_its_shape_and_its_modulation() -> None:
+    columns = np.arange(256.0)
+    for shift in (-1.3, -0.5, 0.0, 0.2, 2.75):
+        pattern = np.tile(np.cos(2 * np.pi * columns / 32), (3, 1)).astype(np.float32)
+        wanted = np.cos(2 * np.pi * (columns - shift) / 32)
+        np.testing.assert_allclose(displaced(pattern, shift)[:, 4:-4], np.tile(wanted, (3, 1))[:, 4:-4], atol=0.005)
+
+
+def test_vibration_displaces_the_fringes_by_its_standard_deviation(
+    paper: RigDescription, look_from: Callable[..., None], ideal: WorldOptions
+) -> None:
+    """On a ramp over the columns the light of a pixel is proportional to the projector's column that it sees."""
+    width, height = paper.projector.width_px, paper.projector.height_px
+    dark = ideal.light.model_copy(update={"ambient": 0.0})
+    seen = []
+    for seed, images in ((1, 300), (1, 2), (2, 2)):
+        options = ideal.model_copy(update={"light": dark, "projector": ProjectorEffects(shake_px=0.4)})
+        world = World(paper, make_part("flat"), seed, options=options)
+        world.table_holds = "part"
+        look_from(world, 5.0, 60.0)
+        world.load_patterns(np.tile(np.arange(width) / width, (1, height, 1)).astype(np.float32))
+        column = world.true_light("left")[..., 0]
+        near = (column > 0.45 * width) & (column < 0.55 * width)
+        taken = []
+        for _ in range(images):
+            world.show(0)
+            taken.append(world.mean_image("left", EXPOSURE_US)[near])
+        seen.append(np.array(taken))
+    light, scale = seen[0], width / 1024
+    moved = np.median(light / light.mean(axis=0) - 1.0, axis=1) * 0.5 * width
+    assert moved.std() == pytest.approx(0.4 * scale, rel=0.15)  # 300 draws: 4 % (k = 1)
+    assert np.array_equal(seen[1], seen[0][:2]) and not np.array_equal(seen[1], seen[2])
+
+
+def test_table_and_guide_stay_behind_by_half_their_play_on_the_side_from_which_they_come(
+    paper: RigDescription, look_from: Callable[..., None]
+) -> None:
+    still = RigErrors(axes=False)
+    motions = AxisEffects(table_backlash_arcsec=20, guide_backlash_mm=0.03)
+    free, stiff = (
+        World(paper, make_part("flat"), 1, options=WorldOptions(errors=still, motions=each)) for each in (motions, AxisEffects())
+    )
+    for goal, side in ((0.5, -1.0), (0.8, -1.0), (0.5, 1.0)):
+        for world in (free, stiff):
+            world.turn_table(goal)
+            world.move_guide(100.0 * goal)
+        assert free.readback().table_rad == stiff.readback().table_rad
+        late_mm = (stiff.guide_from_camera().inverse() @ free.guide_from_camera()).translation_mm
+        assert np.linalg.norm(late_mm) == pytest.approx(0.015, rel=1e-3)
+        travel = free.guide_from_camera().translation_mm - stiff.guide_from_camera().translation_mm
+        assert np.sign(travel[np.argmax(np.abs(travel))]) == side
+    for world in (free, stiff):
+        world.move_guide(0.0)
+    turned = (free.scene_from_camera() @ stiff.scene_from_camera().inverse()).rotation
+    assert abs(np.arcsin(turned[1, 0])) == pytest.approx(10 * ARCSEC, rel=1e-3)
+
+
 def test_a_made_part_deviates_from_its_drawing_by_its_form_error_and_stays_closed() -> None:
     nominal = make_part("sphere_plate")
     made = made_part(nominal, WorldOptions(part=PartEffects(form_mm=0.03)), rng())
@@ -246,7 +318,7 @@ def test_the_named_worlds_grow_from_ideal_to_bad() -> None:
     for group in ("pixels", "lenses", "projector", "motions", "warmth", "board", "part"):
         values = [getattr(WORLDS[name], group).model_dump() for name in ("ideal", "good", "usual", "bad")]
         for field in values[0]:
-            if field in ("minutes", "warm_share", "seconds_per_image", "fixture"):
+            if field in ("minutes", "warm_share", "seconds_per_image", "fixture") or field in ALONE:
                 continue
             course = [one[field] for one in values]
             assert course == sorted(course) and course[0] == 0 < course[1], f"{group}.{field}"

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QPoint, QPointF, Qt
+from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtGui import QMouseEvent
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication
 
 from measureapp.data.cloud import PointCloud
 from measureapp.data.phase import PhaseMap, PixelState
@@ -14,9 +16,9 @@ from measureapp.errors import CalibrationError
 from measureapp.pipeline import why as pipeline_why
 from measureapp.pipeline.why import ExplainedView
 from measureapp.reconstruct.reconstruct import Reconstruction
+from ui.images.map_view import MapView
 from ui.look.look import Look
 from ui.pages.clouds.holes_dialog import ASK
-from ui.widgets.pixel_picture import PixelPicture, coloured_image
 
 HEIGHT, WIDTH = 48, 64
 CAMERAS = ("left", "right")
@@ -59,6 +61,11 @@ def clouds(application, window, measurement, monkeypatch, tmp_path):
     return window.pages["clouds"]
 
 
+def click(qtbot, picture, place):
+    viewport = picture.plot.viewport()
+    qtbot.mouseClick(viewport, Qt.MouseButton.LeftButton, pos=viewport.mapFrom(picture, place))
+
+
 def settled(qtbot, page):
     qtbot.waitUntil(lambda: not page.controllers.explaining.queue.busy and not page.dialog.picture.is_empty, timeout=10_000)
     return page.dialog
@@ -83,7 +90,7 @@ def test_a_click_on_a_pixel_shows_stage_reason_and_numbers(qtbot, clouds):
     dialog = settled(qtbot, clouds)
     assert dialog.answer.text() == ASK
     place = dialog.picture.place_of(20, 30).toPoint()
-    qtbot.mouseClick(dialog.picture, Qt.MouseButton.LeftButton, pos=place)
+    click(qtbot, dialog.picture, place)
     assert dialog.place.text() == "Row 20, column 30"
     assert dialog.stage.text() == "Lost in matching: contradicted"
     assert "Another camera sees a projector line" in dialog.answer.text()
@@ -94,12 +101,26 @@ def test_a_click_on_a_pixel_shows_stage_reason_and_numbers(qtbot, clouds):
     assert "Point σ 0.012 mm" in dialog.figures.text().replace("\u00a0", " ")
 
 
+def test_the_values_of_the_chosen_pixel_are_one_click_away(qtbot, clouds, monkeypatch):
+    asked = []
+    clouds.holes.click()
+    dialog = settled(qtbot, clouds)
+    monkeypatch.setattr(
+        clouds.images_dialog, "_load", lambda: asked.append((clouds.images_dialog.viewpoint_id, clouds.images_dialog._wanted))
+    )
+    click(qtbot, dialog.picture, dialog.picture.place_of(20, 30).toPoint())
+    dialog.values.click()
+    assert asked == [("view-01", ("left", (20, 30)))]
+    assert clouds.images_dialog.isVisible()
+    clouds.images_dialog.close()
+
+
 def test_a_reason_in_the_list_shows_a_pixel_that_has_it(qtbot, clouds):
     clouds.holes.click()
     dialog = settled(qtbot, clouds)
     names = [text[0] for text in dialog.table.texts()]
     dialog.table.cellClicked.emit(names.index("Saturated"), 0)
-    assert dialog.picture.chosen == (5, 40)
+    assert dialog.picture.cursor_pixel == (5, 40)
     assert dialog.stage.text() == "Lost in decoding: saturated"
 
 
@@ -122,7 +143,7 @@ def test_a_picked_point_leads_to_its_pixel_in_its_camera(qtbot, clouds, calibrat
     dialog = settled(qtbot, clouds)
     assert dialog.viewpoint_id == "view-03"
     assert dialog.cameras.value() == calibration.cameras.names[1] == "right"
-    assert dialog.picture.chosen == (7, 50)
+    assert dialog.picture.cursor_pixel == (7, 50)
     assert dialog.stage.text() == "Measured by another camera"
 
 
@@ -181,33 +202,48 @@ def test_a_project_that_is_not_on_disk_offers_no_images(application, window, mea
     assert page.properties.action == ""
 
 
-def test_the_picture_finds_the_pixel_under_the_mouse_at_every_size(qtbot):
-    picture = PixelPicture(Look("light"))
-    qtbot.addWidget(picture)
-    picture.resize(400, 300)
-    picture.show_image(coloured_image(np.zeros((HEIGHT, WIDTH, 3), np.uint8)))
-    for zoom in (1.0, 1.7, 6.0):
-        picture._zoom = zoom
+@pytest.fixture
+def picture(qtbot):
+    made = MapView(Look("light"))
+    qtbot.addWidget(made)
+    made.resize(400, 300)
+    made.show()
+    made.show_pixels(np.zeros((HEIGHT, WIDTH, 3), np.uint8))
+    qtbot.wait(30)
+    return made
+
+
+def test_the_picture_finds_the_pixel_under_the_mouse_at_every_size(qtbot, picture):
+    for zoom in (1.0, 0.6, 0.3):
+        picture.plot.getViewBox().scaleBy((zoom, zoom))
         for pixel in ((0, 0), (20, 30), (47, 63)):
             picture.choose(pixel)
             place = picture.place_of(*pixel)
             assert picture.rect().contains(place.toPoint())
             assert picture.pixel_at(place) == pixel
-    picture._zoom, picture._centre = 1.0, QPointF(WIDTH / 2, HEIGHT / 2)
+    picture.show_all()
+    qtbot.wait(10)
     assert picture.pixel_at(QPointF(-20, 150)) is None
 
 
-def test_dragging_the_picture_moves_it_and_chooses_nothing(qtbot):
-    picture = PixelPicture(Look("light"))
-    qtbot.addWidget(picture)
-    picture.resize(400, 300)
-    picture.show_image(coloured_image(np.zeros((HEIGHT, WIDTH, 3), np.uint8)))
-    picture._zoom = 4.0
+def test_dragging_the_picture_moves_it_and_chooses_nothing(qtbot, picture):
+    picture.plot.getViewBox().scaleBy((0.25, 0.25))
+    qtbot.wait(10)
+    viewport = picture.plot.viewport()
     before = picture.pixel_at(QPointF(200, 150))
     with qtbot.assertNotEmitted(picture.pixelChosen):
-        qtbot.mousePress(picture, Qt.MouseButton.LeftButton, pos=QPoint(200, 150))
-        qtbot.mouseMove(picture, QPoint(160, 150))
-        qtbot.mouseRelease(picture, Qt.MouseButton.LeftButton, pos=QPoint(160, 150))
+        qtbot.mousePress(viewport, Qt.MouseButton.LeftButton, pos=QPoint(200, 150))
+        for x in range(195, 155, -5):
+            QApplication.sendEvent(viewport, moved(viewport, QPoint(x, 150)))
+        qtbot.mouseRelease(viewport, Qt.MouseButton.LeftButton, pos=QPoint(160, 150))
     after = picture.pixel_at(QPointF(160, 150))
     assert after is not None and before is not None
     assert abs(after[1] - before[1]) <= 1 and after[0] == before[0]
+    assert picture.pixel_at(QPointF(200, 150)) != before
+
+
+def moved(widget, place):
+    left = Qt.MouseButton.LeftButton
+    return QMouseEvent(
+        QEvent.Type.MouseMove, QPointF(place), QPointF(widget.mapToGlobal(place)), left, left, Qt.KeyboardModifier.NoModifier
+    )

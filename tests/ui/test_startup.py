@@ -16,7 +16,7 @@ from ui.controllers import startup
 from ui.workers.job import LOG, unexpected
 
 ROOT = Path(__file__).resolve().parents[2]
-HEAVY = ("vtk", "vtkmodules", "pyvista", "open3d", "numba", "cv2", "scipy", "trimesh", "pydantic")
+HEAVY = ("vtk", "vtkmodules", "pyvista", "pyqtgraph", "open3d", "numba", "cv2", "scipy", "trimesh", "pydantic")
 START = f"""
 import json, sys, time
 begin = time.perf_counter()

@@ -16,6 +16,7 @@ from ui.controllers.files import FilesController
 from ui.controllers.filtering import FilteringController
 from ui.controllers.growing import GrowingController
 from ui.controllers.holes import HolesController
+from ui.controllers.images import ImagesController
 from ui.controllers.jobs import JobRunner
 from ui.controllers.nominal import NominalController
 from ui.controllers.operator import OperatorController
@@ -48,6 +49,7 @@ class Controllers(QObject):
         self.background = JobRunner(session, self)
         self.drawing = JobRunner(session, self)
         self.explaining = JobRunner(session, self)
+        self.imaging = JobRunner(session, self)
         self.solving = JobRunner(session, self)
         self.editing = JobRunner(session, self)
         self.predicting = JobRunner(session, self)
@@ -66,6 +68,7 @@ class Controllers(QObject):
         self.comparison = ComparisonController(session, self.background, self)
         self.stored_images = StoredImagesController(session, self.background, self)
         self.holes = HolesController(session, self.explaining, self)
+        self.images = ImagesController(session, self.imaging, self)
         self.view_choices = ViewChoicesController(session, self.jobs, self)
         self.files = FilesController(session, self.jobs, self)
         self.filtering = FilteringController(session, self.jobs, self)
@@ -89,12 +92,13 @@ class Controllers(QObject):
 
     @property
     def runners(self) -> tuple[JobRunner, ...]:
-        """All queues: foreground and background jobs, drawing, explanation of views, solving, editing, plans, inspection, operator mode."""
+        """All queues: foreground and background jobs, drawing, explanation of views, images, solving, editing, plans, inspection, operator mode."""
         return (
             self.jobs,
             self.background,
             self.drawing,
             self.explaining,
+            self.imaging,
             self.solving,
             self.editing,
             self.predicting,

@@ -34,6 +34,8 @@ NAMES = {
     "pdf": "file-pdf",
     "fit": "corners-out",
     "holes": "image-square",
+    "images": "stack",
+    "profile": "chart-line",
     "labels": "tag",
     "section": "knife",
     "filter": "funnel",

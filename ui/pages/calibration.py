@@ -11,13 +11,13 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction
 from PySide6.QtWidgets import QMenu, QWidget
 
+from ui.charts.bar_chart import Bar, BarChart
 from ui.controllers.controllers import Controllers
 from ui.look.look import Look
 from ui.look.wording import millimetres, quantity, sentence_case, when
 from ui.pages.calibration_rows import PROJECTOR_ROW, SolutionRow, added_to_length_mm, camera_rows, contributions, solution_rows
 from ui.pages.page import Page
 from ui.session import Session
-from ui.widgets.bar_chart import Bar, BarChart
 from ui.widgets.basic import Button, card, column, label
 from ui.widgets.data_table import Cell, DataTable, number, verdict_cell
 from ui.widgets.empty_state import EmptyState
@@ -60,7 +60,7 @@ class CalibrationPage(Page):
         self.action_row.addWidget(figure)
         self.action_row.addSpacing(16)
         self.action_row.addWidget(self.calibrate)
-        self.chart = BarChart(look)
+        self.chart = BarChart(look, "Contribution, 1 σ")
         self.shares = card(
             label("Contribution to the kinematic position of a point (1 σ)", "heading"),
             label(SHARES_TEXT, "soft", wrap=True),

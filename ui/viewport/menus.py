@@ -9,13 +9,13 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QLocale, QPoint, Qt
 from PySide6.QtWidgets import QLineEdit, QMenu, QWidget
 
-from measureapp.data.deviation_scale import RampName
 from ui.look.wording import MINUS
 from ui.viewport.overlay.legend import Legend
 from ui.viewport.overlay.legend_edits import STEP_CHOICES, Handle, reset, swapped, symmetric, value_of, with_value
 from ui.viewport.overlay.legend_layout import digits_of
 
 if TYPE_CHECKING:
+    from measureapp.data.deviation_scale import RampName
     from ui.viewport.cloud_view import CloudView
     from ui.viewport.pick import Pick
 

@@ -11,6 +11,8 @@ from ui.look.look import Look
 from ui.look.painting import LEFT, picture_painter, set_letters
 
 MAX_SIDE = 640
+RED = 0xFFD1495B
+LEVELS = 254  # grey levels; the last entry of the table marks saturation
 
 
 def grey_image(pixels: np.ndarray) -> QImage:
@@ -21,6 +23,18 @@ def grey_image(pixels: np.ndarray) -> QImage:
         thin = (thin.astype(np.float32) * (255.0 / max(1.0, float(thin.max())))).astype(np.uint8)
     thin = np.ascontiguousarray(thin)
     return QImage(thin.data, thin.shape[1], thin.shape[0], thin.strides[0], QImage.Format.Format_Grayscale8).copy()
+
+
+def marked_image(pixels: np.ndarray, saturation: int) -> QImage:
+    """Convert an image (H, W) of 8 or 16 bits to 8 bits, at most 640 px per side, with saturated pixels in red."""
+    step = max(1, -(-max(pixels.shape) // MAX_SIDE))
+    thin = pixels[::step, ::step]
+    grey = np.minimum(thin.astype(np.float32) * (LEVELS / saturation), LEVELS).astype(np.uint8)
+    grey[thin >= saturation] = LEVELS + 1
+    grey = np.ascontiguousarray(grey)
+    image = QImage(grey.data, grey.shape[1], grey.shape[0], grey.strides[0], QImage.Format.Format_Indexed8)
+    image.setColorTable([0xFF000000 | level << 16 | level << 8 | level for level in range(LEVELS + 1)] + [RED])
+    return image.copy()
 
 
 class ImageView(QWidget):

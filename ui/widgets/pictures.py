@@ -3,30 +3,15 @@
 from __future__ import annotations
 
 import numpy as np
-from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QWidget
 
 from ui.look.look import Look
 from ui.look.wording import exposure, percent
 from ui.widgets.basic import clear, column
-from ui.widgets.image_view import MAX_SIDE, ImageView
+from ui.widgets.image_view import ImageView, marked_image
 
-RED = 0xFFD1495B
-LEVELS = 254  # grey levels; the last entry of the table marks saturation
 EVERY = 4  # pixels, in rows and columns, for the share that is saturated
 LEAST_SHOWN, HARDLY = 0.0005, 0.01  # saturated share
-
-
-def marked_image(pixels: np.ndarray, saturation: int) -> QImage:
-    """Convert an image (H, W) of 8 or 16 bits to 8 bits, at most 640 px per side, with saturated pixels in red."""
-    step = max(1, -(-max(pixels.shape) // MAX_SIDE))
-    thin = pixels[::step, ::step]
-    grey = np.minimum(thin.astype(np.float32) * (LEVELS / saturation), LEVELS).astype(np.uint8)
-    grey[thin >= saturation] = LEVELS + 1
-    grey = np.ascontiguousarray(grey)
-    image = QImage(grey.data, grey.shape[1], grey.shape[0], grey.strides[0], QImage.Format.Format_Indexed8)
-    image.setColorTable([0xFF000000 | level << 16 | level << 8 | level for level in range(LEVELS + 1)] + [RED])
-    return image.copy()
 
 
 class Pictures(QWidget):

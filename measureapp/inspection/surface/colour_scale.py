@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Literal
+from typing import TYPE_CHECKING, Literal, TypeAlias
 
 import numpy as np
 
 from measureapp.arrays import FloatArray
-from measureapp.data.deviation_scale import DeviationScale, RampName
 
-AnyRamp = RampName | Literal["growing"]
+if TYPE_CHECKING:
+    from measureapp.data.deviation_scale import DeviationScale, RampName
+
+AnyRamp: TypeAlias = "RampName | Literal['growing']"
 BEYOND_SHADE = 0.62  # of the end colours outside the range
 # dark blue – teal – yellow, as nodes of a linear interpolation, for what only grows
 GROWING = np.array([[38, 24, 95], [33, 96, 140], [31, 150, 139], [104, 198, 96], [240, 228, 66]], float)

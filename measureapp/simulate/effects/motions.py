@@ -50,6 +50,11 @@ class GuideMotion:
         return RigidTransform.from_vector(vector[:3], vector[3:], "base", "base")
 
 
+def play(before: float, goal: float, backlash: float) -> float:
+    """Return how far an axis stays behind a goal: half its backlash, on the side from which it comes."""
+    return float(np.copysign(0.5 * backlash, before - goal))
+
+
 def draw_table_motion(effects: AxisEffects, rng: np.random.Generator) -> TableMotion | None:
     """Draw the error motion of a table; every kind has the range that the effects state. None if there is none."""
     coefficients = rng.normal(size=(2, 6, len(HARMONICS))) * SHARES

@@ -9,6 +9,8 @@ import numpy as np
 from measureapp.arrays import FloatArray, read_only
 from measureapp.simulate.options import SensorEffects
 
+HOT_FROM = 0.1  # dark signal from which a pixel is called hot, of full scale
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class PixelErrors:
@@ -38,4 +40,6 @@ def draw_pixels(effects: SensorEffects, width_px: int, height_px: int, full_well
     gain = 1.0 + effects.gain_spread * rng.standard_normal((height_px, width_px), np.float32)
     dark = effects.dark_spread_e / full_well_e * np.abs(rng.standard_normal((height_px, width_px), np.float32))
     curvature, skew = effects.curvature * rng.uniform(0.3, 1.0) * rng.choice([-1.0, 1.0]), rng.uniform(0.0, 0.5)
+    hot = rng.random((height_px, width_px), np.float32) < 1e-6 * effects.hot_ppm
+    dark[hot] = rng.uniform(HOT_FROM, 1.0, np.count_nonzero(hot))
     return PixelErrors(read_only(gain, np.float32), read_only(dark, np.float32), float(curvature), float(skew))

@@ -12,6 +12,7 @@ from recorded import recorded
 
 from measureapp.data.fringe import FringeStack, GrayCodeGroup, PatternSet, PhaseShiftGroup
 from measureapp.errors import DecodeError
+from measureapp.fringe.checks.exposures import check_exposures
 from measureapp.fringe.checks.stack import check_stack
 from measureapp.project.images import read_image
 from tests.fringe.conftest import images_of, pattern_level, ramp
@@ -170,6 +171,27 @@ def test_exposures_that_flicker_by_a_tenth_pass() -> None:
         images[1] = np.rint(images[1] * 1.1)
 
     check_stack(stack(FOUR, change=change))
+
+
+def bent(images: np.ndarray) -> None:
+    """The response of a bad camera: 3 % of full scale off a straight line, most in the dark, and a lamp that varies by 1 %."""
+    level = images / 255.0 * np.random.default_rng(3).normal(1.0, 0.01, (*images.shape[:2], 1, 1))
+    images[:] = np.clip(np.rint(255.0 * (level + 0.2 * level * (1.0 - level) ** 2)), 0, 255)
+
+
+def test_a_response_that_bends_makes_all_images_of_an_exposure_alike_brighter_and_passes() -> None:
+    """Four equally shifted images that are brighter by the same share have the same phase."""
+    check_exposures(stack(FOUR, (100_000, 80_000, 60_000, 40_000, 20_000), bent, mean=150.0, modulation=70.0))
+
+
+def test_one_image_that_is_brighter_than_the_others_of_its_exposure_is_refused_as_a_whole() -> None:
+    def brighter(images: np.ndarray) -> None:
+        images[1, 3] = np.clip(np.rint(images[1, 3] * 1.1), 0, 255)
+
+    with pytest.raises(
+        DecodeError, match=r"Image 4 .* at 50000 µs contradicts the other exposures as a whole: it is 1\.\d+ times as bright"
+    ):
+        check_exposures(stack(FOUR, change=brighter))
 
 
 def test_cameras_of_different_bit_depths_are_refused() -> None:

@@ -15,6 +15,7 @@ from ui.look.wording import counted, millimetres, several
 from ui.pages.clicked_distance import DistanceTool
 from ui.pages.clouds.cloud_picture import CloudPicture
 from ui.pages.clouds.holes_dialog import HolesDialog
+from ui.pages.clouds.images_dialog import ImagesDialog
 from ui.pages.clouds.scales import Scales
 from ui.pages.clouds.view_table import TABLE_WIDTH, ViewTable
 from ui.pages.clouds.view_words import choice_for, view_properties
@@ -78,6 +79,13 @@ class CloudsPage(ViewportPage):
         self.holes = Button("Images and holes", look, "holes", tip="The images of the selected view, and why pixels have no point")
         self.holes.clicked.connect(self.act)
         self.action_row.addWidget(self.holes)
+        self.images_dialog = ImagesDialog(look, controllers.images, self)
+        self.dialog.imagesAsked.connect(self.images_dialog.open_view)
+        self.images = Button(
+            "Images…", look, "images", tip="Stored images, phase, modulation, σ and exposures of the selected view, and profiles"
+        )
+        self.images.clicked.connect(self.show_images)
+        self.action_row.addWidget(self.images)
         self.undo = Button("Undo", look, "undo", "quiet")
         self.undo.clicked.connect(self._undo)
         self.action_row.insertWidget(0, self.undo)
@@ -167,7 +175,8 @@ class CloudsPage(ViewportPage):
     def _show(self) -> None:
         views, stitched = self.session.views, self.session.stitched
         self.show_filled(bool(views))
-        self.holes.setVisible(bool(views) and self.controllers.holes.can_explain)
+        for button in (self.holes, self.images):
+            button.setVisible(bool(views) and self.controllers.holes.can_explain)
         self._show_undo()
         filtered = self.session.filtered
         for name in ("after", "merged"):
@@ -216,6 +225,14 @@ class CloudsPage(ViewportPage):
         cameras = () if calibration is None else calibration.cameras.names
         if name:
             self.dialog.open_view(name, cameras[place] if place < len(cameras) else "", pixel)
+
+    def show_images(self) -> None:
+        """Show the images and maps of the selected view or point."""
+        name, place, pixel = self._asked
+        calibration = self.session.calibration
+        cameras = () if calibration is None else calibration.cameras.names
+        if name:
+            self.images_dialog.open_view(name, cameras[place] if place < len(cameras) else "", pixel)
 
     def decide(self) -> None:
         """Use the selected view although it was excluded, or exclude it."""

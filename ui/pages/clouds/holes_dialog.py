@@ -4,16 +4,16 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import Qt, Slot
+from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtGui import QCloseEvent, QColor
 from PySide6.QtWidgets import QDialog, QHeaderView, QProgressBar, QWidget
 
 from ui.controllers.holes import DrawnImage, Explanation, HolesController
+from ui.images.map_view import MapView
 from ui.look.look import Look
 from ui.look.wording import counted, exposure, percent, point_reason, quantity, sentence_case
 from ui.widgets.basic import Button, card, column, label, row
 from ui.widgets.data_table import Cell, DataTable, number
-from ui.widgets.pixel_picture import PixelPicture, coloured_image
 from ui.widgets.segments import Segments
 
 if TYPE_CHECKING:
@@ -36,6 +36,8 @@ PATIENCE = "The pixels can be inspected as soon as this is complete."
 
 class HolesDialog(QDialog):
     """A non-modal window beside the main window."""
+
+    imagesAsked = Signal(str, str, object)  # viewpoint, camera, pixel (row, column) or None
 
     def __init__(self, look: Look, holes: HolesController, parent: QWidget | None = None) -> None:
         super().__init__(parent)
@@ -61,7 +63,7 @@ class HolesDialog(QDialog):
         self.cameras = Segments({"": "Camera"})
         self._camera_place = row(self.cameras)
         self.cameras.hide()  # until the cameras of the view are known
-        self.picture = PixelPicture(look)
+        self.picture = MapView(look)
         self.picture.pixelChosen.connect(self._ask)
         self.place, self.stage = label("", "caption"), label("", "heading", wrap=True)
         self.answer, self.figures = label(ASK, "body", wrap=True), label("", "small", wrap=True)
@@ -75,6 +77,8 @@ class HolesDialog(QDialog):
         self.progress.setRange(0, 1000)
         self.cancel = Button("Cancel", look, "cancel")
         self.cancel.clicked.connect(self.holes.cancel)
+        self.values = Button("Values…", look, "images", "quiet", "Stored images, phase, modulation and σ at this pixel, and profiles")
+        self.values.clicked.connect(lambda: self.imagesAsked.emit(self.viewpoint_id, self.cameras.value(), self.picture.cursor_pixel))
         self.again = Button("Recompute", look, "again", "primary")
         self.again.clicked.connect(self._explain)
 
@@ -82,7 +86,7 @@ class HolesDialog(QDialog):
         names = column(self.title, self.state, spacing=0)
         top = row(names, 0, self.note, self.progress, self.cancel, self.again, spacing=12)
         self.progress.setFixedWidth(160)
-        tools = row(self.kind, 0, self._camera_place)
+        tools = row(self.kind, 0, self._camera_place, self.values)
         said = card(self.place, self.stage, self.answer, self.figures, 0, margin=12, spacing=4)
         said.setMinimumHeight(176)
         side = column(said, self.heading, self.table, spacing=8)
@@ -125,7 +129,7 @@ class HolesDialog(QDialog):
         for part in (self.progress, self.note, self.cancel):
             part.setVisible(running)
         self.again.setVisible(not running and self._explanation is None)
-        for part in (self.kind, self.cameras):
+        for part in (self.kind, self.cameras, self.values):
             part.setEnabled(self._explanation is not None)
 
     @Slot(float, str)
@@ -180,8 +184,7 @@ class HolesDialog(QDialog):
     def _show_image(self, image: DrawnImage) -> None:
         if (image.camera, image.kind) != (self.cameras.value(), self.kind.value()):
             return
-        self.picture.show_image(coloured_image(image.pixels))
-        self.picture.choose(self.picture.chosen)
+        self.picture.show_pixels(image.pixels)
         self.heading.setText(HEADINGS[image.kind])
         self._reasons = []
         if image.kind in ("exposure", "snr"):

@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QCheckBox, QDoubleSpinBox, QFrame
 
+from ui.charts.deviation_histogram import DeviationHistogram
 from ui.look.look import Look
 from ui.look.wording import counted, millimetres, percent
 from ui.pages.inspection.deviation_display import DeviationDisplay
 from ui.viewport.overlay.legend import Legend
 from ui.widgets.basic import Button, column, label, row
-from ui.widgets.histogram import Histogram
 from ui.widgets.not_measured import NotMeasuredLegend
 from ui.widgets.segments import Segments
 
@@ -36,7 +36,7 @@ class DeviationCard(QFrame):
         super().__init__()
         self.setObjectName("card")
         self._display = display
-        self.histogram = Histogram(look)
+        self.histogram = DeviationHistogram(look)
         self.words, self.bands, self.extremes = (label("", "soft", wrap=True) for _ in range(3))
         self.unmeasured = NotMeasuredLegend(look)
         self.on = Segments(CARRIERS, name="Colours")

@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 from PySide6.QtCore import QObject, Signal, Slot
 
-from measureapp.data.deviation_scale import DeviationScale
 from measureapp.inspection.surface.colour_scale import ColourScale
 from ui.look.wording import millimetres
 from ui.viewport.overlay.legend import Fractions, Histogram, Legend
 
 if TYPE_CHECKING:
+    from measureapp.data.deviation_scale import DeviationScale
     from ui.session import Comparison
 
 QUANTITY = "Surface deviation"
@@ -31,7 +31,7 @@ class DeviationDisplay(QObject):
         self.on: Carrier = "cad"
         self.smooth = True
         self._chosen: Legend | None = None  # as the user set it
-        self._stored = DeviationScale()  # of the inspection program
+        self._read: DeviationScale | None = None  # of the inspection program
         self._comparison: Comparison | None = None
 
     @property
@@ -43,9 +43,15 @@ class DeviationDisplay(QObject):
         """Use these deviations."""
         self._comparison = comparison
         if comparison is not None:
-            self._stored = comparison.scale
+            self._read = comparison.scale
         self.legend = None if comparison is None else self._complete(self._chosen or usual_legend(comparison))
         self.changed.emit()
+
+    @property
+    def _stored(self) -> DeviationScale:
+        from measureapp.data.deviation_scale import DeviationScale  # brings pydantic, for which the window does not wait
+
+        return self._read or DeviationScale()
 
     @property
     def is_stored(self) -> bool:
@@ -57,6 +63,8 @@ class DeviationDisplay(QObject):
         """The colour scale as an inspection program stores it."""
         if self._chosen is None:
             return self._stored
+        from measureapp.data.deviation_scale import DeviationScale
+
         one = self._chosen
         return DeviationScale(
             tolerance_mm=one.tolerance or self._stored.tolerance_mm,
@@ -71,7 +79,7 @@ class DeviationDisplay(QObject):
         """Use the scale that the inspection program holds now, after it was stored, undone or read anew."""
         if scale == self._stored:
             return
-        self._stored, self._chosen = scale, None
+        self._read, self._chosen = scale, None
         if self._comparison is not None:
             self._comparison = replace(self._comparison, scale=scale)
             self.legend = self._complete(usual_legend(self._comparison))

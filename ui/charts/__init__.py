@@ -1,0 +1,1 @@
+"""Charts, drawn by pyqtgraph in the colours and letters of the theme."""

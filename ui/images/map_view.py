@@ -1,0 +1,218 @@
+"""A map of numbers, or a picture of which pixels are chosen: zoom, cursor, scale of the colours, a line for a profile."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from PySide6.QtCore import QPointF, Qt, Signal
+from PySide6.QtGui import QKeyEvent
+
+from ui.charts.chart import Chart
+from ui.images.layers import SATURATED, Layer
+from ui.look.look import Look
+
+if TYPE_CHECKING:
+    from pyqtgraph.GraphicsScene.mouseEvents import MouseClickEvent
+
+    from ui.charts.plotting import Plot
+
+Pixel = tuple[int, int]  # row, column
+ARROWS = {Qt.Key.Key_Up: (-1, 0), Qt.Key.Key_Down: (1, 0), Qt.Key.Key_Left: (0, -1), Qt.Key.Key_Right: (0, 1)}
+
+
+class MapView(Chart):
+    """Shows one layer or picture; the wheel zooms, dragging pans, a click or the arrow keys move the cursor."""
+
+    pointed = Signal(int, int)  # row, column under the mouse, or of the cursor
+    pixelChosen = Signal(int, int)  # row, column, by a click or a key
+    lineMoved = Signal(object)  # ((row, column), (row, column)), by the mouse
+
+    def __init__(self, look: Look) -> None:
+        super().__init__(look, ground="sunken")
+        self.layer: Layer | None = None
+        self.pixels: np.ndarray | None = None  # (H, W, 3) uint8, where a picture is shown
+        self.saturation: int | None = None
+        self.cursor_pixel: Pixel | None = None
+        self._shape = (0, 0)
+        self._items: dict[str, Any] = {}
+        self._moving = False  # the line, by the program
+        self.setMinimumSize(320, 240)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
+        self.setAccessibleName("Map")
+
+    def show_layer(self, layer: Layer, saturation: int | None = None) -> None:
+        """Show a layer; pixels that reach ``saturation`` are marked. Zoom is kept for images of one size."""
+        self.layer, self.pixels, self.saturation = layer, None, saturation
+        self._show(layer.quantity, layer.values.shape)
+
+    def show_pixels(self, pixels: np.ndarray) -> None:
+        """Show a picture (H, W, 3) uint8, red green blue. Zoom is kept for pictures of one size."""
+        self.layer, self.pixels = None, pixels
+        self._show("Picture", pixels.shape[:2])
+
+    def _show(self, words: str, shape: tuple[int, ...]) -> None:
+        new, self._shape = shape != self._shape, (shape[0], shape[1])
+        self.redraw(f"{words}, {shape[1]} × {shape[0]} px")
+        if new:
+            self.show_all()
+
+    @property
+    def is_empty(self) -> bool:
+        """Whether nothing is shown."""
+        return self.layer is None and self.pixels is None
+
+    def clear(self) -> None:
+        """Show nothing."""
+        self.layer, self.pixels, self.cursor_pixel = None, None, None
+        self._shape = (0, 0)
+        if self.plot is not None:
+            self.plot.clear()
+
+    def show_all(self) -> None:
+        """Fit the image into the view."""
+        if self.plot is not None:
+            height, width = self._shape
+            self.plot.setRange(xRange=(-0.5, width - 0.5), yRange=(-0.5, height - 0.5), padding=0.0)
+
+    def show_line(self, ends: tuple[Pixel, Pixel] | None) -> None:
+        """Draw the line of a profile between two pixels, or none."""
+        line = self._items.get("line")
+        if line is None:
+            return
+        line.setVisible(ends is not None)
+        if ends is not None:
+            self._moving = True
+            for handle, (row, column) in zip(line.getHandles(), ends, strict=True):
+                line.movePoint(handle, (column, row), coords="parent")
+            self._moving = False
+
+    def pixel_at(self, place: QPointF) -> Pixel | None:
+        """Return the pixel (row, column) at a position of the widget; None outside the image."""
+        if self.plot is None or self.is_empty:
+            return None
+        at = self.plot.getViewBox().mapSceneToView(self.plot.mapToScene(self.plot.mapFrom(self, place.toPoint())))
+        row, column = round(at.y()), round(at.x())
+        return (row, column) if 0 <= row < self._shape[0] and 0 <= column < self._shape[1] else None
+
+    def place_of(self, row: int, column: int) -> QPointF:
+        """Return the position of the centre of a pixel in the widget."""
+        assert self.plot is not None
+        scene = self.plot.getViewBox().mapViewToScene(QPointF(column, row))
+        return QPointF(self.plot.mapTo(self, self.plot.mapFromScene(scene)))
+
+    def point_at(self, row: int, column: int) -> None:
+        """Move the cursor to a pixel, and tell it."""
+        self.choose((row, column))
+        self.pointed.emit(row, column)
+
+    def choose(self, pixel: Pixel | None) -> None:
+        """Put the cursor on a pixel, and scroll to it; or remove the cursor."""
+        self.cursor_pixel = pixel
+        if self.plot is None:
+            return
+        self._items["cursor"].setData(*([], []) if pixel is None else ([pixel[1]], [pixel[0]]))
+        if pixel is not None and not self.plot.getViewBox().viewRect().contains(QPointF(pixel[1], pixel[0])):
+            shown = self.plot.getViewBox().viewRect()
+            shown.moveCenter(QPointF(pixel[1], pixel[0]))
+            self.plot.setRange(shown, padding=0.0)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Move the cursor by one pixel, with Shift by ten."""
+        step = ARROWS.get(Qt.Key(event.key()))
+        if step is None or self.is_empty:
+            super().keyPressEvent(event)
+            return
+        by = 10 if event.modifiers() & Qt.KeyboardModifier.ShiftModifier else 1
+        height, width = self._shape
+        row, column = self.cursor_pixel or (height // 2, width // 2)
+        pixel = min(max(0, row + by * step[0]), height - 1), min(max(0, column + by * step[1]), width - 1)
+        self.point_at(*pixel)
+        self.pixelChosen.emit(*pixel)
+
+    def _make_plot(self) -> Plot:
+        import pyqtgraph as pg
+
+        from ui.charts.plotting import ColourScale, NumberAxis, Plot, adopt_menu
+
+        plot = Plot(NumberAxis("bottom", "Column [px]"), NumberAxis("left", "Row [px]"), steerable=True)
+        plot.invertY(True)
+        plot.setAspectLocked(True)
+        plot.setFocusProxy(self)
+        image = pg.ImageItem(
+            np.zeros((1, 1), np.float32), axisOrder="row-major"
+        )  # without data it would keep the scale's range for pictures
+        line = pg.LineSegmentROI([(0, 0), (1, 1)])
+        line.setZValue(20)
+        line.setVisible(False)
+        for handle in line.getHandles():
+            adopt_menu(plot, handle.menu)
+        line.sigRegionChanged.connect(self._tell_line)
+        self._items = {"image": image, "line": line, "cursor": pg.ScatterPlotItem(size=14, symbol="+"), "scale": ColourScale(plot, image)}
+        plot.scene().sigMouseMoved.connect(self._tell_pointed)
+        plot.scene().sigMouseClicked.connect(self._take_click)
+        return plot
+
+    def _draw(self, plot: Plot) -> None:
+        import pyqtgraph as pg
+
+        layer, theme = self.layer, self._look.theme
+        if self.is_empty:
+            return
+        image, scale = self._items["image"], self._items["scale"]
+        if layer is None:
+            image.setImage(self.pixels, levels=None, autoLevels=False)
+            scale.leave()
+        elif layer.categories:
+            image.setImage(_coloured(layer), levels=None, autoLevels=False)
+            scale.leave()
+        elif layer.colours == "grey":
+            top = float(self.saturation or 255)
+            image.setImage(_grey(layer.values, top), levels=None, autoLevels=False)
+            scale.leave()
+        else:
+            image.setImage(layer.values, autoLevels=False, levels=layer.span)
+            scale.show(layer.colours, layer.span, f"{layer.quantity} [{layer.unit}]")
+            scale.dress(theme)
+        image.setRect(-0.5, -0.5, self._shape[1], self._shape[0])  # the centre of the first pixel is (0, 0)
+        self._items["line"].setPen(pg.mkPen(theme.colour("accent"), width=2))
+        self._items["cursor"].setPen(pg.mkPen(theme.colour("verdict_not_proven"), width=2))
+        for name in ("image", "cursor", "line"):
+            plot.addItem(self._items[name])
+
+    def _tell_pointed(self, place: QPointF) -> None:
+        assert self.plot is not None
+        pixel = self.pixel_at(QPointF(self.plot.mapTo(self, self.plot.mapFromScene(place))))
+        if pixel is not None:
+            self.pointed.emit(*pixel)
+
+    def _take_click(self, event: MouseClickEvent) -> None:
+        assert self.plot is not None
+        pixel = self.pixel_at(QPointF(self.plot.mapTo(self, self.plot.mapFromScene(event.scenePos()))))
+        if pixel is not None and event.button() == Qt.MouseButton.LeftButton:
+            self.point_at(*pixel)
+            self.pixelChosen.emit(*pixel)
+
+    def _tell_line(self) -> None:
+        if self._moving or self.layer is None:
+            return
+        line = self._items["line"]
+        ends = []
+        for handle in line.getHandles():
+            at = line.mapToParent(handle.pos())
+            ends.append((min(max(0, round(at.y())), self._shape[0] - 1), min(max(0, round(at.x())), self._shape[1] - 1)))
+        self.lineMoved.emit(tuple(ends))
+
+
+def _coloured(layer: Layer) -> np.ndarray:
+    """Return the colours (H, W, 4) uint8 of a map of categories."""
+    table = np.array([(*one.colour, 255) for one in layer.categories] + [(0, 0, 0, 0)], np.uint8)
+    return table[np.where(np.isfinite(layer.values), layer.values, len(layer.categories)).astype(np.intp)]
+
+
+def _grey(values: np.ndarray, saturation: float) -> np.ndarray:
+    """Return an image (H, W) in grey, its saturated pixels marked, as colours (H, W, 3) uint8."""
+    grey = np.clip(values * np.float32(255.0 / saturation), 0, 255).astype(np.uint8)
+    colours = np.repeat(grey[..., None], 3, axis=2)
+    colours[values >= saturation] = SATURATED
+    return colours

@@ -1,0 +1,291 @@
+"""Images of a view: stored fringe images, maps of what they decode to, profiles, valid pixels of every exposure."""
+
+from __future__ import annotations
+
+import numpy as np
+from PySide6.QtCore import QTimer, Slot
+from PySide6.QtGui import QCloseEvent
+from PySide6.QtWidgets import QDialog, QProgressBar, QWidget
+
+from measureapp.errors import MeasureError
+from ui.charts.bar_chart import Bar, BarChart
+from ui.charts.level_histogram import LevelHistogram
+from ui.controllers.images import ImagesController, ViewImages
+from ui.images.frame_bar import FrameBar
+from ui.images.layers import KINDS, TIPS, Layer, frame_layer, legend_words
+from ui.images.map_view import MapView
+from ui.images.profile_panel import ProfilePanel
+from ui.look.look import Look
+from ui.look.wording import exposure, quantity, sentence_case
+from ui.settings.dialogs import choose_new
+from ui.widgets.basic import Button, card, column, label, row
+from ui.widgets.segments import Segments
+
+ASK = "Move the mouse over the image, or the arrow keys, to read values."
+WAITING = "The images are decoded; the project is not changed."
+TOLD = ("phase", "wrapped", "sigma", "modulation", "exposure", "state")
+COLUMNS = {"phase": "phase_rad", "wrapped": "wrapped_rad", "sigma": "sigma_rad", "modulation": "modulation_grey"}  # of a saved profile
+HIGHEST_PROFILE = 200  # px
+NOTHING_DRAWN = (("", ""), (-1, -1))
+
+
+class ImagesDialog(QDialog):
+    """A non-modal window beside the main window."""
+
+    def __init__(self, look: Look, images: ImagesController, parent: QWidget | None = None) -> None:
+        super().__init__(parent)
+        self.look, self.images = look, images
+        self.setMinimumSize(960, 600)
+        self.resize(1240, 680)
+        self.viewpoint_id = ""
+        self.view: ViewImages | None = None
+        self._drawn = NOTHING_DRAWN  # viewpoint and camera, exposure and image
+        self._make_parts()
+        self._lay_out()
+        images.loaded.connect(self._show)
+        images.progressed.connect(self._show_progress)
+        images.stopped.connect(self._show_stopped)
+        images.forgotten.connect(self._forget)
+
+    def _make_parts(self) -> None:
+        look = self.look
+        self.title, self.state = label("", "title"), label("", "soft")
+        self.kind = Segments(KINDS, name="Map", tips=TIPS)
+        self.kind.valueChanged.connect(self._draw)
+        self.cameras = Segments({"": "Camera"})
+        self._camera_place = row(self.cameras)
+        self.cameras.hide()  # until the cameras of the view are known
+        self.map = MapView(look)
+        self.map.pointed.connect(self._read_out)
+        self.map.lineMoved.connect(self._take_line)
+        self.frames = FrameBar()
+        self.frames.valueChanged.connect(self._draw_frame)
+        self.legend = label("", "small", wrap=True)
+        self.line = Button("Profile", look, "profile", "quiet", "Values along a line, which the mouse or the numbers move")
+        self.line.setCheckable(True)
+        self.line.toggled.connect(self._show_line)
+        self.whole = Button("Show all", look, "fit", "quiet", "Fit the image into the window")
+        self.whole.clicked.connect(self.map.show_all)
+        self.panel = ProfilePanel(look)
+        self.panel.setMaximumHeight(HIGHEST_PROFILE)
+        self.panel.lineEdited.connect(self._edit_line)
+        self.panel.saveAsked.connect(self._save)
+        self.panel.hide()
+        self.pixel, self.values = label("", "heading"), label(ASK, "body", wrap=True)
+        self.histogram = LevelHistogram(look)
+        self.chart = BarChart(look, "Valid pixels", "%", lambda value: quantity(value, "%", 1))
+        self.progress, self.note = QProgressBar(), label("", "soft")
+        self.progress.setTextVisible(False)
+        self.progress.setRange(0, 1000)
+        self.progress.setFixedWidth(160)
+        self.cancel = Button("Cancel", look, "cancel")
+        self.cancel.clicked.connect(self.images.cancel)
+        self.again = Button("Decode", look, "again", "primary")
+        self.again.clicked.connect(self._load)
+
+    def _lay_out(self) -> None:
+        top = row(column(self.title, self.state, spacing=0), 0, self.note, self.progress, self.cancel, self.again, spacing=12)
+        tools = row(self.kind, 0, self._camera_place, self.line, self.whole, spacing=8)
+        left = column(tools, self.map, self.frames, self.legend, self.panel, spacing=8)
+        left.setStretch(1, 1)
+        said = card(self.pixel, self.values, 0, margin=12, spacing=4)
+        said.setMinimumHeight(200)
+        side = column(said, label("Grey levels of the image", "caption"), self.histogram, label("Valid pixels", "caption"), self.chart, 0)
+        right = QWidget()
+        right.setObjectName("clear")
+        right.setLayout(side)
+        right.setFixedWidth(320)
+        middle = row(left, right, spacing=16)
+        middle.setStretch(0, 1)
+        layout = column(top, middle, margin=16, spacing=12)
+        layout.setStretch(1, 1)
+        self.setLayout(layout)
+
+    def open_view(self, viewpoint_id: str, camera: str = "", pixel: tuple[int, int] | None = None) -> None:
+        """Show a viewpoint, and point at a pixel of one of its cameras if given."""
+        self._wanted = camera, pixel
+        if viewpoint_id != self.viewpoint_id:
+            self._forget()
+            self.viewpoint_id = viewpoint_id
+        self.setWindowTitle(f"Images – {viewpoint_id}")
+        self.title.setText(f"Images: {viewpoint_id}")
+        self.show()
+        self.raise_()
+        self._load()
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        """Cancel decoding for this window only."""
+        self.images.cancel()
+        super().closeEvent(event)
+
+    def _load(self) -> None:
+        self._show_running(True)
+        self.state.setText(WAITING)
+        QTimer.singleShot(0, self, self._prepare)
+        self.images.load(self.viewpoint_id)
+
+    def _prepare(self) -> None:
+        """Make the axes while the images are decoded, one after the other so that the window answers in between."""
+        for chart in (self.map, self.chart, self.histogram, self.panel.upper, self.panel.lower):
+            if chart.plot is None:
+                chart.prepare()
+                QTimer.singleShot(0, self, self._prepare)
+                return
+
+    def _show_running(self, running: bool) -> None:
+        for part in (self.progress, self.note, self.cancel):
+            part.setVisible(running)
+        self.again.setVisible(not running and self.view is None)
+        for part in (self.kind, self.cameras, self.frames, self.line, self.whole):
+            part.setEnabled(self.view is not None)
+
+    @Slot(float, str)
+    def _show_progress(self, share: float, note: str) -> None:
+        self.progress.setValue(round(1000 * share))
+        self.note.setText(sentence_case(note))
+
+    @Slot(str)
+    def _show_stopped(self, reason: str) -> None:
+        self._show_running(False)
+        self.state.setText(reason or "Cancelled. Nothing was changed; decode to continue.")
+
+    @Slot()
+    def _forget(self) -> None:
+        """Show nothing: the project, or the view, is another one."""
+        self.view, self._drawn = None, NOTHING_DRAWN
+        self.map.clear()
+        self.pixel.setText("")
+        self.values.setText(ASK)
+        self.legend.setText("")
+        self.chart.show_bars(())
+        self._show_running(False)
+        self.state.setText("")
+
+    @Slot(object)
+    def _show(self, view: ViewImages) -> None:
+        if view.viewpoint_id != self.viewpoint_id:
+            return
+        if view is not self.view:
+            self.view = view
+            self._make_cameras(tuple(view.maps))
+            self.frames.show_stack(view.stack.exposures_us, view.stack.patterns.count)
+        self._show_running(False)
+        camera, pixel = self._wanted
+        if camera in view.maps:
+            self.cameras.setValue(camera)
+        self._draw()
+        if pixel is not None:
+            self.map.point_at(*pixel)
+
+    def _make_cameras(self, names: tuple[str, ...]) -> None:
+        self._camera_place.removeWidget(self.cameras)
+        self.cameras.deleteLater()
+        self.cameras = Segments({name: sentence_case(name) for name in names}, name="Camera")
+        self.cameras.valueChanged.connect(self._draw)
+        self._camera_place.addWidget(self.cameras)
+
+    def _frame(self) -> np.ndarray:
+        """Return the chosen stored image (H, W)."""
+        assert self.view is not None
+        time, image = self.frames.value()
+        return self.view.stack.images[self.cameras.value()][time, image]
+
+    def _layer(self, kind: str) -> Layer:
+        assert self.view is not None
+        return frame_layer(self._frame()) if kind == "fringes" else self.view.layers[self.cameras.value()][kind]
+
+    def _draw_frame(self) -> None:
+        if self.view is not None:
+            self._draw()
+
+    def _draw(self) -> None:
+        if self.view is None:
+            return
+        kind, layer = self.kind.value(), self._layer(self.kind.value())
+        self.map.show_layer(layer, self.view.stack.saturation if kind == "fringes" else None)
+        self.legend.setText(legend_words(layer) if layer.categories else "Saturated pixels are red." if kind == "fringes" else "")
+        self.legend.setVisible(bool(self.legend.text()))
+        of, frame = (self.view.viewpoint_id, self.cameras.value()), self.frames.value()
+        if (of, frame) != self._drawn:  # what does not depend on the kind of map
+            self.histogram.show_levels(self._frame(), self.view.stack.saturation)
+            if of != self._drawn[0]:
+                self._show_valid(self.view)
+            self._drawn = of, frame
+        self.panel.fit(layer.values.shape)
+        self._show_profile()
+        if self.map.cursor_pixel is not None:
+            self._read_out(*self.map.cursor_pixel)
+
+    def _show_valid(self, view: ViewImages) -> None:
+        found = view.exposures[self.cameras.value()]
+        ours, paper = found.rules["combined"], found.rules["paper"]
+        bars = [Bar(exposure(time), 100 * ratio) for time, ratio in zip(found.exposures_us, found.valid_ratios, strict=True)]
+        bars += [Bar("Composite", 100 * ours.composite_ratio, strong=True), Bar("Decoded", 100 * ours.decoded_ratio, strong=True)]
+        self.chart.show_bars([*bars, Bar("Decoded, brightest", 100 * paper.decoded_ratio)])
+        self.state.setText(
+            f"{quantity(100 * ours.decoded_ratio, '%', 1)} decoded from all unsaturated exposures, "
+            f"{quantity(100 * paper.decoded_ratio, '%', 1)} from the brightest unsaturated one alone (rule of the paper)."
+        )
+
+    @Slot(int, int)
+    def _read_out(self, line: int, across: int) -> None:
+        """Tell all values of a pixel."""
+        if self.view is None:
+            return
+        shape = self._frame().shape
+        if not (0 <= line < shape[0] and 0 <= across < shape[1]):
+            return
+        self.pixel.setText(f"Row {line}, column {across}")
+        layers = [self._layer(kind) for kind in TOLD]
+        told = [f"{layer.quantity}: {layer.words_at(line, across)}" for layer in layers]
+        grey = int(self._frame()[line, across])
+        full = ", saturated" if grey >= self.view.stack.saturation else ""
+        self.values.setText("\n".join([*told, f"Grey level at {self.frames.words}: {grey}{full}"]))
+
+    def _show_line(self, on: bool) -> None:
+        self.panel.setVisible(on)
+        self._show_profile()
+
+    @Slot(object)
+    def _take_line(self, ends: tuple[tuple[int, int], tuple[int, int]]) -> None:
+        """Follow the mouse."""
+        self.panel.setValue(ends)
+        self._plot_profile()
+
+    @Slot(object)
+    def _edit_line(self, _ends: object) -> None:
+        """Follow the numbers."""
+        self._show_profile()
+
+    def _show_profile(self) -> None:
+        on = self.line.isChecked() and self.view is not None
+        self.map.show_line(self.panel.value() if on else None)
+        if on:
+            self._plot_profile()
+
+    def _plot_profile(self) -> None:
+        assert self.view is not None
+        kind = self.kind.value() if self.kind.value() in COLUMNS else "wrapped"
+        layer = self._layer(kind)
+        grey = f"Grey level, {self.frames.words}"
+        layers = {column_name: self._layer(name).values for name, column_name in COLUMNS.items()}
+        times = self.view.stack.images[self.cameras.value()]
+        image = self.frames.value()[1]
+        layers |= {f"grey_{time}us": times[place, image] for place, time in enumerate(self.view.stack.exposures_us)}
+        shown = f"grey_{self.view.stack.exposures_us[self.frames.value()[0]]}us"
+        words = f"{layer.quantity} [{layer.unit}]"
+        self.panel.show_profile(layers, (COLUMNS[kind], words), (shown, grey), self.view.stack.saturation)
+
+    def _save(self) -> None:
+        found = self.panel.profile
+        if found is None:
+            return
+        path = choose_new(self, "Save the profile", f"profile-{self.viewpoint_id}.csv", "profiles", "CSV (*.csv)")
+        if path is None:
+            return
+        try:
+            found.save(path)
+        except (MeasureError, OSError) as error:
+            self.state.setText(f"The profile was not saved: {error}")
+        else:
+            self.state.setText(f"Saved: {path.name}")
