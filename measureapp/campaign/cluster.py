@@ -22,6 +22,10 @@ LOCAL = "local"
 CONNECTED_WITHIN_S = 10.0
 ANSWERED_WITHIN_S = 60.0  # importing the program, on a slow disk
 FIRST_WORKER_WITHIN_S = 60.0
+WORKER_ENVIRONMENT = {
+    "OMP_NUM_THREADS": 1,
+    "OPENBLAS_NUM_THREADS": 1,
+}  # Dask's own also gives every array's memory back at once: twice the system time
 EXTRA = "Install it with: pip install 'measureapp[cluster]'."
 
 
@@ -35,12 +39,14 @@ def connected_cluster(address: str) -> Iterator[Client]:
         Dask distributed is not installed, nothing answers, or there is no worker.
     """
     try:
+        import dask
         import distributed
     except ImportError as error:
         raise InputError("Dask distributed is not installed.", EXTRA) from error
     if address == LOCAL:
         count = max(1, len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1)
         with (
+            dask.config.set({"distributed.nanny.pre-spawn-environ": WORKER_ENVIRONMENT}),
             distributed.LocalCluster(n_workers=count, threads_per_worker=1, dashboard_address=None) as cluster,
             distributed.Client(cluster) as client,
         ):
@@ -71,7 +77,7 @@ def check_cluster(client: Client, folders: Sequence[Path], needed_bytes: int) ->
     Raises
     ------
     InputError
-        A worker has another version, or too little memory.
+        A worker has another version, several threads for linear algebra, or too little memory.
     StorageError
         A worker does not see a folder.
     """
@@ -80,6 +86,12 @@ def check_cluster(client: Client, folders: Sequence[Path], needed_bytes: int) ->
         if theirs != ours:
             raise InputError(
                 f"The worker {worker} has another version of the program: {theirs}; this is {ours}.", "Install the same one everywhere."
+            )
+    for worker, threads in _ask(client, threads_of_linear_algebra).items():
+        if threads != "1":
+            raise InputError(
+                f"The worker {worker} does its linear algebra in several threads, which changes the last digits of results.",
+                "Start it with OPENBLAS_NUM_THREADS=1 in its environment.",
             )
     limits = {name: about.get("memory_limit") for name, about in client.scheduler_info(n_workers=-1)["workers"].items()}
     for worker, limit in limits.items():
@@ -109,6 +121,11 @@ def _check_storage(client: Client, folder: Path) -> None:
             f"The folder {folder} cannot be seen by {len(blind)} of the workers, such as {blind[0]}.",
             "Use a storage that all computers mount under the same path.",
         )
+
+
+def threads_of_linear_algebra() -> str:
+    """Return in how many threads a process does its linear algebra, as it was told; empty where it was not."""
+    return os.environ.get("OPENBLAS_NUM_THREADS") or os.environ.get("OMP_NUM_THREADS", "")
 
 
 def read_mark(path: str) -> str:

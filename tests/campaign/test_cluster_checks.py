@@ -7,7 +7,7 @@ import sys
 
 import pytest
 
-from measureapp.campaign.cluster import check_cluster
+from measureapp.campaign.cluster import check_cluster, threads_of_linear_algebra
 from measureapp.campaign.tasks import fingerprint
 from measureapp.errors import InputError, StorageError
 
@@ -15,13 +15,15 @@ from measureapp.errors import InputError, StorageError
 class Workers:
     """Answers as a client of Dask does, for workers with one thing wrong."""
 
-    def __init__(self, versions=None, blind=(), memory=8 * 2**30):
-        self.versions, self.blind, self.memory = versions or {}, blind, memory
+    def __init__(self, versions=None, blind=(), memory=8 * 2**30, threads="1"):
+        self.versions, self.blind, self.memory, self.threads = versions or {}, blind, memory, threads
         self.names = ("tcp://one:1", "tcp://two:2")
 
     def run(self, question, *arguments, on_error):
         if question is fingerprint:
             return {name: self.versions.get(name, fingerprint()) for name in self.names}
+        if question is threads_of_linear_algebra:
+            return dict.fromkeys(self.names, self.threads)
         return {name: "" if name in self.blind else question(*arguments) for name in self.names}
 
     def scheduler_info(self, n_workers):
@@ -40,6 +42,7 @@ def test_workers_of_one_program_that_see_the_storage_pass_and_nothing_is_left_be
         (Workers(versions={"tcp://two:2": ModuleNotFoundError("No module named 'measureapp'")}), InputError, "does not have this program"),
         (Workers(versions={"tcp://one:1": OSError("gone")}), InputError, "tcp://one:1 does not answer"),
         (Workers(blind=("tcp://two:2",)), StorageError, "cannot be seen by 1 of the workers, such as tcp://two:2"),
+        (Workers(threads=""), InputError, "does its linear algebra in several threads"),
         (Workers(memory=2**29), InputError, "may use 0.5 GiB of memory, and a task needs about 1.0 GiB"),
     ],
 )

@@ -60,6 +60,7 @@ INPUTS: list[tuple[str, str]] = [
     ("program pack PLAN --picture IN --out OUT.mpart", "png"),
     ("program release IN --by Nobody", "mpart"),
     ("campaign IN", "toml"),
+    ("capacity IN", "json"),
     ("program show IN", "mpart"),
     ("program unpack IN --out OUT", "mpart"),
     ("plan predict IN", ""),

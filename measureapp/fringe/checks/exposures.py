@@ -44,7 +44,7 @@ class _Finding:
         A response that is not a straight line, or a lamp that is dimmer for a whole exposure, changes all its images alike: the phase
         stays, so that this alone is no reason to refuse them.
         """
-        return abs(self.ratio / self.common - 1.0) > MOST_BRIGHTER or abs(self.common - 1.0) > MOST_IN_COMMON
+        return abs(self.common - 1.0) > MOST_IN_COMMON or abs(self.ratio - self.common) > MOST_BRIGHTER * self.common
 
     @property
     def words(self) -> str:
