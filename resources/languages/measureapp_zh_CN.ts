@@ -1720,8 +1720,8 @@
       <translation>{title}仍在运行。</translation>
     </message>
     <message>
-      <source>{where} of {times} ms chosen by a probe: {shares}.</source>
-      <translation>{where}：{times} ms，由试测选择：{shares}。</translation>
+      <source>{where} of {times} ms chosen by a probe: {figures}.</source>
+      <translation>{where}：{times} ms，由试测选择：{figures}。</translation>
     </message>
     <message>
       <source>{words} Not saved with the project: {message}</source>
@@ -3360,6 +3360,14 @@
   <context>
     <name>core.campaign</name>
     <message>
+      <source>A task needs {v1} GiB, a machine has {v2} GiB.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Allow more time, or give a faster storage.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Check the permissions and the disk.</source>
       <translation>请检查权限和磁盘。</translation>
     </message>
@@ -3380,12 +3388,24 @@
       <translation>请给出含 project.json 的文件夹，相对于该文件。</translation>
     </message>
     <message>
+      <source>Give machines with more memory.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>However many machines there are, {v1} % of the projects take up to {v2} s, longer than {v3} s.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Install the same one everywhere.</source>
       <translation>请在各处安装相同的。</translation>
     </message>
     <message>
       <source>Install the same version everywhere.</source>
       <translation>请在各处安装相同版本。</translation>
+    </message>
+    <message>
+      <source>Make one with: measureapp process PROJECT --profile --json &gt; profile.json</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <source>No cluster answers at {v1}.</source>
@@ -3406,6 +3426,10 @@
     <message>
       <source>Start fewer workers on it, or give them more: dask worker --memory-limit.</source>
       <translation>请少启动一些工作进程，或给其更多内存：dask worker --memory-limit。</translation>
+    </message>
+    <message>
+      <source>Start it with OPENBLAS_NUM_THREADS=1 in its environment.</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <source>Start it with `dask scheduler` and `dask worker ADDRESS`, or use `--cluster local`.</source>
@@ -3440,6 +3464,10 @@
       <translation>{v2} 个工作进程看不到文件夹 {v1}，例如 {v3}。</translation>
     </message>
     <message>
+      <source>The worker {v1} does its linear algebra in several threads, which changes the last digits of results.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>The worker {v1} does not answer: {v2}.</source>
       <translation>工作进程 {v1} 没有应答：{v2}。</translation>
     </message>
@@ -3454,6 +3482,10 @@
     <message>
       <source>The worker {v1} may use {v2} GiB of memory, and a task needs about {v3} GiB.</source>
       <translation>工作进程 {v1} 可用内存 {v2} GiB，而一个任务约需 {v3} GiB。</translation>
+    </message>
+    <message>
+      <source>This is not the profile of a project.</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <source>Use a storage that all computers mount under the same path.</source>
