@@ -3361,11 +3361,11 @@
     <name>core.campaign</name>
     <message>
       <source>A task needs {v1} GiB, a machine has {v2} GiB.</source>
-      <translation type="unfinished" />
+      <translation>一个任务需要 {v1} GiB，而一台机器有 {v2} GiB。</translation>
     </message>
     <message>
       <source>Allow more time, or give a faster storage.</source>
-      <translation type="unfinished" />
+      <translation>请允许更多时间，或提供更快的存储。</translation>
     </message>
     <message>
       <source>Check the permissions and the disk.</source>
@@ -3389,11 +3389,11 @@
     </message>
     <message>
       <source>Give machines with more memory.</source>
-      <translation type="unfinished" />
+      <translation>请提供内存更大的机器。</translation>
     </message>
     <message>
       <source>However many machines there are, {v1} % of the projects take up to {v2} s, longer than {v3} s.</source>
-      <translation type="unfinished" />
+      <translation>无论有多少台机器，{v1} % 的项目需要长达 {v2} s，超过 {v3} s。</translation>
     </message>
     <message>
       <source>Install the same one everywhere.</source>
@@ -3405,7 +3405,7 @@
     </message>
     <message>
       <source>Make one with: measureapp process PROJECT --profile --json &gt; profile.json</source>
-      <translation type="unfinished" />
+      <translation>请这样生成：measureapp process PROJECT --profile --json &gt; profile.json</translation>
     </message>
     <message>
       <source>No cluster answers at {v1}.</source>
@@ -3429,7 +3429,7 @@
     </message>
     <message>
       <source>Start it with OPENBLAS_NUM_THREADS=1 in its environment.</source>
-      <translation type="unfinished" />
+      <translation>请在其环境中以 OPENBLAS_NUM_THREADS=1 启动。</translation>
     </message>
     <message>
       <source>Start it with `dask scheduler` and `dask worker ADDRESS`, or use `--cluster local`.</source>
@@ -3465,7 +3465,7 @@
     </message>
     <message>
       <source>The worker {v1} does its linear algebra in several threads, which changes the last digits of results.</source>
-      <translation type="unfinished" />
+      <translation>工作进程 {v1} 以多个线程进行线性代数运算，这会改变结果的末位数字。</translation>
     </message>
     <message>
       <source>The worker {v1} does not answer: {v2}.</source>
@@ -3485,7 +3485,7 @@
     </message>
     <message>
       <source>This is not the profile of a project.</source>
-      <translation type="unfinished" />
+      <translation>这不是项目的性能分析。</translation>
     </message>
     <message>
       <source>Use a storage that all computers mount under the same path.</source>
