@@ -169,7 +169,9 @@ class RunEvents(QObject):
             decodable_share=percent(event.decodable_share),
             planned_share=percent(event.planned_share),
         )
-        self._session.tell(tr("{where} of {times}\xa0ms chosen by a probe: {figures}.", where=where, times=times, figures=shares), event.note)
+        self._session.tell(
+            tr("{where} of {times}\xa0ms chosen by a probe: {figures}.", where=where, times=times, figures=shares), event.note
+        )
 
     def _report_validity(self, event: ValidityKnown) -> None:
         """Report age and temperature before the scan, and camera drift after it."""
