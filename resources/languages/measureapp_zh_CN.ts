@@ -8000,6 +8000,10 @@
       <translation>caption</translation>
     </message>
     <message>
+      <source>column</source>
+      <translation>列</translation>
+    </message>
+    <message>
       <source>grey levels</source>
       <translation>灰度</translation>
     </message>

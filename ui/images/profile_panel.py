@@ -8,11 +8,11 @@ from PySide6.QtWidgets import QSpinBox, QWidget
 
 from ui.images.profile import Pixel, Profile, profile
 from ui.images.profile_chart import ProfileChart
-from ui.look.language.words import translated
+from ui.look.language.words import later, translated
 from ui.look.look import Look
 from ui.widgets.basic import Button, column, label, row
 
-ENDS = ("From row", "column", "to row", "column")
+ENDS = ("From row", later("column"), "to row", later("column"))
 NAMES = ("Row of the first end", "Column of the first end", "Row of the second end", "Column of the second end")
 
 
