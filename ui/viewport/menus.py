@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QLocale, QPoint, Qt
 from PySide6.QtWidgets import QLineEdit, QMenu, QWidget
 
-from measureapp.data.deviation_scale import RampName
 from ui.look.language.words import tr
 from ui.look.wording import MINUS
 from ui.viewport.overlay.legend import Legend
