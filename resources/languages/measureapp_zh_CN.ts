@@ -585,6 +585,10 @@
       <translation>个视图</translation>
     </message>
     <message>
+      <source>views</source>
+      <translation>个视图</translation>
+    </message>
+    <message>
       <source>{counted} points. Pixels with measured surface: {said}.</source>
       <translation>{counted} 个点。有测量表面的像素：{said}。</translation>
     </message>
@@ -8880,7 +8884,11 @@
     </message>
     <message>
       <source>feature</source>
-      <translation>特征</translation>
+      <translation>个特征</translation>
+    </message>
+    <message>
+      <source>features</source>
+      <translation>个特征</translation>
     </message>
     <message>
       <source>line</source>
@@ -8901,6 +8909,10 @@
     <message>
       <source>point</source>
       <translation>点</translation>
+    </message>
+    <message>
+      <source>points</source>
+      <translation>个点</translation>
     </message>
     <message>
       <source>problem</source>
@@ -9371,6 +9383,10 @@
     </message>
     <message>
       <source>dimension</source>
+      <translation>个尺寸</translation>
+    </message>
+    <message>
+      <source>dimensions</source>
       <translation>个尺寸</translation>
     </message>
     <message>
@@ -9970,6 +9986,10 @@ The first run of this part counts.</source>
       <translation>个工件程序</translation>
     </message>
     <message>
+      <source>parts</source>
+      <translation>个工件</translation>
+    </message>
+    <message>
       <source>{count} not released by the engineer: not offered here.</source>
       <translation>{count}未经工程师发布：此处不提供。</translation>
     </message>
@@ -10566,7 +10586,11 @@ The first run of this part counts.</source>
     </message>
     <message>
       <source>camera</source>
-      <translation>相机</translation>
+      <translation>台相机</translation>
+    </message>
+    <message>
+      <source>cameras</source>
+      <translation>台相机</translation>
     </message>
     <message>
       <source>figure</source>
@@ -10575,10 +10599,6 @@ The first run of this part counts.</source>
     <message>
       <source>heading</source>
       <translation>heading</translation>
-    </message>
-    <message>
-      <source>nd,nd-&gt;n</source>
-      <translation>nd,nd-&gt;n</translation>
     </message>
     <message>
       <source>report templates</source>
@@ -11112,15 +11132,19 @@ The first run of this part counts.</source>
       <translation>禁入区</translation>
     </message>
     <message>
-      <source>ni,ni-&gt;n</source>
-      <translation>ni,ni-&gt;n</translation>
-    </message>
-    <message>
       <source>nothing prevents the scan</source>
       <translation>没有问题阻止扫描</translation>
     </message>
     <message>
+      <source>problems</source>
+      <translation>个问题</translation>
+    </message>
+    <message>
       <source>row</source>
+      <translation>行</translation>
+    </message>
+    <message>
+      <source>rows</source>
       <translation>行</translation>
     </message>
     <message>
@@ -11129,6 +11153,10 @@ The first run of this part counts.</source>
     </message>
     <message>
       <source>viewpoint</source>
+      <translation>个视点</translation>
+    </message>
+    <message>
+      <source>viewpoints</source>
       <translation>个视点</translation>
     </message>
     <message>
@@ -11304,6 +11332,10 @@ The first run of this part counts.</source>
     </message>
     <message>
       <source>measurement</source>
+      <translation>次测量</translation>
+    </message>
+    <message>
+      <source>measurements</source>
       <translation>次测量</translation>
     </message>
     <message>
@@ -11658,7 +11690,15 @@ in danger use the emergency stop.</source>
       <translation>个设备</translation>
     </message>
     <message>
+      <source>devices</source>
+      <translation>个设备</translation>
+    </message>
+    <message>
       <source>driver</source>
+      <translation>个驱动</translation>
+    </message>
+    <message>
+      <source>drivers</source>
       <translation>个驱动</translation>
     </message>
     <message>
@@ -12159,10 +12199,6 @@ in danger use the emergency stop.</source>
       <source>python -m ui.second_screen</source>
       <translation>python -m ui.second_screen</translation>
     </message>
-    <message>
-      <source>{"id": 0, "do": "quit"}</source>
-      <translation>{"id": 0, "do": "quit"}</translation>
-    </message>
   </context>
   <context>
     <name>series</name>
@@ -12228,7 +12264,11 @@ in danger use the emergency stop.</source>
     </message>
     <message>
       <source>run</source>
-      <translation>运行</translation>
+      <translation>次测量</translation>
+    </message>
+    <message>
+      <source>runs</source>
+      <translation>次测量</translation>
     </message>
     <message>
       <source>{count} by the program {program}: {counts}.</source>
@@ -13636,7 +13676,11 @@ There is no page about “{name}”.</source>
     </message>
     <message>
       <source>angle</source>
-      <translation>角度</translation>
+      <translation>个角度</translation>
+    </message>
+    <message>
+      <source>angles</source>
+      <translation>个角度</translation>
     </message>
     <message>
       <source>below x</source>
@@ -13676,7 +13720,11 @@ There is no page about “{name}”.</source>
     </message>
     <message>
       <source>pose</source>
-      <translation>位姿</translation>
+      <translation>个位姿</translation>
+    </message>
+    <message>
+      <source>poses</source>
+      <translation>个位姿</translation>
     </message>
     <message>
       <source>{closed} Show</source>
@@ -14085,6 +14133,10 @@ Click to see all messages.</source>
     </message>
     <message>
       <source>corner</source>
+      <translation>个角点</translation>
+    </message>
+    <message>
+      <source>corners</source>
       <translation>个角点</translation>
     </message>
     <message>

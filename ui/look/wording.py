@@ -67,8 +67,7 @@ def counted(value: int) -> str:
 
 def several(value: int, one: str, many: str = "") -> str:
     """Format a count with its noun: ``1 view`` or ``8 views``."""
-    noun = translated(one)  # a translation serves any count
-    return f"{counted(value)} {noun if noun != one or value == 1 else many or one + 's'}"
+    return tr("{count} {noun}", count=counted(value), noun=one if value == 1 else many or one + "s")
 
 
 def duration(seconds: float) -> str:

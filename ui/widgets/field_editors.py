@@ -16,6 +16,7 @@ from pydantic import BaseModel, SecretStr
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QCheckBox, QLineEdit, QPlainTextEdit, QWidget
 
+from ui.look.language.retranslating import GIVEN
 from ui.look.language.words import tr, translated
 from ui.widgets.basic import CalmComboBox, column, label, row
 
@@ -162,6 +163,7 @@ class ChoiceEditor(FieldEditor):
     def __init__(self, options: Sequence[Any]) -> None:
         super().__init__()
         self.box = CalmComboBox()
+        self.box.setProperty(GIVEN, True)
         self.box.setMinimumWidth(NUMBER_WIDTH)
         self._options = list(options)
         for option in options:

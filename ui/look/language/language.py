@@ -30,6 +30,7 @@ class Language(QObject):
     def __init__(self, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self.name = "en"
+        QLocale.setDefault(QLocale("en"))  # fields for numbers then write them as all other texts do
         self._translator = QTranslator(self)  # of Qt's own texts, such as those of its file dialogs
         self.retranslation = Retranslation(self)
 

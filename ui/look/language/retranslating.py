@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from itertools import chain
+from weakref import WeakKeyDictionary
 
 from PySide6.QtCore import QEvent, QObject, QSignalBlocker, Qt, QTimer
 from PySide6.QtGui import QAction
@@ -21,10 +22,13 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from ui.look.language.words import TRANSLATOR
+from ui.look.language.words import TRANSLATOR, Origin
 from ui.look.wording import THIN
 
 AT_ONCE = 150  # widgets between two turns of the event loop; about 20 ms
+GIVEN = "given"  # property of boxes whose items are names that people gave, or values
+FIRST_ITEM = 1_000  # items of a combo box are kept apart from its other texts
+ORIGINS: WeakKeyDictionary[QObject, dict[int, tuple[str, Origin]]] = WeakKeyDictionary()
 Getter = Callable[[], str]
 Setter = Callable[[str], object]
 
@@ -64,12 +68,12 @@ class Retranslation(QObject):
 
 
 def _renew(one: QObject) -> None:
-    for read, write in _texts(one):
+    for place, (read, write) in enumerate(_texts(one)):
         text = read()
         bare = text.removeprefix(THIN)  # between an icon and its text
-        if bare and (new := TRANSLATOR.renewed(bare)) != bare:
+        if bare and (new := _renewed(one, place, bare)) != bare:
             write(text[: len(text) - len(bare)] + new)
-    if isinstance(one, QComboBox):
+    if isinstance(one, QComboBox) and not one.property(GIVEN):
         _renew_items(one)
     elif isinstance(one, QAbstractItemView):
         one.viewport().update()
@@ -81,7 +85,20 @@ def _renew(one: QObject) -> None:
 def _renew_items(box: QComboBox) -> None:
     with QSignalBlocker(box):
         for place in range(box.count()):
-            box.setItemText(place, TRANSLATOR.renewed(box.itemText(place)))
+            box.setItemText(place, _renewed(box, FIRST_ITEM + place, box.itemText(place)))
+
+
+def _renewed(one: QObject, place: int, text: str) -> str:
+    """Return a text in the chosen language; its own origin counts, as several English texts may have one translation."""
+    origins = ORIGINS.setdefault(one, {})
+    if place in origins and origins[place][0] == text:
+        origin = origins[place][1]
+        new = TRANSLATOR.translate(origin.source, origin.values)
+    else:
+        new = TRANSLATOR.renewed(text)
+    if (issued := TRANSLATOR.origin(new)) is not None:
+        origins[place] = new, issued
+    return new
 
 
 def _texts(one: QObject) -> Iterator[tuple[Getter, Setter]]:

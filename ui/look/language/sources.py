@@ -12,7 +12,7 @@ from measureapp.resources import resource
 ROOT = resource("languages").parent.parent
 WORDS = re.compile(r"[A-Za-z]{2}")
 PLACEHOLDER = re.compile(r"\{\w+[^{}]*\}")
-CODE = re.compile(r"px;|vec3\(|%\(|color: ")  # style sheets, shaders and formats of the log
+CODE = re.compile(r"""px;|vec3\(|%\(|color: |->|"do": """)  # style sheets, shaders and formats of the log
 NAMES = re.compile(r"[\w./\\*#:+-]*")  # of files, keys and settings
 MESSAGES = {  # calls of the core whose texts reach the window
     "InputError", "StorageError", "DeviceError", "PlanError", "CalibrationError", "ReconstructError", "RegisterError", "InspectionError",
@@ -63,6 +63,8 @@ def _texts(tree: ast.Module) -> Iterator[str]:
         direct = isinstance(parent, ast.Call) and _name(parent.func) in ("tr", "later", "several", "label") and node in parent.args
         if WORDS.search(PLACEHOLDER.sub("", node.value)) and (direct or (_is_text(node.value) and not _is_internal(node, parents))):
             yield node.value
+            if isinstance(parent, ast.Call) and _name(parent.func) == "several" and len(parent.args) == 2:
+                yield node.value + "s"  # as `several` forms it
 
 
 def _is_text(value: str) -> bool:

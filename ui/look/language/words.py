@@ -68,6 +68,10 @@ class Translator:
                 self._issued.popitem(last=False)
         return made
 
+    def origin(self, text: str) -> Origin | None:
+        """Return what a text on display was last made of; None if it was not made here."""
+        return self._issued.get(text)
+
     def renewed(self, text: str) -> str:
         """Return a text in the language chosen now: one displayed before, a constant, or a message of the core with its values put in.
 

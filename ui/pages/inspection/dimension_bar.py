@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QWidget
 
+from ui.look.language.retranslating import GIVEN
 from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.widgets.basic import Button, column, label, row
@@ -76,6 +77,8 @@ class DimensionBar(QWidget):
         self.button.setCheckable(True)
         self.button.toggled.connect(self.setVisible)
         self.kind, self.first, self.second = QComboBox(), QComboBox(), QComboBox()
+        for box in (self.first, self.second):
+            box.setProperty(GIVEN, True)
         for name, kind in KINDS.items():
             self.kind.addItem(translated(kind.words), name)
         for box, words in ((self.kind, "Kind of dimension"), (self.first, "First feature"), (self.second, "Second feature or datum")):

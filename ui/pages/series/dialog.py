@@ -9,6 +9,7 @@ from PySide6.QtSvgWidgets import QSvgWidget
 from PySide6.QtWidgets import QComboBox, QDialog, QLineEdit, QWidget
 
 from ui.controllers.series import ReadSeries, SeriesController
+from ui.look.language.retranslating import GIVEN
 from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.pages.series.rows import HEADERS, NUMERIC, rows_of, summary
@@ -37,6 +38,7 @@ class SeriesDialog(QDialog):
         self._session, self._series = session, series
         self.found: ReadSeries | None = None
         self.programs = QComboBox()
+        self.programs.setProperty(GIVEN, True)
         self.programs.setAccessibleName(tr("Program"))
         self.words = label(NONE_YET, "body", wrap=True)
         self.table = DataTable(look, list(HEADERS), numeric=NUMERIC, stretch=0)

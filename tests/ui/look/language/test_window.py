@@ -5,10 +5,14 @@ from __future__ import annotations
 import re
 
 import pytest
+from PySide6.QtCore import QLocale
+from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QLabel, QWidget
 
 from measureapp.calibrate.kinds.table import KINDS
+from tests.ui.cut_texts import cut_texts
 from tests.ui.look.language.displayed import displayed_texts
 from ui.look.language.catalogue import Catalogue, Entry, placeholders, read_catalogue
+from ui.look.language.retranslating import GIVEN
 from ui.look.language.sources import catalogue_file, core_texts, window_texts
 from ui.pages.calibration_rows import added_to_length_mm
 
@@ -69,6 +73,39 @@ def test_pages_are_what_they_were_after_changing_back(filled, speaking, qtbot):
         assert set(displayed_texts(page)) - {("", "")} == before[name], name
 
 
+def test_texts_that_share_a_translation_keep_their_own_words(application, window, qtbot, monkeypatch):
+    catalogue = Catalogue("zh_CN", {text: Entry(text, "测量") for text in ("Measure", "Measurement")})
+    monkeypatch.setattr("ui.look.language.language.read_catalogue", lambda _path: catalogue)
+    box = QWidget(window)
+    labels = [QLabel("Measure", box), QLabel("Measurement", box)]
+    for _ in range(2):
+        application.settings.set_text("language", "zh_CN")
+        application.language.retranslation.finish()
+        assert [one.text() for one in labels] == ["测量", "测量"]
+        application.settings.set_text("language", "en")
+        application.language.retranslation.finish()
+        assert [one.text() for one in labels] == ["Measure", "Measurement"]
+
+
+def test_names_that_people_gave_are_not_translated(application, window, speaking):
+    names, kinds = QComboBox(window), QComboBox(window)
+    names.setProperty(GIVEN, True)
+    for box in (names, kinds):
+        box.addItem("Plane")
+    speaking("zh_CN")
+    assert (names.currentText(), kinds.currentText()) == ("Plane", "⟦Plane⟧")
+
+
+def test_nothing_is_cut_in_chinese_in_the_smallest_window(application, filled, qtbot):
+    filled.resize(1280, 720)
+    application.settings.set_text("language", "zh_CN")
+    application.language.retranslation.finish()
+    for name in filled.pages:
+        filled.show_page(name)
+        qtbot.wait(100)
+        assert not [text for text in cut_texts(filled) if "view-0" not in text], name
+
+
 def test_wizards_speak_the_language_that_is_chosen(calibration_page, speaking):
     speaking("zh_CN")
     for name in KINDS:
@@ -111,6 +148,15 @@ def test_what_a_calibration_adds_to_a_length_does_not_depend_on_the_language(fil
     speaking("zh_CN")
     page.look.changed.emit()
     assert added_to_length_mm(filled.session.calibration, filled.session.rig) == pytest.approx(float(before.split()[0]), abs=5e-4)
+
+
+@pytest.mark.parametrize("name", ["en", "zh_CN"])
+def test_fields_write_numbers_as_texts_do(application, qtbot, name):
+    application.language.choose(name)
+    field = QDoubleSpinBox()
+    qtbot.addWidget(field)
+    field.setValue(1.25)
+    assert field.text() == "1.25" and QLocale().name().startswith(name.split("_")[0])
 
 
 def test_a_language_that_is_not_there_is_english(application):
