@@ -118,11 +118,7 @@ def with_limits(settings: DecodeSettings, min_modulation: float | None, max_phas
         raise InputError(f"--min-modulation {min_modulation:g} is below 0.", "Give grey levels of an 8-bit image.")
     if max_phase_sigma is not None and not max_phase_sigma > 0:
         raise InputError(f"--max-phase-sigma {max_phase_sigma:g} is not an angle above 0.", "Give radians.")
-    limits = {"faint_modulation": min_modulation, "max_sigma_rad": max_phase_sigma}
-    given = {name: value for name, value in limits.items() if value is not None}
-    if min_modulation is not None:
-        given["min_modulation"] = max(settings.min_modulation, min_modulation)
-    return settings.model_copy(update=given)
+    return settings.limited(min_modulation, max_phase_sigma)
 
 
 def _blooming_px(stack: FringeStack, settings: DecodeSettings, wanted: str) -> int:

@@ -9,6 +9,7 @@ import typer
 
 from measureapp.cli.calibrate.option_groups import with_groups
 from measureapp.cli.campaign import ClusterOption, answer_jobs, run_jobs
+from measureapp.cli.decode import ModulationOption, PhaseSigmaOption, with_limits
 from measureapp.cli.import_recording import process_imported
 from measureapp.cli.main import DONE, OUT_OF_TOLERANCE
 from measureapp.cli.outcome import measurement_lines, report_event
@@ -45,6 +46,8 @@ def register(app: typer.Typer) -> None:
                 help="Only report whether the results belong to the present images, calibration and program, and whether files are missing or cut off.",
             ),
         ] = False,
+        min_modulation: ModulationOption = None,
+        max_phase_sigma: PhaseSigmaOption = None,
         profile: Annotated[
             bool,
             typer.Option("--profile", help="State time, processor time, peak memory and bytes read and written of every stage."),
@@ -54,7 +57,7 @@ def register(app: typer.Typer) -> None:
     ) -> None:
         """Recompute everything, calibration included, from the stored images.
 
-        A viewpoint whose images are damaged is reported and not used. Of an imported recording, everything that its images suffice for is computed, and what is missing for the rest is stated.
+        A viewpoint whose images are damaged is reported and not used. Of an imported recording, everything that its images suffice for is computed, and what is missing for the rest is stated. Limits of pixels (--min-modulation, --max-phase-sigma) are stored with the project and hold from now on.
         """
         from measureapp.pipeline import process_project
         from measureapp.pipeline.recording.stages import is_recording
@@ -62,13 +65,19 @@ def register(app: typer.Typer) -> None:
         from measureapp.project.folder import ProjectFolder
 
         if len(projects) > 1 or cluster is not None:
-            _process_many(projects, cluster, as_json, accept or refuse or check or profile or part.identification())
+            _process_many(
+                projects,
+                cluster,
+                as_json,
+                accept or refuse or check or profile or part.identification() or min_modulation is not None or max_phase_sigma is not None,
+            )
             return
         folder = ProjectFolder.open(projects[0])
         if check:
             raise typer.Exit(_check(folder, as_json))
         _choose(folder, accept or [], refuse or [])
         _state(folder, part)
+        _limit(folder, min_modulation, max_phase_sigma)
         if is_recording(folder):
             process_imported(folder, as_json)
             return
@@ -104,6 +113,16 @@ def _state(folder: ProjectFolder, part: PartState) -> None:
     stated = part.identification()
     if stated is not None:
         save_identification(folder.path, stated.with_defaults(read_identification(folder.path)))
+
+
+def _limit(folder: ProjectFolder, min_modulation: float | None, max_phase_sigma: float | None) -> None:
+    """Store limits of the pixels with the project, where they are stated. Raises InputError."""
+    from measureapp.fringe.settings import DecodeSettings
+
+    stated = {"min_modulation": min_modulation, "max_phase_sigma_rad": max_phase_sigma}
+    if stated := {name: value for name, value in stated.items() if value is not None}:
+        with_limits(DecodeSettings(), min_modulation, max_phase_sigma)  # refuses what is no limit
+        folder.save_decode_limits(folder.decode_limits().model_copy(update=stated))
 
 
 def _reporting(damaged: dict[str, str]) -> Callable[[Event], None]:

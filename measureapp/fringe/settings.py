@@ -52,6 +52,15 @@ class DecodeSettings(Model):
         description="for every phase-shift group, in order, the harmonics (k, a, p) of the projector: phase − Σ a sin(k phase + p)",
     )
 
+    def limited(self, min_modulation: float | None, max_sigma_rad: float | None) -> DecodeSettings:
+        """Return the settings with another least modulation of pixels beyond doubt, or largest σ; None keeps it."""
+        given: dict[str, float] = {}
+        if min_modulation is not None:
+            given = {"faint_modulation": min_modulation, "min_modulation": max(self.min_modulation, min_modulation)}
+        if max_sigma_rad is not None:
+            given["max_sigma_rad"] = max_sigma_rad
+        return self.model_copy(update=given)
+
     def min_modulation_grey(self, saturation: float) -> float:
         """Return the least modulation in grey levels of images that saturate at ``saturation``."""
         return self.min_modulation * saturation / EIGHT_BIT_WHITE

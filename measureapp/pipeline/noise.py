@@ -40,8 +40,9 @@ def measure_noise(
 
 
 def decode_settings_of(project: ProjectFolder) -> DecodeSettings:
-    """Return the decode settings of a project, with the measured noise of its cameras. Raises InputError."""
-    return DecodeSettings(camera_noise=project.noise())
+    """Return the decode settings of a project: the measured noise of its cameras, and its limits. Raises InputError, StorageError."""
+    limits = project.decode_limits()
+    return DecodeSettings(camera_noise=project.noise()).limited(limits.min_modulation, limits.max_phase_sigma_rad)
 
 
 def describe_noise(project: ProjectFolder) -> dict[str, str]:

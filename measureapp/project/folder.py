@@ -8,6 +8,7 @@ calibration/        views/ (images of the board and read-backs), cameras.json, r
 stacks/             raw fringe images: permanent
 inspection/         program.toml and its nominal, in mm; former/: replaced nominals; report.typ: template of the report
 view_choices.json   views accepted or refused by hand
+decode_limits.json  limits of the pixels that are decoded, where they are not the usual ones
 storage.json        what becomes of raw images: kept, compressed or dropped
 results/            clouds, stitched cloud, mesh, measurement.json: recomputed by `process`; filters.npz, filtered_cloud.ply
 report/             reports
@@ -26,6 +27,7 @@ from typing import TYPE_CHECKING, Any
 
 from measureapp.data.board import BoardView
 from measureapp.data.calibration import RigCalibration
+from measureapp.data.decode_limits import DecodeLimits
 from measureapp.data.measurement import Measurement
 from measureapp.data.mesh import Mesh
 from measureapp.data.plan import ScanPlan
@@ -58,7 +60,7 @@ if TYPE_CHECKING:
 
 __all__ = ["DEFAULT_BOARD", "ProjectFolder", "ProjectSettings"]
 PROGRAM, NOMINAL, FORMER = "program.toml", "nominal", "former"
-VIEW_CHOICES, STORAGE = "view_choices.json", "storage.json"
+VIEW_CHOICES, STORAGE, DECODE_LIMITS = "view_choices.json", "storage.json", "decode_limits.json"
 
 
 class ProjectFolder:
@@ -317,6 +319,16 @@ class ProjectFolder:
     def save_view_choices(self, choices: ViewChoices) -> None:
         """Store the views accepted or refused by hand. Raises StorageError."""
         write_text(self.path / VIEW_CHOICES, choices.model_dump_json(indent=2))
+
+    def decode_limits(self) -> DecodeLimits:
+        """Return the limits of the pixels that are decoded. Raises StorageError when the file is damaged."""
+        path = self.path / DECODE_LIMITS
+        self.journal.check(path)
+        return read_model(path, DecodeLimits) if path.exists() else DecodeLimits()
+
+    def save_decode_limits(self, limits: DecodeLimits) -> None:
+        """Store the limits of the pixels that are decoded. Raises StorageError."""
+        write_text(self.path / DECODE_LIMITS, limits.model_dump_json(indent=2))
 
     def storage_rules(self) -> StorageRules:
         """Return what becomes of raw images. Raises StorageError when the file is damaged."""

@@ -12,6 +12,7 @@ from measureapp.project.journal.state import Contents
 WORDS = {
     "calibration": "The results were computed with another calibration.",
     "noise": "The results were computed with another noise model of the cameras.",
+    "limits": "The results were computed with other limits of the pixels.",
     "plan": "The scan plan was changed after the results were computed.",
     "program": "The results were computed with another inspection program.",
     "nominal": "The results were computed with another nominal.",
@@ -22,6 +23,7 @@ OF_INSPECTION = ("program", "nominal", "choices")
 FILES = {
     "calibration": ("calibration/cameras.json", "calibration/rig.json", "calibration/rig_uncertainty.npz"),
     "noise": ("calibration/noise.json",),
+    "limits": ("decode_limits.json",),
     "plan": ("plan.json",),
     "program": ("inspection/program.toml",),
     "choices": ("view_choices.json",),

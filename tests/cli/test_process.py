@@ -9,8 +9,12 @@ import pytest
 from demo_fixture import Demo
 
 from measureapp.cli import main
+from measureapp.data.decode_limits import DecodeLimits
 from measureapp.pipeline import Outcome
 from measureapp.pipeline.events import ViewFailed
+from measureapp.pipeline.noise import decode_settings_of
+from measureapp.project.folder import ProjectFolder
+from measureapp.project.inputs import changes, current_inputs
 
 
 @pytest.fixture
@@ -39,3 +43,25 @@ def test_a_part_without_program_has_points_and_no_dimensions(processed: None, de
     said = capsys.readouterr().out
     assert said.startswith("gypsum: ")
     assert said.endswith("The project has no inspection program.\n")
+
+
+def test_limits_of_the_pixels_are_stored_and_hold_from_then_on(processed: None, demo: Demo, tmp_path) -> None:
+    made = ProjectFolder.create(tmp_path / "faint", demo.project.settings)
+    assert main(["process", str(made.path), "--min-modulation", "20"]) == 0
+    assert main(["process", str(made.path), "--max-phase-sigma", "0.1"]) == 0
+    settings = decode_settings_of(ProjectFolder.open(made.path))
+    assert settings.faint_modulation_grey(255) == settings.min_modulation_grey(255) == 20
+    assert settings.max_sigma_rad == 0.1
+
+
+def test_results_of_other_limits_are_named(demo: Demo) -> None:
+    now = current_inputs(demo.project.journal.contents())
+    assert changes(now, now | {"limits": "another"}) == ("The results were computed with other limits of the pixels.",)
+
+
+@pytest.mark.parametrize(("option", "value"), [("--min-modulation", "-1"), ("--max-phase-sigma", "0"), ("--min-modulation", "nan")])
+def test_limits_that_are_none_are_refused_and_nothing_is_stored(processed: None, demo: Demo, tmp_path, capsys, option, value) -> None:
+    made = ProjectFolder.create(tmp_path / "faint", demo.project.settings)
+    assert main(["process", str(made.path), option, value]) == 2
+    assert option in capsys.readouterr().err
+    assert made.decode_limits() == DecodeLimits()

@@ -1,0 +1,19 @@
+"""Limits of the pixels that a project decodes, where they are not the usual ones."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from pydantic import Field
+
+from measureapp.data.model import Model
+
+
+class DecodeLimits(Model):
+    """Limits stored with a project and applied whenever it is recomputed; None: the usual one."""
+
+    schema_version: Literal[1] = 1
+    min_modulation: float | None = Field(
+        default=None, ge=0, description="grey levels of 255, of a pixel whose fringe orders are beyond doubt"
+    )
+    max_phase_sigma_rad: float | None = Field(default=None, gt=0, description="largest standard deviation of an absolute phase")
