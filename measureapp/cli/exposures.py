@@ -29,10 +29,10 @@ def register(app: typer.Typer) -> None:
     ) -> None:
         """Count the valid pixels of every exposure and of their composite.
 
-        A pixel is valid in an exposure when it is above zero and unsaturated in all its images, and in the composite when it is so in
-        some exposure; fractions are of the whole image. The stored images are decoded twice: combined, with all unsaturated exposures
-        weighted by signal and noise, as the program measures; and by the paper's rule, with the brightest unsaturated one. The
-        project is not changed.
+        A pixel is valid in an exposure when it is above zero and unsaturated in all its images, and in the composite when it is
+        above zero in the longest exposure in which it is unsaturated; fractions are of the whole image. The stored images are decoded
+        twice: combined, with all unsaturated exposures weighted by signal and noise, as the program measures; and by the paper's rule,
+        with the brightest unsaturated one. The project is not changed.
         """
         from measureapp.pipeline.exposures import project_exposures
         from measureapp.project.folder import ProjectFolder

@@ -25,7 +25,7 @@ RULES = ("combined", "paper")  # values of `DecodeSettings.rule`
 class RuleResult:
     """What one rule of selection makes of the exposures; ratios are of all pixels of the image."""
 
-    composite_ratio: float  # above zero and unsaturated in some exposure
+    composite_ratio: float  # above zero in all images of the longest exposure in which the pixel is unsaturated
     decoded_ratio: float  # with an absolute phase
     sigma_rad: float | None  # median standard deviation of that phase; None where no pixel has one
 

@@ -12,7 +12,10 @@ from measureapp.data.measurement import Measurement
 from measureapp.report.model import Fact
 from measureapp.report.words import number, percent
 
-NOTE = "Valid: above zero and unsaturated in all images of the exposure; composite: in some exposure; decoded: with a phase. Means over the viewpoints."
+NOTE = (
+    "Valid: above zero and unsaturated in all images of the exposure; composite: of the longest exposure in which the pixel is unsaturated; "
+    "decoded: with a phase. Means over the viewpoints."
+)
 
 
 @dataclass(frozen=True, slots=True)

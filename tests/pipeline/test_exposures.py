@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
+import numpy as np
 import pytest
 
 from measureapp.errors import InputError, StorageError
-from measureapp.pipeline.exposures import RULES, project_exposures
-from measureapp.progress import CallbackProgress, Cancelled
+from measureapp.fringe.settings import DecodeSettings
+from measureapp.pipeline.exposures import RULES, decode_by_rules, project_exposures, ratios_of
+from measureapp.progress import CallbackProgress, Cancelled, NoProgress
 from tests.fringe_project import CAMERAS, EXPOSURES_US, fringe_project, shiny_stack, valid_in_each
 
 
@@ -24,6 +28,23 @@ def test_ratios_equal_the_pixels_counted_in_the_images(tmp_path) -> None:
             assert made.composite_ratio > max(one.valid_ratios)
             assert made.decoded_ratio <= made.composite_ratio
         assert one.rules["combined"].sigma_rad < one.rules["paper"].sigma_rad  # more light of the same pixels
+
+
+def test_the_composite_takes_the_longest_unsaturated_exposure_also_where_noise_lights_a_shorter_one() -> None:
+    stack = shiny_stack()
+    images = {name: made.copy() for name, made in stack.images.items()}
+    random = np.random.default_rng(11)
+    for made in images.values():
+        made[:, :, :20] = random.choice([0, 1, 2], p=[0.02, 0.49, 0.49], size=made[:, :, :20].shape)  # a background without light
+    dark = replace(stack, images=images)
+    found = ratios_of(dark, decode_by_rules(dark, DecodeSettings(), NoProgress()))
+    for camera in CAMERAS:
+        unsaturated = (images[camera] < stack.saturation).all(axis=1)
+        longest = np.argmax(unsaturated, axis=0)[None]
+        lit = np.take_along_axis((images[camera] > 0).all(axis=1), longest, axis=0)[0]
+        counted = (lit & unsaturated.any(axis=0)).mean()
+        assert valid_in_each(dark, camera).any(axis=0).mean() > counted + 0.01
+        assert [made.composite_ratio for made in found[camera].rules.values()] == pytest.approx([counted, counted], abs=1e-12)
 
 
 def test_only_the_viewpoints_that_are_asked_for_are_decoded(tmp_path) -> None:

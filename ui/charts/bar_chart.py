@@ -31,10 +31,12 @@ class Bar:
 class BarChart(Chart):
     """Bars from top to bottom, each with its name and its value; axis in their unit."""
 
-    def __init__(self, look: Look, quantity: str, unit: str = "mm", written: Callable[[float], str] = millimetres) -> None:
-        """``written`` returns a value with its unit."""
+    def __init__(
+        self, look: Look, quantity: str, unit: str = "mm", written: Callable[[float], str] = millimetres, *, most: float | None = None
+    ) -> None:
+        """``written`` returns a value with its unit; ``most`` is the largest value there can be."""
         super().__init__(look)
-        self._quantity, self._unit, self._written = quantity, unit, written
+        self._quantity, self._unit, self._written, self._most = quantity, unit, written, most
         self.bars: tuple[Bar, ...] = ()
         self._longest = 1.0
         self.setAccessibleName(translated(quantity))
@@ -55,7 +57,7 @@ class BarChart(Chart):
     def _make_plot(self) -> Plot:
         from ui.charts.plotting import NumberAxis, Plot
 
-        plot = Plot(NumberAxis("bottom", f"{self._quantity} [{self._unit}]"), NumberAxis("left", ""))
+        plot = Plot(NumberAxis("bottom", f"{self._quantity} [{self._unit}]", most=self._most), NumberAxis("left", ""))
         plot.invertY(True)
         plot.getViewBox().sigResized.connect(self._leave_room)  # also when the names need more room
         return plot

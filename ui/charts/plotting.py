@@ -21,15 +21,17 @@ SCALE_NUMBERS = 64  # px, width of the numbers and words beside the scale of a m
 class NumberAxis(pg.AxisItem):
     """An axis in one stated unit: no prefixes that change with the range, and a true minus sign."""
 
-    def __init__(self, side: str, words: str, *, numbers: bool = True) -> None:
+    def __init__(self, side: str, words: str, *, numbers: bool = True, most: float | None = None) -> None:
+        """``most``: no number is written beyond it, as there is nothing."""
         super().__init__(side)
         self.enableAutoSIPrefix(False)
-        self.words = words
+        self.words, self.most = words, most
         self.setStyle(showValues=numbers, tickLength=-4, hideOverlappingLabels=EDGE)
 
     def tickStrings(self, values: Sequence[float], scale: float, spacing: float) -> list[str]:
         """Return the numbers at the ticks."""
-        return [text.replace("-", MINUS) for text in super().tickStrings(values, scale, spacing)]
+        written = [text.replace("-", MINUS) for text in super().tickStrings(values, scale, spacing)]
+        return [text if self.most is None or value <= self.most else "" for value, text in zip(values, written, strict=True)]
 
     def dress(self, theme: Theme) -> None:
         """Take colours and letters from the theme."""

@@ -52,6 +52,14 @@ def test_bars_have_the_lengths_of_their_values_with_names_and_unit(qtbot, look):
     assert not drawn(chart, pg.BarGraphItem)
 
 
+def test_no_percentage_beyond_the_whole_is_written_at_an_axis(qtbot, look):
+    chart = shown(qtbot, BarChart(look, "Valid pixels", "%", lambda value: f"{value:.1f} %", most=100.0), 320)
+    chart.show_bars([Bar("80 ms", 96.8), Bar("Composite", 99.9)])
+    bottom = chart.plot.axes[0]
+    assert bottom.range[1] > 100.0  # room for the numbers behind the bars
+    assert bottom.tickStrings([0, 50, 100, 150], 1.0, 50.0) == ["0", "50", "100", ""]
+
+
 def test_the_deviation_histogram_counts_finite_values_on_the_range_of_the_legend(qtbot, look):
     values = np.random.default_rng(4).normal(0.0, 0.02, 5000)
     values[:7] = np.nan

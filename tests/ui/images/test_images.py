@@ -4,17 +4,21 @@ from __future__ import annotations
 
 import threading
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QPushButton
 
 from measureapp.data.phase import PhaseMap, PixelState
 from measureapp.fringe.settings import DecodeSettings
 from measureapp.pipeline.exposures import decode_by_rules
 from measureapp.progress import NoProgress
+from measureapp.project.folder import ProjectFolder
 from tests.fringe_project import CAMERAS, EXPOSURES_US, HEIGHT, WIDTH, fringe_project, shiny_stack, valid_in_each
+from tests.ui.cut_texts import cut_texts
 from tests.ui.heartbeat import Heartbeat
 from ui.images.frame_bar import FrameBar
 from ui.images.layers import KINDS, Layer, frame_layer, layer_of, legend_words
@@ -292,6 +296,25 @@ def test_a_profile_through_phase_and_grey_levels_is_plotted_and_saved(opened, mo
     monkeypatch.setattr("ui.pages.clouds.images_dialog.choose_new", lambda *_: tmp_path / "line.csv" / "below.csv")
     opened.panel.saveAsked.emit()
     assert "not saved" in opened.state.text()
+
+
+@pytest.mark.parametrize("size", [(1240, 680), (0, 0)], ids=["as opened", "smallest"])
+def test_the_names_of_all_maps_and_of_three_cameras_have_room(qtbot, clouds, size):
+    stack = shiny_stack("view-03")
+    images = {**stack.images, "upper": stack.images["right"]}
+    ProjectFolder.open(clouds.session.folder).frames.store(replace(stack, images=images))
+    dialog = clouds.images_dialog
+    dialog.open_view("view-03")
+    dialog.resize(*size)
+    qtbot.waitUntil(lambda: dialog.view is not None, timeout=PATIENCE_MS)
+    qtbot.wait(60)
+    assert list(dialog.view.maps) == ["left", "right", "upper"]
+    assert cut_texts(dialog) == []
+    for segments in (dialog.kind, dialog.cameras):
+        buttons = sorted(segments.findChildren(QPushButton), key=lambda each: each.x())
+        for one, following in pairwise(buttons):
+            assert one.width() >= one.sizeHint().width() and one.geometry().right() <= following.x()
+        assert buttons[-1].geometry().right() < segments.width()
 
 
 def test_a_view_without_images_is_told_in_words(qtbot, opened, clouds):

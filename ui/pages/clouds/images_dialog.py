@@ -36,7 +36,7 @@ class ImagesDialog(QDialog):
     def __init__(self, look: Look, images: ImagesController, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.look, self.images = look, images
-        self.setMinimumSize(960, 600)
+        self.setMinimumSize(1120, 680)
         self.resize(1240, 680)
         self.viewpoint_id = ""
         self.view: ViewImages | None = None
@@ -74,7 +74,7 @@ class ImagesDialog(QDialog):
         self.panel.hide()
         self.pixel, self.values = label("", "heading"), label(ASK, "body", wrap=True)
         self.histogram = LevelHistogram(look)
-        self.chart = BarChart(look, "Valid pixels", "%", lambda value: quantity(value, "%", 1))
+        self.chart = BarChart(look, "Valid pixels", "%", lambda value: quantity(value, "%", 1), most=100.0)
         self.progress, self.note = QProgressBar(), label("", "soft")
         self.progress.setTextVisible(False)
         self.progress.setRange(0, 1000)
@@ -86,12 +86,20 @@ class ImagesDialog(QDialog):
 
     def _lay_out(self) -> None:
         top = row(column(self.title, self.state, spacing=0), 0, self.note, self.progress, self.cancel, self.again, spacing=12)
-        tools = row(self.kind, 0, self._camera_place, self.line, self.whole, spacing=8)
+        tools = row(self.kind, 0, self.line, self.whole, spacing=8)
         left = column(tools, self.map, self.frames, self.legend, self.panel, spacing=8)
         left.setStretch(1, 1)
         said = card(self.pixel, self.values, 0, margin=12, spacing=4)
         said.setMinimumHeight(200)
-        side = column(said, label("Grey levels of the image", "caption"), self.histogram, label("Valid pixels", "caption"), self.chart, 0)
+        side = column(
+            self._camera_place,
+            said,
+            label("Grey levels of the image", "caption"),
+            self.histogram,
+            label("Valid pixels", "caption"),
+            self.chart,
+            0,
+        )
         right = QWidget()
         right.setObjectName("clear")
         right.setLayout(side)
