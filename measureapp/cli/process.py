@@ -118,11 +118,12 @@ def _state(folder: ProjectFolder, part: PartState) -> None:
 def _limit(folder: ProjectFolder, min_modulation: float | None, max_phase_sigma: float | None) -> None:
     """Store limits of the pixels with the project, where they are stated. Raises InputError."""
     from measureapp.fringe.settings import DecodeSettings
+    from measureapp.project.fringes.decode_limits_file import read_decode_limits, save_decode_limits
 
     stated = {"min_modulation": min_modulation, "max_phase_sigma_rad": max_phase_sigma}
     if stated := {name: value for name, value in stated.items() if value is not None}:
         with_limits(DecodeSettings(), min_modulation, max_phase_sigma)  # refuses what is no limit
-        folder.save_decode_limits(folder.decode_limits().model_copy(update=stated))
+        save_decode_limits(folder.path, read_decode_limits(folder.path).model_copy(update=stated))
 
 
 def _reporting(damaged: dict[str, str]) -> Callable[[Event], None]:

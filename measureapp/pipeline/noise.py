@@ -10,6 +10,7 @@ from measureapp.fringe.noise.photon_transfer import NoiseEstimate, estimate_nois
 from measureapp.fringe.settings import DecodeSettings
 from measureapp.progress import NoProgress, Progress
 from measureapp.project.folder import ProjectFolder
+from measureapp.project.fringes.decode_limits_file import read_decode_limits
 
 
 def measure_noise(
@@ -41,7 +42,7 @@ def measure_noise(
 
 def decode_settings_of(project: ProjectFolder) -> DecodeSettings:
     """Return the decode settings of a project: the measured noise of its cameras, and its limits. Raises InputError, StorageError."""
-    limits = project.decode_limits()
+    limits = read_decode_limits(project.path)
     return DecodeSettings(camera_noise=project.noise()).limited(limits.min_modulation, limits.max_phase_sigma_rad)
 
 

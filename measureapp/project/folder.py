@@ -27,7 +27,6 @@ from typing import TYPE_CHECKING, Any
 
 from measureapp.data.board import BoardView
 from measureapp.data.calibration import RigCalibration
-from measureapp.data.decode_limits import DecodeLimits
 from measureapp.data.measurement import Measurement
 from measureapp.data.mesh import Mesh
 from measureapp.data.plan import ScanPlan
@@ -60,7 +59,7 @@ if TYPE_CHECKING:
 
 __all__ = ["DEFAULT_BOARD", "ProjectFolder", "ProjectSettings"]
 PROGRAM, NOMINAL, FORMER = "program.toml", "nominal", "former"
-VIEW_CHOICES, STORAGE, DECODE_LIMITS = "view_choices.json", "storage.json", "decode_limits.json"
+VIEW_CHOICES, STORAGE = "view_choices.json", "storage.json"
 
 
 class ProjectFolder:
@@ -319,16 +318,6 @@ class ProjectFolder:
     def save_view_choices(self, choices: ViewChoices) -> None:
         """Store the views accepted or refused by hand. Raises StorageError."""
         write_text(self.path / VIEW_CHOICES, choices.model_dump_json(indent=2))
-
-    def decode_limits(self) -> DecodeLimits:
-        """Return the limits of the pixels that are decoded. Raises StorageError when the file is damaged."""
-        path = self.path / DECODE_LIMITS
-        self.journal.check(path)
-        return read_model(path, DecodeLimits) if path.exists() else DecodeLimits()
-
-    def save_decode_limits(self, limits: DecodeLimits) -> None:
-        """Store the limits of the pixels that are decoded. Raises StorageError."""
-        write_text(self.path / DECODE_LIMITS, limits.model_dump_json(indent=2))
 
     def storage_rules(self) -> StorageRules:
         """Return what becomes of raw images. Raises StorageError when the file is damaged."""

@@ -14,6 +14,7 @@ from measureapp.pipeline import Outcome
 from measureapp.pipeline.events import ViewFailed
 from measureapp.pipeline.noise import decode_settings_of
 from measureapp.project.folder import ProjectFolder
+from measureapp.project.fringes.decode_limits_file import read_decode_limits
 from measureapp.project.inputs import changes, current_inputs
 
 
@@ -64,4 +65,4 @@ def test_limits_that_are_none_are_refused_and_nothing_is_stored(processed: None,
     made = ProjectFolder.create(tmp_path / "faint", demo.project.settings)
     assert main(["process", str(made.path), option, value]) == 2
     assert option in capsys.readouterr().err
-    assert made.decode_limits() == DecodeLimits()
+    assert read_decode_limits(made.path) == DecodeLimits()
