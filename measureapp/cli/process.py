@@ -21,7 +21,9 @@ from measureapp.errors import InputError
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
+    from measureapp.pipeline import Outcome
     from measureapp.pipeline.events import Event
+    from measureapp.pipeline.watch import Profile
     from measureapp.project.folder import ProjectFolder
 
 
@@ -59,18 +61,12 @@ def register(app: typer.Typer) -> None:
 
         A viewpoint whose images are damaged is reported and not used. Of an imported recording, everything that its images suffice for is computed, and what is missing for the rest is stated. Limits of pixels (--min-modulation, --max-phase-sigma) are stored with the project and hold from now on.
         """
-        from measureapp.pipeline import process_project
         from measureapp.pipeline.recording.stages import is_recording
-        from measureapp.pipeline.watch import Profile
         from measureapp.project.folder import ProjectFolder
 
         if len(projects) > 1 or cluster is not None:
-            _process_many(
-                projects,
-                cluster,
-                as_json,
-                accept or refuse or check or profile or part.identification() or min_modulation is not None or max_phase_sigma is not None,
-            )
+            limits = [one for one in (min_modulation, max_phase_sigma) if one is not None]
+            _process_many(projects, cluster, as_json, accept or refuse or check or profile or part.identification() or limits)
             return
         folder = ProjectFolder.open(projects[0])
         if check:
@@ -82,17 +78,23 @@ def register(app: typer.Typer) -> None:
             process_imported(folder, as_json)
             return
         damaged: dict[str, str] = {}
-        used: dict[str, Any] = {}
-        if profile:
-            with Profile() as watch:
-                outcome = process_project(folder, _reporting(damaged), TerminalProgress(), watch)
-            used = {"profile": watch.document()}
-        else:
-            outcome = process_project(folder, _reporting(damaged), TerminalProgress())
-        lines = [*measurement_lines(outcome.measurement), *(watch.lines() if profile else ())]
+        outcome, watch = _recompute(folder, damaged, profile=profile)
+        used: dict[str, Any] = {} if watch is None else {"profile": watch.document()}
+        lines = [*measurement_lines(outcome.measurement), *(() if watch is None else watch.lines())]
         reply({**outcome.document, **used, **({"damaged": damaged} if damaged else {})}, "\n".join(lines), as_json)
         if damaged or not has_passed(outcome.measurement):
             raise typer.Exit(OUT_OF_TOLERANCE)
+
+
+def _recompute(folder: ProjectFolder, damaged: dict[str, str], *, profile: bool) -> tuple[Outcome, Profile | None]:
+    """Process a project; with its profile, where that is wanted."""
+    from measureapp.pipeline import process_project
+    from measureapp.pipeline.watch import Profile
+
+    if not profile:
+        return process_project(folder, _reporting(damaged), TerminalProgress()), None
+    with Profile() as watch:
+        return process_project(folder, _reporting(damaged), TerminalProgress(), watch), watch
 
 
 def _process_many(projects: Sequence[Path], cluster: str | None, as_json: bool, with_options: object) -> None:
