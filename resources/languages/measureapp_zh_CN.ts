@@ -13152,7 +13152,7 @@ There is no page about “{name}”.</source>
     </message>
     <message>
       <source>English</source>
-      <translation>英语</translation>
+      <translation>English</translation>
     </message>
     <message>
       <source>Exact</source>

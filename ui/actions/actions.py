@@ -10,6 +10,7 @@ from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QWidget
 
 from ui.actions.search import score
+from ui.look.language.words import translated
 
 EVERYWHERE = ""
 ENGINEERS = "This needs the engineer's role."
@@ -81,7 +82,7 @@ class Actions(QObject):
 
     def find(self, typed: str) -> tuple[Action, ...]:
         """Return the actions that fit what was typed, the best first; of equals those that can be used."""
-        scored = [(score(typed, action.text, action.keywords), place, action) for place, action in enumerate(self._actions.values())]
+        scored = [(_fit(typed, action), place, action) for place, action in enumerate(self._actions.values())]
         found = [(UNUSABLE * bool(self.reason(action)) - points, place, action) for points, place, action in scored if points is not None]
         return tuple(action for *_, action in sorted(found, key=lambda entry: entry[:2]))
 
@@ -98,3 +99,10 @@ class Actions(QObject):
             return False
         action.run()
         return True
+
+
+def _fit(typed: str, action: Action) -> float | None:
+    """Return how well an action fits what was typed, in the language of the window; its English words are keywords then."""
+    text = translated(action.text)
+    keywords = action.keywords if text == action.text else f"{translated(action.keywords)} {action.text} {action.keywords}"
+    return score(typed, text, keywords)

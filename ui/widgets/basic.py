@@ -43,7 +43,7 @@ class ElidedLabel(QLabel):
     """A label that is elided when there is too little space."""
 
     def __init__(self, text: str, role: TextRole) -> None:
-        super().__init__(text)
+        super().__init__(translated(text))
         self.setProperty("role", role)
         self.words = translated(text)
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)

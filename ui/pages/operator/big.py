@@ -45,7 +45,7 @@ class BigButton(QPushButton):
     pressedOnce = Signal()
 
     def __init__(self, text: str, look: Look, icon: str = "", role: BigRole = "normal") -> None:
-        super().__init__(text)
+        super().__init__(translated(text))
         self._look, self._icon, self._role = look, icon, role
         self._since = QElapsedTimer()
         self.setProperty("op", role)

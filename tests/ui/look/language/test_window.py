@@ -102,8 +102,7 @@ def test_nothing_is_cut_in_chinese_in_the_smallest_window(application, filled, q
     application.language.retranslation.finish()
     for name in filled.pages:
         filled.show_page(name)
-        qtbot.wait(100)
-        assert not [text for text in cut_texts(filled) if "view-0" not in text], name
+        qtbot.waitUntil(lambda: not [text for text in cut_texts(filled) if "view-0" not in text], timeout=10_000)
 
 
 def test_wizards_speak_the_language_that_is_chosen(calibration_page, speaking):
@@ -157,6 +156,19 @@ def test_fields_write_numbers_as_texts_do(application, qtbot, name):
     qtbot.addWidget(field)
     field.setValue(1.25)
     assert field.text() == "1.25" and QLocale().name().startswith(name.split("_")[0])
+
+
+def test_commands_are_found_by_the_words_of_the_language_and_by_the_english_ones(application, window):
+    application.language.choose("zh_CN")
+    assert window.actions_.find("设置")[0].id == window.actions_.find("settings")[0].id == "settings"
+
+
+def test_a_window_made_in_a_language_speaks_it(application, window, qtbot, speaking):
+    speaking("zh_CN")
+    window.header.role.setValue("operator")
+    qtbot.wait(50)
+    assert not english_left(displayed_texts(window.shell.operator.bar))
+    window.shell.operator.bar.engineer.click()
 
 
 def test_a_language_that_is_not_there_is_english(application):
