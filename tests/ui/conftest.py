@@ -202,6 +202,21 @@ def window(application: Application):
 
 
 @pytest.fixture
+def filled(application: Application, window, measurement, plan, rig: RigDescription, qtbot):
+    """Return the window after a measurement, with 3-D pictures where the graphics libraries are installed."""
+    from ui.viewport.backend import missing_graphics
+
+    session = application.session
+    session.set_graphics("failed" if missing_graphics() else "ready", "No graphics in this test.")
+    session.open_project("gypsum-4711", "gypsum", None)
+    session.set_rig(rig)
+    session.set_plan(plan)
+    session.set_measurement(measurement, {})
+    qtbot.wait(50)
+    return window
+
+
+@pytest.fixture
 def heartbeat(qapp) -> Iterator[Heartbeat]:
     """A running heartbeat of the window's thread; the test calls its `check`."""
     with Heartbeat() as heart:
