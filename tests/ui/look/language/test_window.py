@@ -61,10 +61,13 @@ def test_every_page_speaks_the_language_that_is_chosen(filled, speaking, qtbot):
     assert not left
 
 
-def test_pages_are_what_they_were_after_changing_back(filled, speaking, qtbot):
+def test_pages_are_what_they_were_after_changing_back(application, filled, speaking, qtbot):
     for name in filled.pages:
         filled.show_page(name)
         qtbot.wait(50)
+    runners = application.controllers.runners
+    qtbot.waitUntil(lambda: not any(runner.queue.busy for runner in runners) and not filled.pages["report"].is_composing, timeout=60_000)
+    qtbot.wait(200)
     before = {name: set(displayed_texts(page)) for name, page in filled.pages.items()}
     speaking("zh_CN")
     speaking("en")
