@@ -92,7 +92,7 @@ def test_a_project_moved_to_a_path_that_is_too_long_is_still_read_and_verified(p
 def test_results_name_what_they_were_computed_from(project: ProjectFolder) -> None:
     computed(project)
     document = json.loads((project.results / "measurement.json").read_text(encoding="utf-8"))
-    assert set(document["inputs"]) == {"calibration", "noise", "plan", "program", "nominal", "choices", "stacks", "version"}
+    assert set(document["inputs"]) == {"calibration", "noise", "plan", "program", "nominal", "choices", "limits", "stacks", "version"}
     assert document["inputs"]["version"] == __version__ and document["inputs"]["calibration"]
     assert set(document["inputs"]["stacks"]) == {"view01", "view02"}
     assert project.stale_results() == ()
