@@ -9,14 +9,15 @@ from pathlib import Path
 from typing import Literal
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QColor, QFont
+from PySide6.QtGui import QColor, QFont, QFontDatabase
 from PySide6.QtWidgets import QApplication
 
 from measureapp.resources import resource
 
 Shade = Literal["light", "dark"]
 TOKENS = Path("themes") / "tokens.toml"
-FAMILIES = ["Inter", "Segoe UI Variable", "Segoe UI", "SF Pro Text", "Cantarell", "Noto Sans", "Roboto", "DejaVu Sans"]
+FAMILIES = ["Inter", "Segoe UI Variable", "Segoe UI", "SF Pro Text", "Cantarell", "Roboto", "Noto Sans"]
+SHIPPED = ("fonts/NotoSans-Regular.ttf", "fonts/NotoSans-Bold.ttf")  # the last family, also where it is not installed
 
 
 @dataclass(frozen=True)
@@ -57,6 +58,13 @@ def font(size_px: int, *, bold: bool = False) -> QFont:
     made.setWeight(QFont.Weight.DemiBold if bold else QFont.Weight.Normal)
     made.setFeature(QFont.Tag("tnum"), 1)
     return made
+
+
+def provide_font() -> None:
+    """Load the font that comes with the program where the computer has none of the window's families; needs an application."""
+    if not set(FAMILIES) & set(QFontDatabase.families()):
+        for file in SHIPPED:
+            QFontDatabase.addApplicationFont(str(resource(file)))
 
 
 def preferred_shade(application: QApplication) -> Shade:

@@ -25,6 +25,7 @@ from ui.look.look import Look
 
 TextRole = Literal["body", "title", "heading", "strong", "soft", "small", "caption", "figure", "field", "problem"]
 COMPACT_WIDTH = 40  # px, of a button that shows its icon only
+PART = " · "  # between the parts of a state, the most telling one last
 ButtonRole = Literal["normal", "primary", "quiet", "message", "stop"]
 
 
@@ -61,6 +62,43 @@ class ElidedLabel(QLabel):
 
     def _fit(self) -> None:
         self.setText(self.fontMetrics().elidedText(self.words, Qt.TextElideMode.ElideRight, max(40, self.width() - 2)))
+
+
+class TailLabel(QLabel):
+    """A label of parts joined by “ · ”, of which only the last is shown where there is too little room."""
+
+    def __init__(self, text: str = "") -> None:
+        super().__init__(translated(text))
+        self.words = translated(text)
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
+
+    def set_words(self, words: str) -> None:
+        """Set the text."""
+        self.words = translated(words)
+        self._fit()
+        self.updateGeometry()
+
+    def sizeHint(self) -> QSize:
+        """Return the size of the whole text."""
+        return QSize(self._width(self.words), super().sizeHint().height())
+
+    def minimumSizeHint(self) -> QSize:
+        """Return the size of the last part."""
+        return QSize(self._width(self._tail()), super().minimumSizeHint().height())
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Show as much as there is room for."""
+        super().resizeEvent(event)
+        self._fit()
+
+    def _fit(self) -> None:
+        self.setText(self.words if self._width(self.words) <= self.width() else self._tail())
+
+    def _tail(self) -> str:
+        return self.words.rpartition(PART)[2]
+
+    def _width(self, text: str) -> int:
+        return self.fontMetrics().horizontalAdvance(text) + 2
 
 
 class Button(QPushButton):

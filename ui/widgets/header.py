@@ -8,7 +8,7 @@ from PySide6.QtWidgets import QFrame, QHBoxLayout, QLabel, QMenu, QWidget
 
 from ui.look.language.words import translated
 from ui.look.look import Look
-from ui.widgets.basic import Button, ElidedLabel, column, row
+from ui.widgets.basic import PART, Button, ElidedLabel, TailLabel, column, row
 from ui.widgets.segments import Segments
 
 ROOM_FOR_WORDS = 1400  # px
@@ -22,7 +22,7 @@ class Chip(QFrame):
         self.setObjectName("chip")
         self.setFixedHeight(32)
         self._look, self._icon_name, self._colour = look, icon, "soft"
-        self._icon, self._text = QLabel(), QLabel(translated(text))
+        self._icon, self._text = QLabel(), TailLabel(text)
         layout = QHBoxLayout(self)
         layout.setContentsMargins(12, 0, 12, 0)
         layout.setSpacing(8)
@@ -32,14 +32,14 @@ class Chip(QFrame):
         self._redraw()
 
     def text(self) -> str:
-        """Return the text."""
-        return self._text.text()
+        """Return the whole text."""
+        return self._text.words
 
     def show_state(self, text: str, colour: str = "soft", tip: str = "") -> None:
         """Set text, icon colour and tooltip."""
-        self._text.setText(translated(text))
+        self._text.set_words(text)
         self._colour = colour
-        self.setToolTip(translated(tip))
+        self.setToolTip(translated("\n".join(line for line in (text, tip) if line) if PART in text else tip))
         self._redraw()
 
     def _redraw(self) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QSize, Qt, Signal
-from PySide6.QtWidgets import QButtonGroup, QFrame, QToolButton, QWidget
+from PySide6.QtWidgets import QButtonGroup, QFrame, QSizePolicy, QToolButton, QWidget
 
 from ui.look.language.words import tr, translated
 from ui.look.look import Look
@@ -18,7 +18,8 @@ class Rail(QFrame):
     def __init__(self, look: Look, entries: dict[str, str], parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setObjectName("rail")
-        self.setFixedWidth(look.theme.sizes["rail"])
+        self.setMinimumWidth(look.theme.sizes["rail"])
+        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Preferred)  # as wide as its longest word
         self._look = look
         self._group = QButtonGroup(self)
         self.buttons: dict[str, QToolButton] = {}
@@ -40,7 +41,9 @@ class Rail(QFrame):
         made.setCheckable(True)
         made.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextUnderIcon)
         made.setIconSize(QSize(24, 24))
-        made.setFixedSize(72, 64)
+        made.setFixedHeight(64)
+        made.setMinimumWidth(72)
+        made.setSizePolicy(QSizePolicy.Policy.Minimum, QSizePolicy.Policy.Fixed)
         made.setCursor(Qt.CursorShape.PointingHandCursor)
         made.setToolTip(tr("{word} (Ctrl+{value})", word=word, value=place + 1))
         made.setShortcut(tr("Ctrl+{value}", value=place + 1))
