@@ -9134,10 +9134,6 @@
       <translation>互补格雷码</translation>
     </message>
     <message>
-      <source>DejaVu Sans</source>
-      <translation>DejaVu Sans</translation>
-    </message>
-    <message>
       <source>Delay between packets</source>
       <translation>数据包间隔</translation>
     </message>
