@@ -33,7 +33,7 @@ from measureapp.simulate.options import (
 from measureapp.simulate.part import MATT_WHITE, Part
 from measureapp.simulate.parts import make_part
 from measureapp.simulate.world import PLAIN_LIGHT, World
-from measureapp.simulate.worlds import WORLDS
+from measureapp.simulate.worlds import read_world
 
 EXPOSURE_US = 60_000
 ALONE = ("hot_ppm", "shake_px", "table_backlash_arcsec", "guide_backlash_mm")  # effects that no named world has yet
@@ -314,9 +314,9 @@ def test_light_from_below_the_surface_moves_the_projector_pixel(paper: RigDescri
 
 
 def test_the_named_worlds_grow_from_ideal_to_bad() -> None:
-    assert WORLDS["ideal"] == WorldOptions()
+    assert read_world("ideal") == WorldOptions()
     for group in ("pixels", "lenses", "projector", "motions", "warmth", "board", "part"):
-        values = [getattr(WORLDS[name], group).model_dump() for name in ("ideal", "good", "usual", "bad")]
+        values = [getattr(read_world(name), group).model_dump() for name in ("ideal", "good", "usual", "bad")]
         for field in values[0]:
             if field in ("minutes", "warm_share", "seconds_per_image", "fixture") or field in ALONE:
                 continue
