@@ -15,7 +15,7 @@ from measureapp.simulate.effects.form import made_part, with_surroundings
 from measureapp.simulate.effects.motions import draw_guide_motion, draw_table_motion
 from measureapp.simulate.effects.sensor import HOT_FROM, draw_pixels
 from measureapp.simulate.effects.shake import displaced
-from measureapp.simulate.effects.sharpness import Sharpness
+from measureapp.simulate.effects.sharpness import Sharpness, gaussian
 from measureapp.simulate.effects.warmth import draw_warmth
 from measureapp.simulate.effects.waves import draw_waves
 from measureapp.simulate.kinematics import ARCSEC
@@ -165,6 +165,15 @@ def test_a_blurred_image_has_the_stated_variance_at_its_centre_and_in_its_corner
     points[150, 216] = 1.0
     seen = sharpness.blurred(points, np.array([550.0, 0.0, 0.0]), of_part=True)
     assert seen.sum() == pytest.approx(1.0, abs=1e-3)
+
+
+@pytest.mark.parametrize("sigma", [0.075, 0.3, 0.6, 0.7, 1.5])
+def test_a_blur_has_its_variance_even_where_it_is_narrower_than_a_pixel(sigma: float) -> None:
+    point = np.zeros((41, 41), np.float32)
+    point[20, 20] = 1.0
+    across = gaussian(point, sigma).sum(axis=0)
+    assert across.sum() == pytest.approx(1.0, abs=1e-5)
+    assert across @ (np.arange(41) - 20.0) ** 2 == pytest.approx(sigma**2, rel=0.04)
 
 
 def test_glare_moves_light_into_the_dark_and_keeps_its_sum() -> None:
