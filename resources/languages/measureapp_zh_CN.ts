@@ -4957,6 +4957,10 @@
       <translation>请指定此测量系统的项目，或省略标定。</translation>
     </message>
     <message>
+      <source>Name one of {v1}.</source>
+      <translation>请指定以下之一：{v1}。</translation>
+    </message>
+    <message>
       <source>Name one of: {v1}.</source>
       <translation>请指定其一：{v1}。</translation>
     </message>
@@ -5335,6 +5339,10 @@
     <message>
       <source>{v1} proposals</source>
       <translation>{v1} 项建议</translation>
+    </message>
+    <message>
+      <source>{v1} states known = {v2}.</source>
+      <translation>{v1} 中写有 known = {v2}。</translation>
     </message>
     <message>
       <source>{v1} was made with another board ({v2}).</source>
