@@ -16,6 +16,7 @@ def test_screens(workshop, qtbot, wall, verdict):
     wall.dress(workshop.application)
     workshop.verdicts = ("pass", verdict, "pass", "pass")
     screens = workshop.screens
+    qtbot.wait(50)
     wall.keep(workshop.window, "operator-1-cards")
     workshop.identify("GC-0001")
     qtbot.wait(50)
