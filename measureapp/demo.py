@@ -43,7 +43,7 @@ from measureapp.simulate.parts import make_part
 from measureapp.simulate.placing import UPRIGHT_DEG, place_part
 from measureapp.simulate.truth import Truth
 from measureapp.simulate.world import World
-from measureapp.simulate.worlds import WORLDS, WorldName
+from measureapp.simulate.worlds import IDEAL, read_world
 
 OnEvent = Callable[[Event], None]
 PLUGIN = "virtual_rig"
@@ -65,7 +65,7 @@ class DemoRequest:
     bracket_s: float | None = None  # time budget per viewpoint for exposures chosen by a probe; None: default exposures
     through_drivers: bool = False  # robot, guide and table through their drivers and virtual peers
     part_turn_deg: tuple[float, float, float] = UPRIGHT_DEG  # rotation about x, then y, then z, before it is put on the table
-    conditions: WorldName = "ideal"  # how well rig and part are made
+    conditions: str = IDEAL  # how well rig and part are made: a world of `resources/worlds`, or a TOML file
 
     @property
     def sample(self) -> SampleScan:
@@ -100,7 +100,7 @@ def run_demo(request: DemoRequest, on_event: OnEvent, progress: Progress, contro
     """
     part = place_part(make_part(request.part, request.unit), request.part_turn_deg)
     scan = sample_request(request.sample, request.folder)
-    world = World(scan.rig, part, request.seed, options=WORLDS[request.conditions])
+    world = World(scan.rig, part, request.seed, options=read_world(request.conditions))
     with _connected(world, request.through_drivers) as rig:
         outcome = scan_into_project(scan, on_event, progress, control, replace(rig, description=scan.rig))
     assert outcome is not None  # the rig was calibrated

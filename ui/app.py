@@ -28,6 +28,7 @@ from ui.workers.job import LOG, unexpected
 
 _log = logging.getLogger(__name__)
 LOG_BYTES = 1_000_000
+SWITCH_S = 0.001  # the window draws in many short calls, each of which waits as long for the interpreter while a job computes
 LAST_WAIT_MS = 60_000  # for threads still running after the window is closed: compiling the largest kernel takes half a minute
 
 
@@ -45,6 +46,7 @@ class Application:
 
 def build(application: QApplication) -> Application:
     """Build session, controllers and window."""
+    sys.setswitchinterval(SWITCH_S)
     settings = Settings(settings_file())
     look = Look(_shade(application, settings))
     look.apply_theme()

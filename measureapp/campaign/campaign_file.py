@@ -18,7 +18,7 @@ from measureapp.data.rig import Resolution
 from measureapp.demo import DemoRequest
 from measureapp.errors import InputError
 from measureapp.pipeline.project_names import unique_names
-from measureapp.simulate.worlds import WorldName
+from measureapp.simulate.worlds import read_world
 
 RANGE = re.compile(r"^\s*(\d+)\s*-\s*(\d+)\s*$")
 EXAMPLE = 'State `projects = ["week/*"]`, or a table `[demo]` with parts, rigs and seeds, such as `seeds = "1-20"`.'
@@ -28,11 +28,22 @@ class DemoMatrix(Model):
     """Measurements on the virtual rig: every part on every rig with every seed."""
 
     parts: Annotated[tuple[str, ...], Field(min_length=1)] = ("gypsum",)
-    rigs: Annotated[tuple[WorldName, ...], Field(min_length=1)] = ("usual",)
+    rigs: Annotated[tuple[str, ...], Field(min_length=1)] = ("usual",)
     seeds: Annotated[tuple[int, ...], Field(min_length=1)] = (1,)
     resolution: Resolution = "half"
     viewpoints: Annotated[int, Field(ge=1)] | None = None
     patterns: str = DEFAULT_NAME
+
+    @field_validator("rigs")
+    @classmethod
+    def _exist(cls, rigs: tuple[str, ...]) -> tuple[str, ...]:
+        """Worlds are read before a campaign begins, so that a wrong name stops no job in the night."""
+        for rig in rigs:
+            try:
+                read_world(rig)
+            except InputError as error:
+                raise ValueError(str(error)) from error
+        return rigs
 
     @field_validator("seeds", mode="before")
     @classmethod
@@ -45,7 +56,7 @@ class DemoMatrix(Model):
         """Return the jobs, each with a project of its own in ``folder``."""
         found: list[Job] = []
         for part, rig, seed in product(self.parts, self.rigs, self.seeds):
-            name = f"{Path(part).stem}-{rig}-{seed}"
+            name = f"{Path(part).stem}-{Path(rig).stem}-{seed}"
             found.append(
                 DemoJob(name, DemoRequest(folder / name, part, self.resolution, self.viewpoints, seed, self.patterns, conditions=rig))
             )

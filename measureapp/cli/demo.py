@@ -38,8 +38,12 @@ def register(app: typer.Typer) -> None:
             typer.Option("--turn-deg", help="Rotate the part about x, then y, then z, before it is put on the table: a set-up for `join`."),
         ] = (0.0, 0.0, 0.0),
         rig: Annotated[
-            Literal["ideal", "good", "usual", "bad"],
-            typer.Option("--rig", help="How well rig and part are made; only `ideal` is what the program's model describes exactly."),
+            str,
+            typer.Option(
+                "--rig",
+                help="How well rig and part are made: ideal, good, usual, bad, or a world's TOML file; "
+                "only `ideal` is what the program's model describes exactly.",
+            ),
         ] = "ideal",
         unit: Annotated[LengthUnit | None, typer.Option(help=UNIT_HELP)] = None,
         as_json: JsonOption = False,

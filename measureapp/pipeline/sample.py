@@ -15,11 +15,13 @@ from measureapp.data.length_unit import LengthUnit
 from measureapp.data.pattern_sets import DEFAULT_NAME
 from measureapp.data.project_settings import DEFAULT_BOARD
 from measureapp.data.rig import Resolution, RigDescription
+from measureapp.errors import InputError
 from measureapp.pipeline.run import NewProject, ScanRequest
 from measureapp.planning.viewpoints import plan_around_part
 from measureapp.project.geometry.files import read_mesh
 from measureapp.project.geometry.robot_file import arm_of
 from measureapp.project.rig_file import read_rig
+from measureapp.project.text_document import read_toml
 from measureapp.resources import resource
 
 VIRTUAL_RIG = "paper"  # description in resources/rigs
@@ -28,7 +30,7 @@ OTHER_VIEWPOINTS = 8
 EXTENT_DIGITS = 3
 UPRIGHT_DEG = (0.0, 0.0, 0.0)
 IDEAL = "ideal"
-# what the owner of such a rig knows: class of the board, and by how much board and part may be off 20 °C (k = 2)
+# what an owner of a rig may know: class of the board, and by how much board and part may be off 20 °C (k = 2)
 KNOWN_OF_RIGS: dict[str, tuple[BoardClass, float, float]] = {
     "good": ("ceramic", 0.4, 0.4),
     "usual": ("glass", 1.0, 1.0),
@@ -48,7 +50,7 @@ class SampleScan:
     unit: LengthUnit = LengthUnit.MM  # of a mesh file
     bracket_s: float | None = None  # time budget per viewpoint for exposures chosen by a probe; None: default exposures
     part_turn_deg: tuple[float, float, float] = UPRIGHT_DEG  # rotation about x, then y, then z, before it is put on the table
-    conditions: str = IDEAL  # how well rig and part are made: ideal, good, usual or bad
+    conditions: str = IDEAL  # how well rig and part are made: a world of `resources/worlds`, or a TOML file
 
 
 def sample_request(chosen: SampleScan, folder: Path) -> ScanRequest:
@@ -57,7 +59,7 @@ def sample_request(chosen: SampleScan, folder: Path) -> ScanRequest:
     Raises
     ------
     InputError
-        The part is neither a sample part nor a readable mesh file.
+        The part is neither a sample part nor a readable mesh file, or there is no such world.
     PlanError
         The virtual rig cannot reach a viewpoint of this part.
     """
@@ -73,7 +75,7 @@ def sample_request(chosen: SampleScan, folder: Path) -> ScanRequest:
         arm=arm_of(rig),
     )
     turned = "" if chosen.part_turn_deg == UPRIGHT_DEG else f", turned by {'/'.join(f'{angle:g}' for angle in chosen.part_turn_deg)}°"
-    conditions = "" if chosen.conditions == IDEAL else f", {chosen.conditions} rig"
+    conditions = "" if chosen.conditions == IDEAL else f", {Path(chosen.conditions).stem} rig"
     title = f"Demo: {name}{turned}, {chosen.resolution} resolution, {len(plan)} views, seed {chosen.seed}{conditions}"
     return ScanRequest(
         plan,
@@ -89,24 +91,42 @@ def sample_request(chosen: SampleScan, folder: Path) -> ScanRequest:
 
 def board_of(conditions: str) -> AnyBoard:
     """Return the board of the virtual rig with what is known of its lengths."""
-    if conditions == IDEAL:
+    known = known_of(conditions)
+    if known == IDEAL:
         return DEFAULT_BOARD
-    board_class, board_k, _ = KNOWN_OF_RIGS[conditions]
+    board_class, board_k, _ = KNOWN_OF_RIGS[known]
     return DEFAULT_BOARD.model_copy(update={"lengths": lengths_of_class(board_class).at(20.0, board_k)})
 
 
 def part_of(conditions: str) -> Identification | None:
     """Return what is known of the part on the virtual rig: it is of steel, and about as warm as the room."""
-    if conditions == IDEAL:
+    known = known_of(conditions)
+    if known == IDEAL:
         return None
-    return Identification(part_temperature=f"20±{KNOWN_OF_RIGS[conditions][2]:g}", material="steel")
+    return Identification(part_temperature=f"20±{KNOWN_OF_RIGS[known][2]:g}", material="steel")
+
+
+def known_of(conditions: str) -> str:
+    """Return what the owner of a rig knows of board and part, a key of `KNOWN_OF_RIGS` or IDEAL: `known` in the file of the world.
+
+    Raises
+    ------
+    InputError
+        The file cannot be read, or names something else.
+    """
+    path = Path(conditions) if Path(conditions).suffix else resource(f"worlds/{conditions}.toml")
+    known = str(read_toml(path, "Give a TOML file such as those in resources/worlds.").get("known", IDEAL))
+    if known not in (IDEAL, *KNOWN_OF_RIGS):
+        raise InputError(f"{path} states known = {known!r}.", f"Name one of {', '.join((IDEAL, *KNOWN_OF_RIGS))}.")
+    return known
 
 
 def virtual_rig(chosen: SampleScan) -> RigDescription:
     """Return the description of the virtual rig with the part on its table."""
     unit = {} if chosen.unit is LengthUnit.MM else {"unit": str(chosen.unit)}
     turn = {} if chosen.part_turn_deg == UPRIGHT_DEG else {"part_turn_deg": chosen.part_turn_deg}
-    conditions = {} if chosen.conditions == IDEAL else {"conditions": chosen.conditions}
+    world = chosen.conditions if not Path(chosen.conditions).suffix else str(Path(chosen.conditions).resolve())
+    conditions = {} if world == IDEAL else {"conditions": world}
     description = read_rig(VIRTUAL_RIG).at_resolution(chosen.resolution)
     return description.model_copy(update={"driver_settings": {"part": chosen.part, "seed": chosen.seed, **unit, **turn, **conditions}})
 

@@ -81,21 +81,32 @@ def _interpolated(field, x, y, step):  # type: ignore[no-untyped-def]
 
 @njit(cache=True, nogil=True)
 def pixel_rays(
-    start: int, stop: int, box: IntArray, k: FloatArray, d: FloatArray, residual: FloatArray, pose: FloatArray, rays: FloatArray
+    start: int,
+    stop: int,
+    box: IntArray,
+    k: FloatArray,
+    d: FloatArray,
+    residual: FloatArray,
+    coma: FloatArray,
+    pose: FloatArray,
+    rays: FloatArray,
 ) -> None:
     """Fill ``rays`` (n, 6) float32: origin and unit direction of the pixels in ``box``; ``pose`` is scene_from_camera.
 
     A box is (first row, end row, first column, end column). ``residual`` (rows, columns, 2) is the distortion in px that the lens
-    parameters lack, with a node every LENS_STEP_PX.
+    parameters lack, with a node every LENS_STEP_PX. ``coma`` = slope, depth in mm, x and y of its centre on the plane z = 1: rays do not
+    meet in one point, so that an image is displaced with the distance from this depth.
     """
     columns = box[3] - box[2]
     for i in range(start, stop):
         u, v = float(box[2] + i % columns), float(box[0] + i // columns)
         du, dv = _interpolated(residual, u, v, LENS_STEP_PX)
         x, y = _undistorted(u + du, v + dv, k, d)
+        aside, down = coma[0] * (x - coma[2]), coma[0] * (y - coma[3])
+        x, y = x + aside, y + down
         length = np.sqrt(x * x + y * y + 1.0)
         for a in range(3):
-            rays[i, a] = pose[a, 3]
+            rays[i, a] = pose[a, 3] - coma[1] * (pose[a, 0] * aside + pose[a, 1] * down)
             rays[i, 3 + a] = (pose[a, 0] * x + pose[a, 1] * y + pose[a, 2]) / length
 
 
@@ -208,17 +219,22 @@ def _bow(x, y, bow):  # type: ignore[no-untyped-def]
 
 
 @njit(cache=True)
-def _on_board(x, y, pose, bow):  # type: ignore[no-untyped-def]
-    """Intersect the ray of normalised image coordinates with the board; ``pose`` is board_from_camera."""
+def _on_board(x, y, coma, pose, bow):  # type: ignore[no-untyped-def]
+    """Intersect the ray of normalised image coordinates with the board; ``pose`` is board_from_camera, ``coma`` as in `pixel_rays`."""
+    aside, down = coma[0] * (x - coma[2]), coma[0] * (y - coma[3])
+    x, y = x + aside, y + down
+    ox = pose[0, 3] - coma[1] * (pose[0, 0] * aside + pose[0, 1] * down)
+    oy = pose[1, 3] - coma[1] * (pose[1, 0] * aside + pose[1, 1] * down)
+    oz = pose[2, 3] - coma[1] * (pose[2, 0] * aside + pose[2, 1] * down)
     dx = pose[0, 0] * x + pose[0, 1] * y + pose[0, 2]
     dy = pose[1, 0] * x + pose[1, 1] * y + pose[1, 2]
     dz = pose[2, 0] * x + pose[2, 1] * y + pose[2, 2]
     if dz <= 0.0:
         return 1e9, 1e9, 0.0
-    s = -pose[2, 3] / dz
+    s = -oz / dz
     for _ in range(2):
-        s = (_bow(pose[0, 3] + s * dx, pose[1, 3] + s * dy, bow) - pose[2, 3]) / dz
-    return pose[0, 3] + s * dx, pose[1, 3] + s * dy, pose[2, 3] + s * dz
+        s = (_bow(ox + s * dx, oy + s * dy, bow) - oz) / dz
+    return ox + s * dx, oy + s * dy, oz + s * dz
 
 
 @njit(cache=True)
@@ -283,6 +299,7 @@ def light_board(
     k: FloatArray,
     d: FloatArray,
     residual: FloatArray,
+    coma: FloatArray,
     board_from_camera: FloatArray,
     light: FloatArray,
     light_from_board: FloatArray,
@@ -307,11 +324,11 @@ def light_board(
             out[row, column, 1:] = 0.0
             du, dv = _interpolated(residual, float(column), float(row), LENS_STEP_PX)
             xn, yn = _undistorted(column + du, row + dv, k, d)
-            x, y, z = _on_board(xn, yn, board_from_camera, bow)
+            x, y, z = _on_board(xn, yn, coma, board_from_camera, bow)
             if x > 1e8:
                 continue
-            xr, yr, _ = _on_board(xn + 0.5 / k[0], yn, board_from_camera, bow)
-            xd, yd, _ = _on_board(xn, yn + 0.5 / k[1], board_from_camera, bow)
+            xr, yr, _ = _on_board(xn + 0.5 / k[0], yn, coma, board_from_camera, bow)
+            xd, yd, _ = _on_board(xn, yn + 0.5 / k[1], coma, board_from_camera, bow)
             ax, ay, bx, by = xr - x, yr - y, xd - x, yd - y
             albedo = _paint(x, y, layout, cells, colours, shift)
             if (
@@ -367,33 +384,3 @@ def expose(
                 strength += top + fv * (low - top)
             value = reflected * strength + ambient * albedo
         out[i] = value * scale + floor
-
-
-@njit(cache=True)
-def _splitmix(x):  # type: ignore[no-untyped-def]
-    """64 random bits from a counter (splitmix64: G. L. Steele et al., OOPSLA 2014)."""
-    x = (x ^ (x >> np.uint64(30))) * np.uint64(0xBF58476D1CE4E5B9)
-    x = (x ^ (x >> np.uint64(27))) * np.uint64(0x94D049BB133111EB)
-    return x ^ (x >> np.uint64(31))
-
-
-@njit(cache=True, nogil=True)
-def quantise(
-    start: int, stop: int, mean: FloatArray, full_scale: int, variance: FloatArray, key: int, normal: FloatArray, out: ImageArray
-) -> None:
-    """Add noise to a mean image (n,) and quantise it, in blocks of four pixels.
-
-    ``variance`` = (of a dark pixel, increase per grey level); ``normal`` contains 65536 quantiles of the standard normal
-    distribution, indexed by a counter-based generator so that the image depends on ``key`` alone, not on threads.
-    """
-    golden = np.uint64(0x9E3779B97F4A7C15)
-    origin = _splitmix(np.uint64(key) * golden)
-    for block in range(start, stop):
-        bits = _splitmix(origin + np.uint64(block + 1) * golden)
-        first = 4 * block
-        for i in range(first, min(first + 4, out.shape[0])):
-            level = mean[i] * full_scale
-            draw = normal[np.int64(bits & np.uint64(0xFFFF))]
-            bits >>= np.uint64(16)
-            level += draw * np.sqrt(variance[0] + variance[1] * level)
-            out[i] = int(min(max(level + np.float32(0.5), np.float32(0.0)), np.float32(full_scale)))

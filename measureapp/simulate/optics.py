@@ -19,6 +19,7 @@ FLOOR = 0.004  # black level, share of full scale
 MARGIN_PX, MARGIN_SHARE = 3.0, 0.005  # around the image box of an object
 OUTLINE_SAMPLES = 9
 NO_RESIDUAL = np.zeros((1, 1, 2), np.float32)
+NO_COMA = np.zeros(4)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -27,11 +28,12 @@ class SeeingCamera:
 
     pinhole: PinholeCamera
     residual_px: FloatArray = field(default_factory=lambda: NO_RESIDUAL)  # (rows, columns, 2), see `kernels.pixel_rays`
+    coma: FloatArray = field(default_factory=lambda: NO_COMA)  # (4,), likewise
 
     @property
-    def parameters(self) -> tuple[FloatArray, FloatArray, FloatArray]:
+    def parameters(self) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
         """Parameters of the lens for the kernels."""
-        return (*lens_parameters(self.pinhole), self.residual_px)
+        return (*lens_parameters(self.pinhole), self.residual_px, self.coma)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -52,6 +52,9 @@ class LensEffects(Model):
     corner_blur_px: float = Field(default=0.0, ge=0, description="additional blur in the corners, standard deviation at full resolution")
     defocus_px: float = Field(default=0.0, ge=0, description="additional blur 100 mm from the plane in focus, likewise")
     part_blur_px: float = Field(default=0.0, ge=0, description="additional blur of the part, not of the board, likewise")
+    coma_px: float = Field(
+        default=0.0, ge=0, description="displacement at the image's edge 80 mm from focus, against which no distortion at one depth helps"
+    )
 
 
 class ProjectorEffects(Model):
@@ -60,9 +63,22 @@ class ProjectorEffects(Model):
     level_spread: float = Field(default=0.0, ge=0, description="light from one image to the next, relative standard deviation")
     vignetting: float = Field(default=0.0, ge=0, lt=1, description="loss of light in the corners")
     drift_px: float = Field(default=0.0, ge=0, description="displacement of the image until the projector is warm, at full resolution")
+    bit_planes: float = Field(
+        default=0.0, ge=0, le=1, description="1: frames exposed in part show their most significant bit planes only; 0: all levels are even"
+    )
+    frame_us: int = Field(default=16_667, gt=0, description="duration of a frame of the projector")
     shake_px: float = Field(
         default=0.0, ge=0, description="vibration: displacement of each image across the fringes, standard deviation at full resolution"
     )
+
+
+class TimingEffects(Model):
+    """Exposures that reach into the next image of a sequence."""
+
+    rolling_share: float = Field(
+        default=0.0, ge=0, lt=1, description="share of the exposure that falls on the next image, in the last row of a rolling shutter"
+    )
+    late_us: float = Field(default=0.0, ge=0, description="delay of each camera's trigger, standard deviation; never early")
 
 
 class AxisEffects(Model):
@@ -76,6 +92,9 @@ class AxisEffects(Model):
     robot_growth_mm: float = Field(default=0.0, ge=0, description="displacement of the flange until the robot is warm")
     table_backlash_arcsec: float = Field(default=0.0, ge=0, description="play of the table between both directions of turning")
     guide_backlash_mm: float = Field(default=0.0, ge=0, description="play of the slide between both directions of travel")
+    robot_backlash_mm: float = Field(default=0.0, ge=0, description="play of the flange along each axis between both directions of travel")
+    settling_mm: float = Field(default=0.0, ge=0, description="creep of the flange after every move, in a random direction")
+    settling_s: float = Field(default=5.0, gt=0, description="time constant of this creep")
 
 
 class WarmthEffects(Model):
@@ -125,6 +144,7 @@ class WorldOptions(Model):
     pixels: SensorEffects = SensorEffects()
     lenses: LensEffects = LensEffects()
     projector: ProjectorEffects = ProjectorEffects()
+    timing: TimingEffects = TimingEffects()
     motions: AxisEffects = AxisEffects()
     warmth: WarmthEffects = WarmthEffects()
     board: BoardEffects = BoardEffects()

@@ -37,7 +37,8 @@ def read_out(mean: FloatArray, bit_depth: int, settings: SensorSettings, key: in
     bit_depth : 8 gives uint8, more gives uint16
     key : seed of the noise
     """
-    from measureapp.simulate.kernels import in_bands, quantise
+    from measureapp.simulate.kernels import in_bands
+    from measureapp.simulate.noise_kernel import quantise
 
     full_scale = 2**bit_depth - 1
     image = np.empty(mean.shape, np.uint8 if bit_depth == 8 else np.uint16)

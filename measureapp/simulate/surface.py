@@ -11,7 +11,7 @@ import numpy as np
 from measureapp.arrays import BoolArray, FloatArray, IntArray
 from measureapp.geometry.transform import RigidTransform
 from measureapp.simulate import kernels
-from measureapp.simulate.effects.bounce import SENDERS, Bounce, bounce
+from measureapp.simulate.effects.bounce import SENDERS, Bounce, Places, bounce
 from measureapp.simulate.optics import OUTLINE_SAMPLES, ProjectorLight, SeeingCamera, image_box, lens_parameters
 from measureapp.simulate.part import Part
 
@@ -95,7 +95,7 @@ class Surface:
         """Return the light that a camera sees by way of other surfaces."""
         pose = np.array(scene_from_camera.matrix)
 
-        def places(rows: IntArray, columns: IntArray) -> tuple[FloatArray, FloatArray]:
+        def places(rows: IntArray, columns: IntArray) -> Places:
             rays = np.empty((len(rows), 6), np.float32)
             for i, (row, column) in enumerate(zip(rows, columns, strict=True)):
                 kernels.pixel_rays(0, 1, np.array([row, row + 1, column, column + 1]), *camera.parameters, pose, rays[i : i + 1])
@@ -103,7 +103,8 @@ class Surface:
             triangles = np.minimum(hit["primitive_ids"].numpy(), len(self._normals) - 1)
             normals = self._normals[triangles]
             facing = np.sign(-np.einsum("ij,ij->i", normals, rays[:, 3:]))[:, None]
-            return rays[:, :3] + hit["t_hit"].numpy()[:, None] * rays[:, 3:], normals * facing
+            points = rays[:, :3] + hit["t_hit"].numpy()[:, None] * rays[:, 3:]
+            return Places(points, normals * facing, -rays[:, 3:], self._materials[self._material[triangles]])
 
         return bounce(light_map, places, self._hidden, self._lit_patches(light), strength)
 

@@ -14,11 +14,13 @@ from measureapp.data.mesh import Mesh
 from measureapp.data.rig import RigDescription
 from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.geometry.transform import RigidTransform, rotation_about
+from measureapp.simulate.effects.bit_planes import shown_levels
 from measureapp.simulate.effects.bounce import Bounce
 from measureapp.simulate.effects.effects import draw_effects
-from measureapp.simulate.effects.motions import play
+from measureapp.simulate.effects.motions import Settling, begin_settling, flange_play, play
 from measureapp.simulate.effects.shake import displaced
 from measureapp.simulate.effects.sharpness import object_depth
+from measureapp.simulate.effects.timing import into_next
 from measureapp.simulate.effects.warmth import FULL_PROJECTOR_PX
 from measureapp.simulate.kinematics import ARCSEC
 from measureapp.simulate.optics import ProjectorLight, SeeingCamera, expose, project_images
@@ -80,10 +82,14 @@ class World:
         self._printed = PrintedBoard(board, self.options.board_bow_mm, self._effects.board_print)
         self._surface: Surface | None = None
         self._table_holds: TableContent = "empty"
-        self._patterns: FloatArray = np.zeros((0, 2, 2), np.float32)
+        self._loaded: ImageArray | FloatArray = np.zeros((0, 2, 2), np.float32)
+        self._patterns: dict[int, FloatArray] = {}  # by exposure where that matters, else by 0
         self._shown = DARK
         self._state = 0
-        self._light_maps: dict[str, tuple[int, FloatArray]] = {}
+        self._settling: Settling | None = None
+        self._creep = np.random.default_rng([seed, 105])
+        self._triggers = np.random.default_rng([seed, 106])
+        self._light_maps: dict[str, tuple[tuple[int, int], FloatArray]] = {}
         self._second: dict[str, Bounce | None] = {}
         self._depths: dict[str, FloatArray] = {}
         self._commanded = AxisReadback(_home(), 0.0, 0.0)
@@ -118,7 +124,9 @@ class World:
         """Bring the flange to a commanded pose."""
         with self._lock:
             if not np.array_equal(base_from_flange.matrix, self._commanded.base_from_flange.matrix):
-                self._base_from_flange = self._flange_reached(base_from_flange)
+                before, backlash = self._commanded.base_from_flange.translation_mm, self.options.motions.robot_backlash_mm
+                behind = flange_play(before, base_from_flange.translation_mm, backlash)
+                self._base_from_flange = _moved_by(behind, self._flange_reached(base_from_flange))
                 self._set_commanded(AxisReadback(base_from_flange, self._commanded.guide_mm, self._commanded.table_rad))
 
     def move_guide(self, position_mm: float) -> None:
@@ -139,6 +147,7 @@ class World:
 
     def _set_commanded(self, commanded: AxisReadback) -> None:
         self._commanded = commanded
+        self._settling = begin_settling(self.options.motions, self.elapsed_s, self._creep)
         self._state += 1
 
     def _flange_reached(self, commanded: RigidTransform) -> RigidTransform:
@@ -164,7 +173,7 @@ class World:
     def load_patterns(self, images: ImageArray | FloatArray) -> None:
         """Load the projector's images (n, h, w): uint8, or floats 0…1 for an ideal projector."""
         with self._lock:
-            self._patterns = project_images(images, self.options.light, self.options.projector.vignetting)
+            self._loaded, self._patterns = images.copy(), {}
             self._shown = DARK
 
     def show(self, index: int) -> None:
@@ -210,35 +219,52 @@ class World:
     def mean_image(self, camera: str, exposure_us: int) -> FloatArray:
         """Return the noise-free image of ``camera`` now, (H, W) float32 relative to full scale, without saturation."""
         with self._lock:
-            light = self._light_map(camera)
-            of_board = self._table_holds == "board"
-            settings = self.options.light.model_copy(update={"ambient": self._ambient})
-            mean = expose(
-                light, self._pattern(), exposure_us, settings, (PrintedBoard if of_board else Surface).width_px, self._second.get(camera)
-            )
-            effects = self._effects.cameras[camera]
+            mean = self._exposed(camera, exposure_us, self._shown)
+            share = into_next(self.options.timing, len(mean), exposure_us, self._triggers) if self._shown >= 0 else None
+            if share is not None:
+                following = self._shown + 1 if self._shown + 1 < len(self._loaded) else DARK
+                mean += share * (self._exposed(camera, exposure_us, following) - mean)
+            of_board, effects = self._table_holds == "board", self._effects.cameras[camera]
             if effects.sharpness is not None:
                 mean = effects.sharpness.blurred(mean, self._depths[camera], of_part=not of_board)
             return mean if effects.pixels is None else effects.pixels.apply(mean)
 
-    def _pattern(self) -> FloatArray | None:
-        if self._shown == DARK:
+    def _exposed(self, camera: str, exposure_us: int, shown: int) -> FloatArray:
+        """Return the image under what is ``shown``, before the lens's own effects."""
+        settings = self.options.light.model_copy(update={"ambient": self._ambient})
+        width = (PrintedBoard if self._table_holds == "board" else Surface).width_px
+        light = self._light_map(camera)
+        return expose(light, self._pattern(shown, exposure_us), exposure_us, settings, width, self._second.get(camera))
+
+    def _projected(self, exposure_us: int) -> FloatArray:
+        """Return the light of all loaded images as an exposure of this length averages it."""
+        effects = self.options.projector
+        beating = effects.bit_planes > 0.0 and self._loaded.dtype == np.uint8
+        key = exposure_us if beating else 0
+        if key not in self._patterns:
+            shown = shown_levels(self._loaded, exposure_us, effects.frame_us, effects.bit_planes) if beating else self._loaded
+            self._patterns[key] = project_images(shown, self.options.light, effects.vignetting)
+        return self._patterns[key]
+
+    def _pattern(self, shown: int, exposure_us: int) -> FloatArray | None:
+        if shown == DARK:
             return np.zeros((2, 2), np.float32)
-        if self._shown == PLAIN_LIGHT:
+        if shown == PLAIN_LIGHT:
             return None
-        pattern = self._patterns[self._shown]
+        pattern = self._projected(exposure_us)[shown]
         if self._shake_px:
             pattern = displaced(pattern, self._shake_px)
         return pattern if self._level == 1.0 else pattern * np.float32(self._level)
 
     def _light_map(self, camera: str) -> FloatArray:
-        state, light = self._light_maps.get(camera, (-1, None))
+        now = (self._state, 0 if self._settling is None else self._settling.step(self.elapsed_s))
+        state, light = self._light_maps.get(camera, ((-1, 0), None))
         if light is None:
             described = self.description.camera(camera)
             light = np.empty((described.height_px, described.width_px, 4), np.float32)
-        if state != self._state:
+        if state != now:
             self._fill(camera, light)
-            self._light_maps[camera] = (self._state, light)
+            self._light_maps[camera] = (now, light)
         return light
 
     def _fill(self, camera: str, light: FloatArray) -> None:
@@ -250,7 +276,7 @@ class World:
         calibration = self._truth.calibration.cameras.cameras[camera]
         scene_from_reference = self.scene_from_camera()
         scene_from_camera = scene_from_reference @ calibration.reference_from_camera
-        seeing = SeeingCamera(self._pinhole(camera), self._effects.cameras[camera].residual_px)
+        seeing = SeeingCamera(self._pinhole(camera), self._effects.cameras[camera].residual_px, self._effects.cameras[camera].coma)
         projector = self._projector(scene_from_reference @ self._truth.camera_from_projector)
         seen: Surface | PrintedBoard = self._printed if self._table_holds == "board" else self._part_surface()
         seen.illuminate(seeing, scene_from_camera, projector, light)
@@ -299,7 +325,11 @@ class World:
 
     def guide_from_camera(self) -> RigidTransform:
         """Return the true pose of the reference camera now."""
-        return self._guide_from_base @ self._base_from_flange @ self._truth.calibration.hand_eye.flange_from_camera
+        flange = self._base_from_flange
+        if self._settling is not None:
+            left = self._settling.left_mm(self.elapsed_s)
+            flange = flange @ RigidTransform.from_parts(np.eye(3), left, "flange", "flange")
+        return self._guide_from_base @ flange @ self._truth.calibration.hand_eye.flange_from_camera
 
     def scene_from_camera(self) -> RigidTransform:
         """Return the true pose of the reference camera in the frame of the object on the table (`nominal` or `board`)."""
@@ -313,6 +343,12 @@ class World:
 def _home() -> RigidTransform:
     forward, right = np.array([0.8, 0.0, -0.6]), np.array([0.0, -1.0, 0.0])
     return RigidTransform.from_parts(np.column_stack([right, np.cross(forward, right), forward]), HOME_MM, "base", "flange")
+
+
+def _moved_by(shift_mm: FloatArray, pose: RigidTransform) -> RigidTransform:
+    return (
+        RigidTransform.from_parts(pose.rotation, pose.translation_mm + shift_mm, pose.to_frame, pose.from_frame) if shift_mm.any() else pose
+    )
 
 
 def _round_to_display(pose: RigidTransform) -> RigidTransform:

@@ -10,7 +10,7 @@ from measureapp.data.model import Model
 from measureapp.simulate.options import WorldOptions
 from measureapp.simulate.placing import UPRIGHT_DEG
 from measureapp.simulate.world import PAPER_BOARD
-from measureapp.simulate.worlds import WORLDS, WorldName
+from measureapp.simulate.worlds import IDEAL, read_world
 
 
 class VirtualRigSettings(Model):
@@ -25,15 +25,16 @@ class VirtualRigSettings(Model):
     time_scale: float = Field(default=0.0, ge=0, description="1: moves and exposures take as long as on a real rig; 0: no waiting")
     follows: str = Field(default="", description="host:port of a virtual cell in another program, whose axes move this rig; empty: none")
     board: AnyBoard = PAPER_BOARD
-    conditions: WorldName = Field(
-        default="ideal", description="how well rig and part are made: ideal, good, usual or bad; a table [world] takes its place"
+    conditions: str = Field(
+        default=IDEAL,
+        description="how well rig and part are made: ideal, good, usual, bad or a TOML file of a world; a table [world] takes its place",
     )
     world: WorldOptions = WorldOptions()
 
     @property
     def options(self) -> WorldOptions:
-        """Options of the world: those given one by one, else those of the named conditions."""
-        return WORLDS[self.conditions] if self.world == WorldOptions() else self.world
+        """Options of the world: those given one by one, else those of the named conditions. Raises InputError."""
+        return read_world(self.conditions) if self.world == WorldOptions() else self.world
 
 
 class SharedRigSettings(Model):

@@ -18,7 +18,7 @@ from measureapp.planning.viewpoints import plan_around_part
 from measureapp.register.joint.pose_prior import PosePrior
 from measureapp.register.stitch import stitch
 from measureapp.simulate.options import AxisEffects
-from measureapp.simulate.worlds import WORLDS
+from measureapp.simulate.worlds import read_world
 from tests.calibrate.paper_rig import RIG, Cell, Run, calibrated
 from tests.register.conftest import cross, seen
 
@@ -105,7 +105,7 @@ def test_no_sound_view_of_a_good_table_is_left_out_and_its_poses_lie_within_u(ru
 
 
 def test_a_table_that_changed_after_the_calibration_is_named_and_its_views_are_kept(run, scene) -> None:
-    changed = with_table(run, WORLDS["bad"].motions, 651)
+    changed = with_table(run, read_world("bad").motions, 651)
     scan = scanned(changed, scene, 602)
     found = stitched(uncertainty_of(run.solution), scan)
     assert "angle of the table" in found.axis_doubt
@@ -119,7 +119,7 @@ def test_a_table_that_changed_after_the_calibration_is_named_and_its_views_are_k
 @pytest.mark.parametrize("effects", ["issue", "good", "usual", "bad"])
 def test_views_of_all_worlds_are_kept_within_u(effects: str, scene, record_property) -> None:
     """Eight rigs each: no view is left out; of the distances between views 92 % or more lie within U, the errors not all far inside."""
-    drawn = TRIAL if effects == "issue" else WORLDS[effects].motions
+    drawn = TRIAL if effects == "issue" else read_world(effects).motions
     ratios, left_out, doubted = [], 0, 0
     for seed in range(701, 709):
         run = trial(seed, drawn)
@@ -143,7 +143,7 @@ def test_a_table_that_changed_is_within_u_whether_it_is_named_or_not(effects: st
     ratios, left_out, named = [], 0, 0
     for seed in range(701, 709):
         run = trial(seed)
-        scan = scanned(with_table(run, WORLDS[effects].motions, seed + 50), scene, seed)
+        scan = scanned(with_table(run, read_world(effects).motions, seed + 50), scene, seed)
         found = stitched(uncertainty_of(run.solution), scan)
         left_out += sum(not placement.used for placement in found.placements)
         named += "angle of the table" in found.axis_doubt

@@ -15,7 +15,7 @@ from measureapp.simulate.effects.form import made_part, with_surroundings
 from measureapp.simulate.effects.motions import draw_guide_motion, draw_table_motion
 from measureapp.simulate.effects.sensor import HOT_FROM, draw_pixels
 from measureapp.simulate.effects.shake import displaced
-from measureapp.simulate.effects.sharpness import Sharpness
+from measureapp.simulate.effects.sharpness import Sharpness, gaussian
 from measureapp.simulate.effects.warmth import draw_warmth
 from measureapp.simulate.effects.waves import draw_waves
 from measureapp.simulate.kinematics import ARCSEC
@@ -33,10 +33,17 @@ from measureapp.simulate.options import (
 from measureapp.simulate.part import MATT_WHITE, Part
 from measureapp.simulate.parts import make_part
 from measureapp.simulate.world import PLAIN_LIGHT, World
-from measureapp.simulate.worlds import WORLDS
+from measureapp.simulate.worlds import read_world
 
 EXPOSURE_US = 60_000
-ALONE = ("hot_ppm", "shake_px", "table_backlash_arcsec", "guide_backlash_mm")  # effects that no named world has yet
+ALONE = (
+    "hot_ppm",
+    "bit_planes",
+    "late_us",
+    "shake_px",
+    "table_backlash_arcsec",
+    "guide_backlash_mm",
+)  # effects that not every named world has
 
 
 def rng(seed: int = 5) -> np.random.Generator:
@@ -165,6 +172,15 @@ def test_a_blurred_image_has_the_stated_variance_at_its_centre_and_in_its_corner
     points[150, 216] = 1.0
     seen = sharpness.blurred(points, np.array([550.0, 0.0, 0.0]), of_part=True)
     assert seen.sum() == pytest.approx(1.0, abs=1e-3)
+
+
+@pytest.mark.parametrize("sigma", [0.075, 0.3, 0.6, 0.7, 1.5])
+def test_a_blur_has_its_variance_even_where_it_is_narrower_than_a_pixel(sigma: float) -> None:
+    point = np.zeros((41, 41), np.float32)
+    point[20, 20] = 1.0
+    across = gaussian(point, sigma).sum(axis=0)
+    assert across.sum() == pytest.approx(1.0, abs=1e-5)
+    assert across @ (np.arange(41) - 20.0) ** 2 == pytest.approx(sigma**2, rel=0.04)
 
 
 def test_glare_moves_light_into_the_dark_and_keeps_its_sum() -> None:
@@ -314,11 +330,11 @@ def test_light_from_below_the_surface_moves_the_projector_pixel(paper: RigDescri
 
 
 def test_the_named_worlds_grow_from_ideal_to_bad() -> None:
-    assert WORLDS["ideal"] == WorldOptions()
+    assert read_world("ideal") == WorldOptions()
     for group in ("pixels", "lenses", "projector", "motions", "warmth", "board", "part"):
-        values = [getattr(WORLDS[name], group).model_dump() for name in ("ideal", "good", "usual", "bad")]
+        values = [getattr(read_world(name), group).model_dump() for name in ("ideal", "good", "usual", "bad")]
         for field in values[0]:
-            if field in ("minutes", "warm_share", "seconds_per_image", "fixture") or field in ALONE:
+            if field in ("minutes", "warm_share", "seconds_per_image", "settling_s", "frame_us", "fixture") or field in ALONE:
                 continue
             course = [one[field] for one in values]
             assert course == sorted(course) and course[0] == 0 < course[1], f"{group}.{field}"

@@ -91,6 +91,16 @@ class PlanTree(QTreeView):
         chosen = next(self._selected(), None)
         return None if chosen is None else self.rows.viewpoint_of(*chosen)
 
+    def selectAll(self) -> None:
+        """Select all rows, those in groups included, as one range each; Qt would ask about every row by itself."""
+        rows, last_column = self.rows, self.rows.columnCount() - 1
+        parents = (QModelIndex(), *(rows.index(row, 0) for row in rows.rows_of_groups()))
+        whole = QItemSelection()
+        for parent in parents:
+            if count := rows.rowCount(parent):
+                whole.append(QItemSelectionRange(rows.index(0, 0, parent), rows.index(count - 1, last_column, parent)))
+        self.selectionModel().select(whole, QItemSelectionModel.SelectionFlag.ClearAndSelect)
+
     def _selected(self) -> Iterator[tuple[int, int]]:
         """Yield row and group's row of the selected rows; by ranges, for Qt asks the model about every cell for `selectedRows`."""
         for part in self.selectionModel().selection():
@@ -113,8 +123,8 @@ class PlanTree(QTreeView):
         self.selectionMoved.emit()
 
     def _opened(self) -> set[str]:
-        top = (self.rows.index(row, 0) for row in range(self.rows.rowCount()))
-        return {self.rows.name_at(index) for index in top if self.rows.group_at(index) is not None and self.isExpanded(index)}
+        groups = (self.rows.index(row, 0) for row in self.rows.rows_of_groups())
+        return {self.rows.name_at(index) for index in groups if self.isExpanded(index)}
 
 
 def _order(place: tuple[int, int]) -> tuple[int, int]:

@@ -70,6 +70,10 @@ class PlanTreeModel(QAbstractItemModel):
     def _singles(self) -> int:
         return 0 if self._plan is None else len(self._plan.viewpoints)
 
+    def rows_of_groups(self) -> range:
+        """Return the top rows of the groups, which are below the single viewpoints."""
+        return range(self._singles, self.rowCount())
+
     def group_at(self, index: Index) -> ViewpointGroup | None:
         """Return the group of a top row; None for a viewpoint."""
         if self._plan is None or index.internalId() != TOP or index.row() < self._singles:

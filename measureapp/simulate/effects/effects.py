@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from measureapp.arrays import FloatArray
+from measureapp.arrays import FloatArray, read_only
 from measureapp.data.rig import CameraDescription, RigDescription
 from measureapp.simulate.effects.board_print import PrintErrors, draw_print
 from measureapp.simulate.effects.form import made_part, with_surroundings
@@ -17,11 +17,12 @@ from measureapp.simulate.effects.sharpness import FULL_WIDTH_PX, Sharpness, draw
 from measureapp.simulate.effects.warmth import Warmth, draw_warmth
 from measureapp.simulate.effects.waves import draw_waves, sampled
 from measureapp.simulate.kernels import LENS_STEP_PX
-from measureapp.simulate.optics import NO_RESIDUAL
-from measureapp.simulate.options import WorldOptions
+from measureapp.simulate.optics import NO_COMA, NO_RESIDUAL
+from measureapp.simulate.options import LensEffects, WorldOptions
 from measureapp.simulate.part import Part
 
 LENS_WAVELENGTHS_PX = (300.0, 2500.0)
+COMA_DEPTH_MM = 80.0  # from focus, where the magnitude of coma is stated
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -29,6 +30,7 @@ class CameraEffects:
     """Effects of one camera."""
 
     residual_px: FloatArray  # (rows, columns, 2), see `kernels.pixel_rays`
+    coma: FloatArray  # (4,), likewise
     sharpness: Sharpness | None
     pixels: PixelErrors | None
 
@@ -71,4 +73,13 @@ def _camera(camera: CameraDescription, standoff_mm: float, options: WorldOptions
     residual = sampled(waves, camera.width_px, camera.height_px, LENS_STEP_PX) if waves.rms else NO_RESIDUAL
     sharpness = draw_sharpness(options.lenses, standoff_mm, rng)
     pixels = draw_pixels(options.pixels, camera.width_px, camera.height_px, options.sensor.full_well_e, rng)
-    return CameraEffects(residual, sharpness, pixels)
+    return CameraEffects(residual, _coma(options.lenses, standoff_mm, rng), sharpness, pixels)
+
+
+def _coma(lenses: LensEffects, standoff_mm: float, rng: np.random.Generator) -> FloatArray:
+    """Draw how far rays miss one point: slope, depth without displacement, and centre, see `kernels.pixel_rays`."""
+    sign, strength, centre = rng.choice([-1.0, 1.0]), rng.uniform(0.7, 1.3), 0.05 * rng.standard_normal(2)
+    if not lenses.coma_px:
+        return NO_COMA
+    slope = sign * strength * lenses.coma_px * standoff_mm / (COMA_DEPTH_MM * 0.5 * FULL_WIDTH_PX)
+    return read_only([slope, standoff_mm, *centre], np.float64)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import exp
 
 import numpy as np
 
@@ -15,6 +16,7 @@ from measureapp.simulate.options import AxisEffects
 HARMONICS = (1, 2, 3, 7)  # the last one stands for the rolling elements of a bearing
 SHARES = (1.0, 0.5, 0.3, 0.15)
 GUIDE_WAVES = (0.5, 1.0, 2.0, 5.0)  # periods over the stroke
+STEP_MM = 5e-4  # of creep
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -53,6 +55,37 @@ class GuideMotion:
 def play(before: float, goal: float, backlash: float) -> float:
     """Return how far an axis stays behind a goal: half its backlash, on the side from which it comes."""
     return float(np.copysign(0.5 * backlash, before - goal))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Settling:
+    """Creep of the flange after a move: the way that is left decays exponentially."""
+
+    way_mm: FloatArray  # (3,), in the flange's frame
+    begun_s: float
+    time_s: float
+
+    def step(self, now_s: float) -> int:
+        """Return the way that is left in steps of STEP_MM, so that images of one state are rendered once."""
+        left = float(np.linalg.norm(self.way_mm)) * exp(-(now_s - self.begun_s) / self.time_s)
+        return round(left / STEP_MM)
+
+    def left_mm(self, now_s: float) -> FloatArray:
+        """Return where the flange is relative to where it comes to rest, (3,)."""
+        return self.step(now_s) * STEP_MM * self.way_mm / np.linalg.norm(self.way_mm)
+
+
+def begin_settling(effects: AxisEffects, now_s: float, rng: np.random.Generator) -> Settling | None:
+    """Draw the creep after a move that has just ended; None if there is none."""
+    if not effects.settling_mm:
+        return None
+    direction = rng.standard_normal(3)
+    return Settling(read_only(effects.settling_mm * direction / np.linalg.norm(direction), np.float64), now_s, effects.settling_s)
+
+
+def flange_play(before_mm: FloatArray, goal_mm: FloatArray, backlash_mm: float) -> FloatArray:
+    """Return how far a flange (3,) stays behind a goal, in the base's frame: half its play along each axis that moved."""
+    return -0.5 * backlash_mm * np.sign(goal_mm - before_mm)
 
 
 def draw_table_motion(effects: AxisEffects, rng: np.random.Generator) -> TableMotion | None:

@@ -16,6 +16,7 @@ FOCUS_SPREAD_MM = 15.0  # of the plane in focus about the standoff
 GLARE_STEP = 32
 GLARE_WIDTH = 0.25  # of the image's width, standard deviation of the scattered light
 LEAST_CHANGE_PX = 0.02
+NARROW_PX = 0.6  # up to here a Gaussian sampled at the pixels has less than its variance
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -94,8 +95,12 @@ def object_depth(pinhole: PinholeCamera, points_mm: FloatArray) -> FloatArray:
 
 
 def gaussian(image: FloatArray, sigma_px: float) -> FloatArray:
-    """Blur an image (H, W) float32 by a Gaussian."""
+    """Blur an image (H, W) float32 by a Gaussian; below NARROW_PX by three taps of its variance, as samples of it would hardly blur."""
     if sigma_px == 0.0:
         return image
-    size = 2 * max(1, round(3.0 * sigma_px)) + 1 if sigma_px > 0.6 else 3
+    if sigma_px <= NARROW_PX:
+        side = 0.5 * sigma_px**2
+        taps = np.array([side, 1.0 - 2.0 * side, side], np.float32)
+        return np.asarray(cv2.sepFilter2D(image, -1, taps, taps, borderType=cv2.BORDER_REPLICATE))
+    size = 2 * max(1, round(3.0 * sigma_px)) + 1
     return np.asarray(cv2.GaussianBlur(image, (size, size), sigma_px, borderType=cv2.BORDER_REPLICATE))

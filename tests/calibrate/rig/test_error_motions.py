@@ -14,13 +14,13 @@ from measureapp.data.axis_motions import ARCSEC
 from measureapp.data.fringe import AxisReadback
 from measureapp.geometry.transform import RigidTransform
 from measureapp.simulate.options import AxisEffects
-from measureapp.simulate.worlds import WORLDS
+from measureapp.simulate.worlds import read_world
 from tests.calibrate.paper_rig import BOARD, NOISE, STRAIGHT, calibrated, planned
 
 POINTS_MM = np.array([[0.0, 0, 20], [60, 0, 80], [-60, 0, 40], [0, 60, 80], [0, -60, 10]])
 GOOD_TABLE = AxisEffects(table_radial_mm=0.005, table_axial_mm=0.003, table_tilt_arcsec=3)
 SEEN_DEG = (-50.0, -40.0, -25.0, -10.0, 0.0, 20.0, 40.0, 50.0)  # to which the calibration turns the board
-USUAL = WORLDS["usual"].motions
+USUAL = read_world("usual").motions
 CORNER_PX = 0.05
 WITHOUT = replace(NOISE, table_radial_mm=0.0, table_axial_mm=0.0, table_tilt_rad=0.0, slide_mm=0.0, slide_rad=0.0)
 
@@ -124,7 +124,7 @@ def test_gaps_between_views_all_around_lie_within_u(effects, record_property) ->
 
     The bad table turns by 30 µm and 30″, two thirds of it unseen: its positions before registration are known less well than they are said to be.
     """
-    drawn = GOOD_TABLE if effects == "issue" else WORLDS[effects].motions
+    drawn = GOOD_TABLE if effects == "issue" else read_world(effects).motions
     angles, inside, sizes = tuple(range(0, 360, 45)), [], []
     for seed in range(501, 511):
         run = calibrated(seed, corner_sigma_px=CORNER_PX, camera_errors=False, effects=drawn)
