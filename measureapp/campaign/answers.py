@@ -9,10 +9,10 @@ from pathlib import Path
 from typing import Any
 
 from measureapp.campaign.jobs import DemoJob, Finished, Job, ProcessJob
-from measureapp.campaign.tasks import fingerprint
 from measureapp.data.json_values import jsonable
 from measureapp.project.atomic import write_json
 from measureapp.project.folder import ProjectFolder
+from measureapp.project.inputs import fingerprint
 
 FOLDER = "answers"
 

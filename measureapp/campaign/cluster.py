@@ -12,8 +12,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 from uuid import uuid4
 
-from measureapp.campaign.tasks import fingerprint
 from measureapp.errors import InputError, StorageError
+from measureapp.project.inputs import fingerprint
 
 if TYPE_CHECKING:
     from distributed import Client

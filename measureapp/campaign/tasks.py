@@ -8,12 +8,11 @@ import shutil
 import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache, wraps
+from functools import wraps
 from pathlib import Path
 from typing import ParamSpec, TypeVar
 from uuid import uuid4
 
-from measureapp import __version__
 from measureapp.campaign.jobs import DemoJob, Finished, Job
 from measureapp.data.calibration import RigCalibration
 from measureapp.data.measurement import ViewResult
@@ -44,17 +43,6 @@ class StoredView:
 
     path: Path
     sha256: str
-
-
-@cache
-def fingerprint() -> str:
-    """Return version and checksum of the sources of the program: equal ones compute equal numbers."""
-    root = Path(__file__).parent.parent
-    digest = hashlib.sha256()
-    for source in sorted(root.rglob("*.py")):
-        digest.update(source.relative_to(root).as_posix().encode())
-        digest.update(source.read_bytes())
-    return f"{__version__} ({digest.hexdigest()[:12]})"
 
 
 def _with_plain_errors(task: Callable[P, R]) -> Callable[P, R]:

@@ -33,7 +33,8 @@ class ViewResult:
     readback: AxisReadback
     timings_s: Mapping[str, float] = field(default_factory=dict)  # of a view processed during the scan: "last image to cloud"
     findings: tuple[str, ...] = ()  # suspected problems of the images or the calibration, in words
-    shift: ShiftEvidence | None = None  # evidence of camera drift in its phases; not stored; None without evidence
+    shift: ShiftEvidence | None = None  # evidence of camera drift in its phases; None without evidence
+    made_from: str = ""  # hash of everything the cloud was computed from, the rig's axes excepted; empty if unknown
 
 
 @dataclass(frozen=True, slots=True, eq=False)

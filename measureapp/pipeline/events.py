@@ -37,6 +37,15 @@ class ViewReady:
 
 
 @dataclass(frozen=True, slots=True)
+class CloudsKept:
+    """Clouds of former results are those that the stored images would give again."""
+
+    count: int
+    of: int  # viewpoints that are stored
+    placed_anew: bool  # the axes are calibrated differently now, so that the clouds lie elsewhere on the part
+
+
+@dataclass(frozen=True, slots=True)
 class ViewFailed:
     """The stored images of a viewpoint yield no cloud, with the reason."""
 
@@ -86,6 +95,7 @@ ProcessingEvent = (
     ExposuresChosen
     | CalibrationReady
     | ViewReady
+    | CloudsKept
     | ViewFailed
     | PartElsewhere
     | StitchReady

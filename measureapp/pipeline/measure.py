@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from typing import Any
 
 import numpy as np
@@ -19,8 +19,8 @@ from measureapp.errors import DecodeError, InputError, ReconstructError, Storage
 from measureapp.fringe.checks.stack import check_stack
 from measureapp.fringe.decode import decode
 from measureapp.fringe.settings import DecodeSettings
-from measureapp.pipeline.events import Event, ViewFailed, ViewReady
-from measureapp.pipeline.kept_views import views_without_images
+from measureapp.pipeline.events import CloudsKept, Event, ViewFailed, ViewReady
+from measureapp.pipeline.kept_views import kept_views, made_from
 from measureapp.pipeline.noise import decode_settings_of
 from measureapp.pipeline.stack_findings import stack_findings
 from measureapp.pipeline.watch import Stopwatch
@@ -40,14 +40,21 @@ LEAST_POINTS_SHARE, MOST_EPIPOLAR_PX = 0.3, 0.3  # points per decoded pixel, epi
 def compute_clouds(
     project: ProjectFolder, calibration: RigCalibration, on_event: OnEvent, progress: Progress, watch: Stopwatch
 ) -> tuple[ViewResult, ...]:
-    """Compute the clouds of all stored viewpoints; those whose images were dropped stay as they were. Raises InputError when none is stored."""
+    """Compute the clouds of all stored viewpoints, except those that would come out as they are; these are placed where the axes say now.
+
+    Clouds whose images were dropped stay as they were. Raises InputError when no viewpoint is stored.
+    """
     settings, rectifier, memory = decode_settings_of(project), Rectifier(calibration.cameras), BufferPool()
     stored = require_stored(project)
-    kept, views = views_without_images(project), list[ViewResult]()
+    with watch.stage("clouds"):
+        kept = kept_views(project, calibration, settings)
+    views = list[ViewResult]()
+    if kept.unchanged:
+        on_event(CloudsKept(kept.unchanged, len(stored), kept.placed_anew))
     for index, viewpoint_id in enumerate(stored):
         part = PartOf(progress, index / len(stored), (index + 1) / len(stored), f"{viewpoint_id}: ")
         with watch.stage("clouds"):
-            view = kept.get(viewpoint_id) or compute_stored(project, viewpoint_id, calibration, part, rectifier, memory, settings)
+            view = kept.views.get(viewpoint_id) or compute_stored(project, viewpoint_id, calibration, part, rectifier, memory, settings)
         if isinstance(view, ViewFailed):
             on_event(view)
             continue
@@ -77,7 +84,8 @@ def compute_stored(
 ) -> ViewResult | ViewFailed:
     """Compute the cloud of a viewpoint from its stored images; where that fails, return why: the others are computed without it."""
     try:
-        return compute_cloud(project.frames.load(viewpoint_id), calibration, progress, rectifier, None, memory, settings)
+        view = compute_cloud(project.frames.load(viewpoint_id), calibration, progress, rectifier, None, memory, settings)
+        return replace(view, made_from=made_from(project, viewpoint_id, calibration.cameras, settings or DecodeSettings()))
     except StorageError as error:
         return ViewFailed(viewpoint_id, str(error), damaged=True)
     except (DecodeError, ReconstructError) as error:

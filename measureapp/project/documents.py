@@ -13,6 +13,7 @@ import numpy as np
 from measureapp.calibrate.motions.axis_noise import AxisNoise
 from measureapp.data.axis_motions import AxisMotions
 from measureapp.data.calibration import CameraArrayCalibration, HandEye, LinearGuide, Provenance, RigCalibration, RobotStation, RotationAxis
+from measureapp.data.camera_shift import ShiftEvidence
 from measureapp.data.cloud import LoopClosure, ViewPlacement
 from measureapp.data.conditions import Conditions, LensSetting
 from measureapp.data.consistency import Consistency, ConsistencyCheck
@@ -33,6 +34,7 @@ STORED_NAMES = {  # attribute -> field of the files where the two differ
     "robot_correlation_mm": "robot_alike_mm",
     "robot_correlation_turn": "robot_alike_turn",
 }
+SHIFT_ARRAYS = ("information", "gradient", "image_px2", "depth_mm2")
 ATTRIBUTES = {stored: name for name, stored in STORED_NAMES.items()}
 
 
@@ -281,3 +283,26 @@ def _plain_value(value: Any) -> Any:
     if isinstance(value, tuple):
         return [_plain_value(item) for item in value]
     return value
+
+
+def shift_document(shift: ShiftEvidence) -> dict[str, Any]:
+    """Return the evidence of camera drift in one view as JSON."""
+    return {
+        "cameras": list(shift.cameras),
+        "samples": int(shift.samples),
+        "misfit": float(shift.misfit),
+        "freedom": int(shift.freedom),
+        **{name: getattr(shift, name).tolist() for name in SHIFT_ARRAYS},
+    }
+
+
+def shift_from(document: Mapping[str, Any]) -> ShiftEvidence:
+    """Return the evidence of a document; raises KeyError, TypeError or ValueError where it is none."""
+    arrays = {name: np.array(document[name], np.float64) for name in SHIFT_ARRAYS}
+    return ShiftEvidence(
+        cameras=tuple(document["cameras"]),
+        samples=int(document["samples"]),
+        misfit=float(document["misfit"]),
+        freedom=int(document["freedom"]),
+        **arrays,
+    )

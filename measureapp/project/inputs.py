@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Mapping
+from functools import cache
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
 from typing import Any
 
 from measureapp import __version__
@@ -19,6 +23,7 @@ WORDS = {
     "choices": "The results were computed with other choices of views.",
     "version": "The results were computed by version {was} of MeasureApp; this is version {now}.",
 }
+LIBRARIES = ("numpy", "numba", "scipy", "opencv-python-headless")
 OF_INSPECTION = ("program", "nominal", "choices")
 FILES = {
     "calibration": ("calibration/cameras.json", "calibration/rig.json", "calibration/rig_uncertainty.npz"),
@@ -28,6 +33,21 @@ FILES = {
     "program": ("inspection/program.toml",),
     "choices": ("view_choices.json",),
 }
+
+
+@cache
+def fingerprint() -> str:
+    """Return version and checksum of the program's sources and of the libraries that it computes with: equal ones compute equal numbers."""
+    root, found = Path(__file__).parent.parent, hashlib.sha256()
+    for source in sorted(root.rglob("*.py")):
+        found.update(source.relative_to(root).as_posix().encode())
+        found.update(source.read_bytes())
+    for library in LIBRARIES:
+        try:
+            found.update(f"{library} {version(library)}".encode())
+        except PackageNotFoundError:  # in a packed program, whose version stands for its libraries
+            continue
+    return f"{__version__} ({found.hexdigest()[:12]})"
 
 
 def current_inputs(contents: Contents) -> dict[str, Any]:

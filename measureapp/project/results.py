@@ -27,6 +27,8 @@ from measureapp.project.documents import (
     readback_from,
     setup_document,
     setup_from,
+    shift_document,
+    shift_from,
     transform_document,
     transform_from,
     validity_document,
@@ -125,6 +127,8 @@ def _view_document(view: ViewResult) -> dict[str, Any]:
         "readback": readback_document(view.readback),
         "timings_s": dict(view.timings_s),
         "findings": list(view.findings),
+        "shift": None if view.shift is None else shift_document(view.shift),
+        "made_from": view.made_from,
     }
 
 
@@ -140,6 +144,8 @@ def _view_from(folder: Path, document: Mapping[str, Any]) -> ViewResult:
         readback=readback_from(document["readback"]),
         timings_s=document.get("timings_s", {}),
         findings=tuple(document.get("findings", ())),
+        shift=None if document.get("shift") is None else shift_from(document["shift"]),
+        made_from=document.get("made_from", ""),
     )
 
 

@@ -1660,6 +1660,14 @@
       <translation>从 {before} 个点中去除了 {counted} 个。</translation>
     </message>
     <message>
+      <source>{count} of {of} clouds kept as they were.</source>
+      <translation>保留 {count}/{of} 个点云，未作改动。</translation>
+    </message>
+    <message>
+      <source>{count} of {of} clouds kept, placed anew.</source>
+      <translation>保留 {count}/{of} 个点云，并重新定位。</translation>
+    </message>
+    <message>
       <source>{count} the scan.</source>
       <translation>{count}扫描。</translation>
     </message>

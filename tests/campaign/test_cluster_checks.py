@@ -8,8 +8,8 @@ import sys
 import pytest
 
 from measureapp.campaign.cluster import check_cluster, threads_of_linear_algebra
-from measureapp.campaign.tasks import fingerprint
 from measureapp.errors import InputError, StorageError
+from measureapp.project.inputs import fingerprint
 
 
 class Workers:

@@ -127,6 +127,12 @@ class RunEvents(QObject):
             case e.CalibrationReady():
                 session.set_calibration(event.calibration)
                 session.tell("The rig is calibrated.")
+            case e.CloudsKept():
+                session.tell(
+                    tr("{count} of {of} clouds kept, placed anew.", count=event.count, of=event.of)
+                    if event.placed_anew
+                    else tr("{count} of {of} clouds kept as they were.", count=event.count, of=event.of)
+                )
             case e.ViewReady():
                 session.add_view(event.view)
             case e.ViewFailed():
