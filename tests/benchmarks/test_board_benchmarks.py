@@ -43,7 +43,6 @@ def opencv_s() -> float:
 def test_a_board_in_5_megapixels_is_found_in_time(kind: str, opencv_s: float) -> None:
     image = shot(BOARDS[kind], 35, size=FULL).image
     taken = fastest_s(lambda: find_board(image, BOARDS[kind]))
-    print(f"{kind}: {taken / opencv_s:.2f} of OpenCV's {opencv_s:.2f} s")
     assert taken < MOST_OF_OPENCV * opencv_s
 
 
@@ -58,5 +57,4 @@ def test_a_miss_in_5_megapixels_is_reported_in_time(kind: str, opencv_s: float) 
             find_board(np.ascontiguousarray(part[:, ::-1]), BOARDS[kind])
 
     taken = fastest_s(missed)
-    print(f"{kind}: {taken / opencv_s:.2f} of OpenCV's {opencv_s:.2f} s")
     assert taken < MOST_OF_OPENCV * opencv_s
