@@ -26,6 +26,7 @@ from measureapp.project.geometry.step_files import STEP_KINDS, read_step
 from measureapp.project.geometry.view_errors import error_elements, errors_from
 
 LARGEST_FILE_BYTES = 8 * 2**30
+UNIT_ROUNDING = 4 * float(np.finfo(np.float32).eps)  # of the length of a unit vector in single precision
 LARGEST_MM = 1e7  # beyond ten kilometres a coordinate is garbage
 KINDS = (".ply", ".stl", ".obj", ".pcd", ".xyz", ".txt", ".csv", ".asc", ".pts")
 EXPORT_AGAIN = "Export or copy the file again."
@@ -228,9 +229,10 @@ def _sound(path: Path, points_mm: FloatArray, columns: dict[str, Any], **labels:
 
 
 def unit(normals: FloatArray) -> FloatArray:
-    """Return normals of unit length, zero where there is no direction."""
+    """Return normals of unit length, zero where there is no direction; those that are of unit length but for rounding stay as they are."""
     vectors = np.nan_to_num(np.asarray(normals, np.float64), nan=0.0, posinf=0.0, neginf=0.0)
     length = np.linalg.norm(vectors, axis=1, keepdims=True)
+    length[np.abs(length - 1.0) < UNIT_ROUNDING] = 1.0
     return np.divide(vectors, length, out=np.zeros_like(vectors), where=length > 1e-12).astype(np.float32)
 
 
@@ -340,8 +342,8 @@ def _ply_triangles(path: Path, ply: Ply) -> IntArray:
     return np.column_stack([index[first], index[first + step + 1], index[first + step + 2]])
 
 
-def _xyz_columns(points_mm: FloatArray) -> dict[str, Any]:
-    return {name: points_mm[:, i].astype(np.float32) for i, name in enumerate("xyz")}
+def _xyz_columns(points_mm: FloatArray, kind: type[np.floating[Any]] = np.float32) -> dict[str, Any]:
+    return {name: points_mm[:, i].astype(kind) for i, name in enumerate("xyz")}
 
 
 def _comments(cloud: PointCloud | StitchedCloud) -> list[str]:
@@ -352,7 +354,8 @@ def _comments(cloud: PointCloud | StitchedCloud) -> list[str]:
 
 
 def _cloud_columns(cloud: PointCloud | StitchedCloud) -> dict[str, Any]:
-    columns = _xyz_columns(cloud.points_mm)
+    # A view's points are kept as they were computed, to the last bit: what is stitched from them again is then the same.
+    columns: dict[str, Any] = _xyz_columns(cloud.points_mm, np.float64 if isinstance(cloud, PointCloud) else np.float32)
     columns |= {f"n{name}": cloud.normals[:, i] for i, name in enumerate("xyz")}
     columns |= {"sigma": cloud.sigma_mm, "grey": cloud.grey}
     byte = np.clip(np.rint(np.asarray(cloud.grey) * 255), 0, 255).astype(np.uint8)
