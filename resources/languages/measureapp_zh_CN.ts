@@ -8059,6 +8059,10 @@
       <translation>；自由：{list}</translation>
     </message>
     <message>
+      <source>; with its bonus {upper}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>A plane fixes three degrees of freedom, a line or axis two more, a point the last one.</source>
       <translation>平面确定三个自由度，直线或轴线再确定两个，点确定最后一个。</translation>
     </message>
@@ -8113,6 +8117,10 @@
     <message>
       <source>Alignment</source>
       <translation>对齐</translation>
+    </message>
+    <message>
+      <source>Alignment of the part that the value refers to</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <source>Alignment of the program changed.</source>

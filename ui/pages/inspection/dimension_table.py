@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from PySide6.QtCore import QItemSelectionModel, QPoint, Qt, Signal
-from PySide6.QtGui import QAction, QGuiApplication, QKeyEvent, QKeySequence, QMouseEvent
+from PySide6.QtGui import QAction, QFontMetrics, QGuiApplication, QKeyEvent, QKeySequence, QMouseEvent
 from PySide6.QtWidgets import QAbstractItemDelegate, QAbstractItemView, QHeaderView, QMenu, QTableView, QWidget
 
 from ui.controllers.program_rows import DimensionRow
@@ -15,6 +15,8 @@ from ui.look.look import Look
 from ui.pages.inspection.dimension_delegate import DimensionDelegate
 from ui.pages.inspection.dimension_filter import PROGRAM_ORDER, DimensionFilter
 from ui.pages.inspection.dimension_model import COPIED, EDITABLE, HEADERS, ROW_ROLE, CellEdit, Column, DimensionModel, cell_text
+from ui.viewport.overlay.control_frame import frame_width
+from ui.viewport.overlay.style import OverlayStyle
 from ui.widgets.data_table import ROW_HEIGHT, Index
 
 STATUS_WIDTH = 28
@@ -35,7 +37,7 @@ class DimensionTable(QTableView):
         self.dimensions = DimensionModel(edit, self)
         self.shown = DimensionFilter(self.dimensions, self)
         self._edit_cells = edit
-        self._current = NONE
+        self._look, self._current = look, NONE
         self._widths: dict[Column, int] = {}  # as fitted last
         self._is_waiting = False  # to be sorted again when the editor is closed
         self.setModel(self.shown)
@@ -251,13 +253,19 @@ class DimensionTable(QTableView):
         """Fit the columns to their texts, except those that the user resized."""
         header, letters = self.horizontalHeader(), self.fontMetrics()
         for column in (one for one in COPIED if one is not Column.NAME):
-            texts = [cell_text(row, column) for row in self.rows]
-            cell = max((letters.horizontalAdvance(text) for text in texts), default=0) + (SIGN_ROOM if column is Column.VERDICT else 0)
+            cell = max((self._width_of(row, column, letters) for row in self.rows), default=0) + (
+                SIGN_ROOM if column is Column.VERDICT else 0
+            )
             heading = header.fontMetrics().horizontalAdvance(HEADERS[column]) + (SORT_ROOM if column is Column.VERDICT else 0)
             wanted = max(cell, heading) + CELL_ROOM
             if self.columnWidth(column) == self._widths.get(column, self.columnWidth(column)):
                 self.setColumnWidth(column, wanted)
                 self._widths[column] = self.columnWidth(column)
+
+    def _width_of(self, row: DimensionRow, column: Column, letters: QFontMetrics) -> int:
+        if column is Column.TOLERANCE and row.frame is not None:
+            return int(frame_width(row.frame, OverlayStyle.of(self._look.theme)))
+        return letters.horizontalAdvance(cell_text(row, column))
 
     def _follow(self) -> None:
         """Tell which row is current, once."""
