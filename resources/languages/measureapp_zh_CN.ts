@@ -8060,7 +8060,7 @@
     </message>
     <message>
       <source>; with its bonus {upper}</source>
-      <translation type="unfinished" />
+      <translation>；含补偿公差 {upper}</translation>
     </message>
     <message>
       <source>A plane fixes three degrees of freedom, a line or axis two more, a point the last one.</source>
@@ -8120,7 +8120,7 @@
     </message>
     <message>
       <source>Alignment of the part that the value refers to</source>
-      <translation type="unfinished" />
+      <translation>该值所参照的零件对齐</translation>
     </message>
     <message>
       <source>Alignment of the program changed.</source>

@@ -19,7 +19,7 @@ from ui.viewport.overlay.control_frame import frame_width
 from ui.viewport.overlay.style import OverlayStyle
 from ui.widgets.data_table import ROW_HEIGHT, Index
 
-STATUS_WIDTH = 28
+STATUS_WIDTH, NAME_WIDTH = 28, 150
 CELL_ROOM, SIGN_ROOM, SORT_ROOM = 16, 28, 24  # px beside the text: margins, sign of the verdict, arrow of the order
 EDIT_KEYS = QAbstractItemView.EditTrigger.EditKeyPressed | QAbstractItemView.EditTrigger.AnyKeyPressed
 NONE = -1
@@ -39,6 +39,7 @@ class DimensionTable(QTableView):
         self._edit_cells = edit
         self._look, self._current = look, NONE
         self._widths: dict[Column, int] = {}  # as fitted last
+        self._has_alignments = False  # of which one column is shown
         self._is_waiting = False  # to be sorted again when the editor is closed
         self.setModel(self.shown)
         self.setItemDelegate(DimensionDelegate(look, self))
@@ -72,6 +73,7 @@ class DimensionTable(QTableView):
         header.sortIndicatorChanged.connect(self._sort)
         header.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         header.customContextMenuRequested.connect(self._show_header_menu)
+        self.setColumnHidden(Column.ALIGNMENT, True)
         self.shown.sort(Column.VERDICT)
 
     @property
@@ -95,6 +97,7 @@ class DimensionTable(QTableView):
         blocked = self.selectionModel().blockSignals(True)
         was_reset = self.dimensions.set_rows(rows)
         self.selectionModel().blockSignals(blocked)
+        self._show_alignments(len({row.aligned_by for row in self.rows}) > 1)
         self._fit_columns()
         if self.is_editing:
             self._is_waiting = True
@@ -102,6 +105,17 @@ class DimensionTable(QTableView):
         self._sort_keeping(kept, current)
         if was_reset and self.current_id() != current:
             self._follow()
+
+    def _show_alignments(self, are_several: bool) -> None:
+        """Show the column of alignments where dimensions differ in them; a common one is stated above the picture."""
+        if are_several == self._has_alignments:
+            return
+        self._has_alignments = are_several
+        self.setColumnHidden(Column.ALIGNMENT, not are_several)
+        mode = QHeaderView.ResizeMode.Interactive if are_several else QHeaderView.ResizeMode.Stretch
+        self.horizontalHeader().setSectionResizeMode(Column.NAME, mode)
+        if are_several:
+            self.setColumnWidth(Column.NAME, NAME_WIDTH)
 
     def set_filter(self, chips: frozenset[str], words: str) -> None:
         """Show some of the rows; the current one stays current if it is among them."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 
 from PySide6.QtCore import QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen, QTransform
@@ -12,7 +13,9 @@ from measureapp.data.frame_symbols import ARC_RADIUS, ARC_Y, ARCS, CIRCLES, LINE
 from ui.viewport.overlay.style import OverlayStyle, use_letters
 
 FRAME_LETTERS_PX, CELL_PX, CELL_PADDING_PX, GAP_PX = 12.0, 20.0, 5.0, 4.0
-SYMBOL_INSET = 0.22  # of the cell's height
+CIRCLE_PX, CIRCLED_LETTERS_PX = 14.0, 10.0
+CIRCLED = {"\u24c2": "M", "\u24c1": "L"}  # ISO 2692
+SYMBOL_INSET = 0.2  # of the cell's height
 
 
 def frame_width(frame: ControlFrame, style: OverlayStyle) -> float:
@@ -36,11 +39,10 @@ def paint_frame(painter: QPainter, frame: ControlFrame, corner: QPointF, style: 
         painter.drawRect(cell)
         if place == 0:
             inset = SYMBOL_INSET * height
-            painter.setPen(QPen(colour, 1.4 * style.scale))
+            painter.setPen(QPen(colour, 1.2 * style.scale))
             painter.drawPath(symbol_path(frame.characteristic, cell.adjusted(inset, inset, -inset, -inset)))
         else:
-            use_letters(painter, style, FRAME_LETTERS_PX)
-            painter.drawText(cell, Qt.AlignmentFlag.AlignCenter, frame.words()[place - 1])
+            _paint_words(painter, frame.words()[place - 1], cell, style, colour)
         left += width
     painter.restore()
 
@@ -59,7 +61,26 @@ def symbol_path(characteristic: str, area: QRectF) -> QPainterPath:
     return QTransform(area.width(), 0.0, 0.0, area.height(), area.left(), area.top()).map(path)
 
 
+def _runs(words: str, style: OverlayStyle) -> list[tuple[str, float]]:
+    """Return a text in runs, and their widths; a letter in a circle, which few fonts have, is a run of its own."""
+    runs = [run for run in re.split(f"([{''.join(CIRCLED)}])", words) if run]
+    return [(run, CIRCLE_PX * style.scale if run in CIRCLED else style.measure(run, FRAME_LETTERS_PX).width()) for run in runs]
+
+
+def _paint_words(painter: QPainter, words: str, cell: QRectF, style: OverlayStyle, colour: QColor) -> None:
+    runs = _runs(words, style)
+    left = cell.center().x() - sum(width for _, width in runs) / 2
+    for run, width in runs:
+        area = QRectF(left, cell.top(), width, cell.height())
+        if run in CIRCLED:
+            painter.setPen(QPen(colour, style.scale))
+            painter.drawEllipse(area.center(), width / 2, width / 2)
+        use_letters(painter, style, CIRCLED_LETTERS_PX if run in CIRCLED else FRAME_LETTERS_PX)
+        painter.drawText(area.adjusted(-1, 0, 1, 0), Qt.AlignmentFlag.AlignCenter, CIRCLED.get(run, run))
+        left += width
+
+
 def _widths(frame: ControlFrame, style: OverlayStyle) -> list[float]:
     """Return the widths of the cells; whole pixels keep the lines sharp."""
-    texts = [style.measure(one, FRAME_LETTERS_PX).width() + 2 * CELL_PADDING_PX * style.scale for one in frame.words()]
+    texts = [sum(width for _, width in _runs(one, style)) + 2 * CELL_PADDING_PX * style.scale for one in frame.words()]
     return [CELL_PX * style.scale, *(float(math.ceil(max(one, CELL_PX * style.scale))) for one in texts)]
