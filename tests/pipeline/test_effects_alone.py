@@ -87,6 +87,18 @@ def test_the_trials_end_inside_u_with_all_views(trial: str, tmp_path: Path, reco
     assert all(one["contains_truth"] for one in found.dimensions) and len(found.dimensions) == 4
 
 
+@pytest.mark.slow
+def test_a_gear_that_saturates_at_long_exposures_has_the_dimensions_of_one_that_does_not(tmp_path: Path, record_property) -> None:
+    """Four times the light: 60 % of its pixels are saturated at the longest exposure, none at the shortest. No dimension moves by U."""
+    plain = measure_in({}, tmp_path / "plain", part="gear")
+    bright = measure_in({"light": {"projector": 5.6}}, tmp_path / "bright", calibrated=tmp_path / "plain" / "project", part="gear")
+    record_property("plain", plain.line("gear"))
+    record_property("bright", bright.line("gear, saturated"))
+    assert bright.used == bright.views == 8 and len(bright.dimensions) == 4
+    for before, after in zip(plain.dimensions, bright.dimensions, strict=True):
+        assert abs(after["measured"] - before["measured"]) < after["uncertainty"]
+
+
 @pytest.mark.parametrize("part_blur_px", [0.0, 2.86])
 def test_edges_of_the_part_tell_its_blur_whatever_the_board_showed(part_blur_px: float) -> None:
     """One image of each camera in the light of the projector; the fast form of the trial with a part less sharp."""
