@@ -32,9 +32,7 @@ from measureapp.report.part_pictures import placed_mesh, render_failing, render_
 from measureapp.report.valid_pixels import valid_pixel_facts, valid_pixels
 from measureapp.report.words import format_key, format_name, format_setting, number, percent
 
-BEST_FIT = (
-    "The alignment is a best fit, which belongs to no datum of the drawing and spreads defects over the whole part: for comparison only."
-)
+BEST_FIT = "The alignment is a best fit, which belongs to no datum system and spreads defects over the whole part: for comparison only."
 
 
 def compose(
