@@ -9206,6 +9206,10 @@
       <translation>请输入整数</translation>
     </message>
     <message>
+      <source>FAIL</source>
+      <translation>不合格</translation>
+    </message>
+    <message>
       <source>Flying point</source>
       <translation>飞点</translation>
     </message>
@@ -9286,6 +9290,18 @@
       <translation>必须小于 {lt}</translation>
     </message>
     <message>
+      <source>NO TOLERANCE</source>
+      <translation>无公差</translation>
+    </message>
+    <message>
+      <source>NOT MEASURED</source>
+      <translation>未测量</translation>
+    </message>
+    <message>
+      <source>NOT PROVEN</source>
+      <translation>未证实</translation>
+    </message>
+    <message>
       <source>No dimension has a tolerance: nothing is proven.</source>
       <translation>没有带公差的尺寸：什么也未证实。</translation>
     </message>
@@ -9296,6 +9312,10 @@
     <message>
       <source>Oblique to another camera</source>
       <translation>对另一相机过斜</translation>
+    </message>
+    <message>
+      <source>PASS</source>
+      <translation>合格</translation>
     </message>
     <message>
       <source>Packet size</source>
@@ -10028,6 +10048,10 @@ The first run of this part counts.</source>
     <message>
       <source>{count} not released by the engineer: not offered here.</source>
       <translation>{count}未经工程师发布：此处不提供。</translation>
+    </message>
+    <message>
+      <source>{drawing} rev. {revision}</source>
+      <translation>{drawing} 版本 {revision}</translation>
     </message>
     <message>
       <source>{elapsed}, about {left} left</source>

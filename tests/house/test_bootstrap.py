@@ -261,6 +261,14 @@ def called(installer, monkeypatch, tmp_path):
     commands: list[list[str]] = []
     codes: dict[str, int] = {}
     variables: list[dict[str, str]] = []
+    started: list[list[str]] = []
+
+    class Started:
+        def terminate(self):
+            started.append(["terminated"])
+
+        def wait(self):
+            pass
 
     def call(command, home, more=None):
         commands.append([Path(command[0]).stem, *command[1:]])
@@ -270,7 +278,8 @@ def called(installer, monkeypatch, tmp_path):
     monkeypatch.setattr(installer.steps, "_call", call)
     monkeypatch.setattr(installer.system_libraries, "ensure", lambda screen: None)
     monkeypatch.setattr(installer.environment, "ensure", lambda: installer.environment.Environment(tmp_path))
-    return SimpleNamespace(commands=commands, codes=codes, variables=variables)
+    monkeypatch.setattr(installer.steps.subprocess, "Popen", lambda command, **_rest: started.append(command) or Started())
+    return SimpleNamespace(started=started, commands=commands, codes=codes, variables=variables)
 
 
 def test_run_opens_the_window_on_a_screen_and_runs_the_demo_without(installer, called, monkeypatch) -> None:
@@ -279,8 +288,20 @@ def test_run_opens_the_window_on_a_screen_and_runs_the_demo_without(installer, c
         assert installer.steps.perform("run", ["--extra"]) == 0
     assert called.commands == [
         ["measureapp", "gui", "--demo", "--extra"],
-        ["measureapp", "demo", "--out", str(INSTALLER.parent / "demo-gypsum-half"), "--extra"],
+        ["measureapp", "demo", "--resolution", "quarter", "--out", str(INSTALLER.parent / "demo-gypsum-quarter"), "--extra"],
     ]
+
+
+@pytest.mark.parametrize("compiled", [False, True])
+def test_the_first_demo_finds_the_kernels_compiled_by_a_process_beside_it(installer, called, monkeypatch, tmp_path, compiled) -> None:
+    monkeypatch.setattr(installer.steps, "has_screen", lambda: False)
+    monkeypatch.setattr(installer.environment, "ROOT", tmp_path)
+    if compiled:
+        cache = tmp_path / "measureapp" / "fringe" / "__pycache__"
+        cache.mkdir(parents=True)
+        (cache / "vote.nbi").touch()
+    assert installer.steps.perform("run", []) == 0
+    assert [command[-1] for command in called.started] == ([] if compiled else [installer.steps.COMPILE_KERNELS, "terminated"])
 
 
 def test_a_screen_is_seen_by_its_variables(installer, monkeypatch) -> None:

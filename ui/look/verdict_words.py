@@ -4,11 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from ui.look.language.words import tr
+from ui.look.language.words import later, tr, translated
 from ui.look.wording import several
 
 NO_DIMENSIONS = "The program evaluated no dimension: there is no verdict."
 NO_TOLERANCE = "No dimension has a tolerance: nothing is proven."
+LOUD = {
+    "fail": later("FAIL"),
+    "not proven": later("NOT PROVEN"),
+    "not measured": later("NOT MEASURED"),
+    "pass": later("PASS"),
+    "no tolerance": later("NO TOLERANCE"),
+}
 COUNTED = {
     "fail": "{n} fail",
     "not proven": "{n} not proven",
@@ -16,6 +23,15 @@ COUNTED = {
     "pass": "{n} pass",
     "no tolerance": "{n} without tolerance",
 }
+
+
+def loud(verdict: str) -> str:
+    """Return a verdict as it is called out to an operator.
+
+    >>> loud("not proven")
+    'NOT PROVEN'
+    """
+    return translated(LOUD[verdict])
 
 
 def summary_words(verdicts: Sequence[str]) -> str:

@@ -42,6 +42,7 @@ class Translator:
         self._catalogue: Catalogue | None = None
         self._state = 0
         self._issued: OrderedDict[str, Origin] = OrderedDict()
+        self._renewing = set[str]()
 
     @property
     def catalogue(self) -> Catalogue | None:
@@ -61,7 +62,7 @@ class Translator:
         if self._state:
             put = {name: self.renewed(value) if isinstance(value, str) else value for name, value in values.items()}
         made = FORMATTER.vformat(template, (), put) if values else template
-        if made:
+        if made and made not in values.values():  # else its value says all about it
             self._issued[made] = Origin(source, values, self._state)
             self._issued.move_to_end(made)
             if len(self._issued) > KEPT:
@@ -77,6 +78,15 @@ class Translator:
 
         Texts of unknown origin, such as names that people gave, stay as they are.
         """
+        if text in self._renewing:  # a value of itself, by way of other texts
+            return text
+        self._renewing.add(text)
+        try:
+            return self._renewed(text)
+        finally:
+            self._renewing.discard(text)
+
+    def _renewed(self, text: str) -> str:
         origin = self._issued.get(text)
         if origin is not None:
             return text if origin.state == self._state else self.translate(origin.source, origin.values)

@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QGridLayout, QLabel, QScroller, QSizePolicy, QVBox
 from ui.controllers.operator_nouns import ProgramCard, verdict_of
 from ui.look.language.words import tr, translated
 from ui.look.look import Look
+from ui.look.verdict_words import loud
 from ui.look.wording import rough_duration
 from ui.pages.operator.big import BigButton, big_label
 from ui.pages.operator.style import CARD_PX
@@ -72,7 +73,7 @@ class CardButton(BigButton):
         sign, verdict = QLabel(), verdict_of(last)
         sign.setPixmap(look.icon(verdict, "verdict_" + verdict.replace(" ", "_")).pixmap(QSize(SIGN_PX, SIGN_PX)))
         line = QWidget()
-        line.setLayout(row(sign, big_label(f"{verdict.upper()}, {when_words(last.measured_at)}", "soft"), 0))
+        line.setLayout(row(sign, big_label(f"{loud(verdict)}, {when_words(last.measured_at)}", "soft"), 0))
         return line
 
     def _problem(self, look: Look) -> list[QWidget]:
@@ -84,7 +85,7 @@ class CardButton(BigButton):
 
 
 def _drawing(drawing: str, revision: str) -> str:
-    return f"{drawing} rev. {revision}" if revision else drawing
+    return tr("{drawing} rev. {revision}", drawing=drawing, revision=revision) if revision else drawing
 
 
 def _fitted(png: bytes, ratio: float) -> QPixmap:

@@ -13,6 +13,7 @@ from measureapp.data.verdicts import worst_first
 from ui.controllers.controllers import Controllers
 from ui.look.language.words import translated
 from ui.look.look import Look
+from ui.look.verdict_words import loud
 from ui.look.wording import quantity
 from ui.pages.inspection.dimension_rows import dimension_words, tolerance, unit_of
 from ui.pages.operator.big import BigButton, big_card, big_label
@@ -89,7 +90,7 @@ class DetailsScreen(ReadScreen):
             big_label(quantity(one.nominal, unit)),
             big_label(tolerance(one.lower_tolerance, one.upper_tolerance, unit)),
             big_label(quantity(one.round_uncertainty(), unit)),
-            big_label(verdict.upper(), "strong"),
+            big_label(loud(verdict), "strong"),
         )
         self._grid.addWidget(sign, number, 0)
         for place, shown in enumerate(words, 1):

@@ -10,6 +10,7 @@ from ui.controllers.operator import OperatorController
 from ui.controllers.operator_nouns import Entered, counted_run, verdict_of
 from ui.look.language.words import tr, translated
 from ui.look.look import Look
+from ui.look.verdict_words import loud
 from ui.pages.operator.big import BigButton, big_card, big_label
 from ui.pages.operator.cards import when_words
 from ui.pages.operator.reasons import ReasonChoice
@@ -92,7 +93,7 @@ class IdentifyScreen(QWidget):
         if facts is None:
             return
         for name, words in NAMES.items():
-            self._names[name].setText(f"{words} *" if name in facts.required else translated(words))
+            self._names[name].setText(tr("{field} *", field=words) if name in facts.required else translated(words))
         missing = self._missing()
         runs = self._controller.runs_of(self.value().serial)
         self.known.setVisible(bool(runs))
@@ -100,9 +101,9 @@ class IdentifyScreen(QWidget):
             last, counted = runs[-1], counted_run(runs)
             again = {
                 "when": when_words(last.measured_at),
-                "verdict": verdict_of(last).upper(),
+                "verdict": loud(verdict_of(last)),
                 "number": len(runs) + 1,
-                "counted": verdict_of(counted).upper(),
+                "counted": loud(verdict_of(counted)),
             }
             words = tr(AGAIN, **again) if counted is last else tr(AGAIN_COUNTED, **again)
             self.before.setText(translated(words))

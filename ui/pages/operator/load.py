@@ -69,7 +69,7 @@ class LoadScreen(QWidget):
         entered = self._controller.entered
         if facts is not None and card is not None and card.program is not None:
             self.text.setText(translated(facts.remarks) or translated(NO_TEXT))
-            self.part.setText(f"{facts.name} · {entered.serial}" if entered.serial else translated(facts.name))
+            self.part.setText(translated(" · ".join(filter(None, (facts.name, entered.serial)))))
             self._image = QImage() if card.program.picture is None else QImage.fromData(card.program.picture)
         self._fit()
         self._show()

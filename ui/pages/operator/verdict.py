@@ -11,7 +11,7 @@ from ui.controllers.controllers import Controllers
 from ui.look.icons import IconSet
 from ui.look.language.words import tr, translated
 from ui.look.look import Look
-from ui.look.verdict_words import summary_words
+from ui.look.verdict_words import loud, summary_words
 from ui.pages.operator.big import BigButton, big_card, big_label
 from ui.pages.operator.part_view import PartView
 from ui.pages.operator.style import letters_on
@@ -53,10 +53,10 @@ class VerdictBand(QFrame):
         )
         self.word.setStyleSheet(f"color: {letters}; font-size: {WORD_PX}px; font-weight: 800;")
         self.sign.setPixmap(self._icons.icon(verdict, verdict).pixmap(QSize(SIGN_PX, SIGN_PX)))
-        self.word.setText(translated(verdict.upper()))
+        self.word.setText(loud(verdict))
         self.part.setText(translated(part))
         self.summary.setText(translated(summary))
-        self.setAccessibleName(f"{verdict.upper()}. {part}. {summary}")
+        self.setAccessibleName(f"{loud(verdict)}. {part}. {summary}")
 
 
 class WorstCard(QFrame):
@@ -68,7 +68,7 @@ class WorstCard(QFrame):
         sign = QLabel()
         sign.setPixmap(look.icon(verdict, "verdict_" + verdict.replace(" ", "_")).pixmap(QSize(40, 40)))
         top = row(sign, big_label(name, "heading"), 0, big_label(value, "value"))
-        below = big_label(f"{verdict.upper()}: {limit}", "body", wrap=True)
+        below = big_label(f"{loud(verdict)}: {limit}", "body", wrap=True)
         layout = column(top, below, spacing=0)
         layout.setContentsMargins(16, 6, 16, 8)
         self.setLayout(layout)

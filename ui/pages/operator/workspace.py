@@ -13,6 +13,7 @@ from ui.controllers.controllers import Controllers
 from ui.controllers.operator_nouns import verdict_of
 from ui.look.language.words import tr, translated
 from ui.look.look import Look
+from ui.look.verdict_words import loud
 from ui.pages.operator.bar import CallBar, OperatorBar
 from ui.pages.operator.big import big_label
 from ui.pages.operator.cards import when_words
@@ -193,7 +194,7 @@ class OperatorWorkspace(QWidget):
 
     def _show_run(self, run: SeriesRun) -> None:
         """Show the dimensions of an earlier run."""
-        words = {"serial": run.identification.serial_number, "when": when_words(run.measured_at), "verdict": verdict_of(run).upper()}
+        words = {"serial": run.identification.serial_number, "when": when_words(run.measured_at), "verdict": loud(verdict_of(run))}
         self.details.show_dimensions(tr("{serial}, measured {when}: {verdict}", **words), dimensions_of(run))
         self._show(self.details)
 

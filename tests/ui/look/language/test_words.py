@@ -83,3 +83,19 @@ def test_a_damaged_catalogue_is_refused(tmp_path, text, words):
     path.write_text(text, encoding="utf-8")
     with pytest.raises(InputError, match=words):
         read_catalogue(path)
+
+
+def test_a_text_that_equals_its_value_follows_its_value(translator):
+    translator.translate("{name}{remark}", {"name": "Surface", "remark": ""})
+    translator.use(None)
+    assert translator.renewed("Surface") == "Surface"
+    translator.translate("{name}{remark}", {"name": "gypsum-4711", "remark": ""})
+    translator.use(None)
+    assert translator.renewed("gypsum-4711") == "gypsum-4711"
+
+
+def test_texts_that_are_each_others_values_are_renewed_once(translator):
+    translator.translate("{first:.1}", {"first": "ab"})  # "a" is made of "ab"
+    translator.translate("{first}b", {"first": "a"})  # and "ab" of "a"
+    translator.use(None)
+    assert (translator.renewed("a"), translator.renewed("ab")) == ("a", "ab")
