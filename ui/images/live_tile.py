@@ -43,6 +43,8 @@ class LiveTile(QWidget):
 
     def show_pixels(self, pixels: np.ndarray, exposure_us: int) -> None:
         """Show a new image (H, W)."""
+        if self.isVisible() and (self.image.map.plot is None or self.histogram.plot is None):
+            return  # the axes are being made; the next image comes within a tenth of a second
         self.image.show_image(pixels, f"{self._camera} · {exposure(exposure_us)}", self._saturation)
         self.histogram.show_levels(pixels, self._saturation)
         thin = pixels[::EVERY, ::EVERY]
