@@ -118,6 +118,8 @@ class LoopClosure:
     gap_mm: float  # rms displacement of the first view's points after one loop
     gap_deg: float
     sigma_mm: float  # expected gap, rms
+    freedom: float = 3.0  # degrees of freedom of the scaled chi-square that the squared gap follows; of files without it: as a translation
+    loops: int = 1  # of which this is the least probable
 
     @property
     def sentence(self) -> str:

@@ -18,7 +18,7 @@ CONTRIBUTIONS = (
     "scale",
 )  # of the uncertainty budget
 CONTRIBUTION_LABELS = {"common": "systematic", "setups": "set-ups"}  # where the printed name differs from that in files
-CONTRADICTED = 0.75  # share of U that is unexplained above which the error model is contradicted: such a verdict is not proven
+CONTRADICTED = 0.75  # share of U that is unexplained above which the error model is contradicted: such a verdict needs a margin
 CONTRIBUTION_DIGITS = 4  # so that small contributions are visible
 
 

@@ -20,6 +20,7 @@ from measureapp.inspection.verdict import decide_verdict
 
 NARROW = 5  # tolerance over U below which a verdict is hardly ever possible
 UNEXPLAINED = "unexplained"  # of the `CONTRIBUTIONS`
+MISJUDGED = 3.0  # how much larger the unexplained may be: upper limit (95 %) of a standard deviation of three degrees of freedom
 CONTRADICTION = "Most of U is what the error model does not explain: a contradicted model proves nothing; see the checks of the error model"
 MOST_LISTED = 4  # features listed individually in the traceability of a value
 
@@ -53,7 +54,7 @@ def decide(described: DimensionProgram, evaluated: Evaluated, found: Mapping[str
         return _make_dimension(described, found, None, None, Verdict.NOT_MEASURED, "the points do not determine this value")
     how = "; ".join(filter(None, (value.how, *assumptions)))
     verdict = _verdict(described, value, uncertainty, settings)
-    contradicted = verdict in (Verdict.PASS, Verdict.FAIL) and COVERAGE_FACTOR * budget.get(UNEXPLAINED, 0.0) > CONTRADICTED * uncertainty
+    contradicted = verdict in (Verdict.PASS, Verdict.FAIL) and _is_contradicted(described, value, budget, settings)
     verdict = Verdict.NOT_PROVEN if contradicted else verdict
     made = _make_dimension(described, found, value.value, uncertainty, verdict, "", how, value.bonus)
     warning = CONTRADICTION if contradicted else _warn_of_narrow_tolerance(described, uncertainty) or value.warning
@@ -66,6 +67,16 @@ def _verdict(described: DimensionProgram, value: Value, uncertainty: float, sett
     lower, upper = (-np.inf if described.kind in ZONES else described.lower_tolerance), described.upper_tolerance + value.bonus
     # a zone has no lower limit
     return decide_verdict(value.value - described.nominal, uncertainty, lower, upper, settings.verdict_rule)
+
+
+def _is_contradicted(described: DimensionProgram, value: Value, budget: Budget, settings: InspectionSettings) -> bool:
+    """Whether most of U is unexplained, and so much that the verdict would be another one if the unexplained were `MISJUDGED`."""
+    unexplained = COVERAGE_FACTOR * budget.get(UNEXPLAINED, 0.0)
+    uncertainty = COVERAGE_FACTOR * float(np.linalg.norm(list(budget.values())))
+    if unexplained <= CONTRADICTED * uncertainty:
+        return False
+    widened = float(np.hypot(uncertainty, (MISJUDGED**2 - 1) ** 0.5 * unexplained))
+    return _verdict(described, value, widened, settings) is not _verdict(described, value, uncertainty, settings)
 
 
 def _warn_of_narrow_tolerance(described: DimensionProgram, uncertainty: float) -> str:

@@ -19,7 +19,6 @@ PIXEL_CELLS = 6  # along each side of the image
 TILT_STEP = 0.25  # of the components of the normal across the optical axis
 TIMES = 6  # classes of consecutive views
 ANGLES, HEIGHTS = 12, 3  # classes of the table's angle, and of the height on the part
-LOOP_FREEDOM = 3.0  # degrees of freedom of a gap: as a translation
 
 Classes = tuple[IntArray, IntArray]  # (N,) of the own and of the other point
 PROPERTIES: dict[str, tuple[Callable[[Sequence[ViewResult], Deviations, Sequence[FloatArray]], Classes], str]]
@@ -74,7 +73,8 @@ def _check(name: str, found: Dependence, cause: str) -> ConsistencyCheck:
 def _check_loop(closure: LoopClosure) -> ConsistencyCheck:
     cause = "axes that move otherwise than calibrated, such as run-out of the table, or a part that moved"
     steps = len(closure.viewpoints)  # among which the joint estimate shares the gap
-    return _check("loop closure", compare_with_expected(closure.gap_mm / steps, closure.sigma_mm / steps, LOOP_FREEDOM), cause)
+    found = compare_with_expected(closure.gap_mm / steps, closure.sigma_mm / steps, closure.freedom, closure.loops)
+    return _check("loop closure", found, cause)
 
 
 def _of_points(deviations: Deviations, values: Sequence[IntArray]) -> Classes:

@@ -11,6 +11,7 @@ from measureapp.arrays import FloatArray, IntArray
 
 LEAST_POINTS = 40  # of a class
 WEAK = 0.05  # share of the strongest contrast's information below which a contrast of classes is not determined
+ALMOST_ONE = 1 - 1e-15
 CHANCE = 1e-3  # probability below which chance does not explain a deviation
 
 
@@ -69,16 +70,20 @@ def estimate_dependence(distance_mm: FloatArray, expected_mm: FloatArray, own: I
     return _compare(float(weight @ found**2), float(np.trace(spread)), float(np.sum(spread**2)))
 
 
-def _compare(observed: float, expected: float, squares: float) -> Dependence:
-    """Compare a mean square with its expectation under the model, the trace of its covariance (whose squares sum to ``squares``)."""
+def _compare(observed: float, expected: float, squares: float, trials: int = 1) -> Dependence:
+    """Compare a mean square with its expectation under the model, the trace of its covariance (whose squares sum to ``squares``).
+
+    It is the least probable of ``trials``: the probability that none of them is less probable bounds that of a false alarm (Z. Šidák,
+    Journal of the American Statistical Association 62, 626-633, 1967).
+    """
     if expected <= 0 or squares <= 0:
         return Dependence(observed**0.5, 0.0, observed**0.5, 0.0 if observed > 0 else 1.0)
     freedom = expected**2 / squares
-    probability = float(chi2.sf(observed * freedom / expected, freedom))
+    probability = float(-np.expm1(trials * np.log1p(-min(chi2.sf(observed * freedom / expected, freedom), ALMOST_ONE))))
     unexplained = max(observed - expected, 0.0) ** 0.5 if probability < CHANCE else 0.0
     return Dependence(observed**0.5, expected**0.5, unexplained, probability)
 
 
-def compare_with_expected(observed_mm: float, expected_mm: float, freedom: float) -> Dependence:
-    """Compare one rms deviation of ``freedom`` degrees of freedom with the rms the model expects."""
-    return _compare(observed_mm**2, expected_mm**2, expected_mm**4 / freedom)
+def compare_with_expected(observed_mm: float, expected_mm: float, freedom: float, trials: int = 1) -> Dependence:
+    """Compare the least probable of ``trials`` rms deviations, of ``freedom`` degrees of freedom, with the rms the model expects."""
+    return _compare(observed_mm**2, expected_mm**2, expected_mm**4 / freedom, trials)

@@ -4,17 +4,21 @@ Each step combines the pair with the joint estimate by their information: determ
 joint estimate, which closes exactly. Only contradictions between pairs leave a gap. With the kinematic poses in place of the joint
 estimate, a kinematic error shared by all views would show as well: corrected in one pair and not in the next, it leaves a gap, though it
 cancels in the joint estimate (decision 11).
+
+The expected gap contains everything the error model states: noise and smooth errors of the pairs, the kinematic poses, and what all clouds
+have alike (camera calibration, systematic errors), of which chained pairs add up what the joint estimate distributes (decision 49).
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 
 import numpy as np
 from scipy.sparse import csr_array
 from scipy.sparse.csgraph import dijkstra
+from scipy.special import chdtrc
 
 from measureapp.arrays import FloatArray, IntArray
 from measureapp.data.cloud import LoopClosure
@@ -24,6 +28,7 @@ from measureapp.register.pairs.icp import PairMeasurement, apply_motion
 
 LARGEST_STEP_RAD = 0.7 * np.pi  # a loop has at least three views
 LEAST_COST_MM2 = 1e-30  # a link without cost is a link all the same
+LEAST_SIGMA_MM = 1e-12
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -34,13 +39,22 @@ class _Link:
     source: int
     target_from_source: RigidTransform
     centre_mm: FloatArray  # (3,), in the part's frame
-    scatter: FloatArray  # (6, 6), covariance of its correction from the pair's own errors, about the centre in the part's frame
+    follow: FloatArray  # (6, 6), derivative of its correction with respect to the measured motion, about the centre in the part's frame
+    scatter: FloatArray  # (6, 6), covariance of its correction from the pair's own errors, likewise
     gain: FloatArray  # (6, 6N), derivative of its correction with respect to the errors of the initial poses
     cost: float  # mean squared uncertainty of points of the part, mm²
 
     def from_to(self, start: int) -> RigidTransform:
         """Return start_from_other."""
         return self.target_from_source if start == self.target else self.target_from_source.inverse()
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class SharedMotions:
+    """What errors that all clouds share (K, one standard deviation each) do to pairs and to the joint estimate."""
+
+    of_pairs: FloatArray  # (E, 6, K), motions of the measured source about the pair's centre, in the target's frame
+    of_views: FloatArray  # (6N, K), motions about the centres in the part's frame
 
 
 def find_worst_loop(
@@ -50,8 +64,9 @@ def find_worst_loop(
     radii_mm: FloatArray,
     kinematic_covariance: FloatArray,
     names: Sequence[str],
+    shared: SharedMotions | None = None,
 ) -> LoopClosure | None:
-    """Return the closure of the worst among the most certain loops through each view; None without a loop around the part.
+    """Return the least probable closure among the most certain loops through each view; None without a loop around the part.
 
     Around means: about the normal of the plane of the cameras, through the centre of the views.
 
@@ -61,13 +76,22 @@ def find_worst_loop(
     centres_mm, radii_mm : (N, 3) in the part's frame and (N,), centre and rms radius of each view
     kinematic_covariance : (6N, 6N), of the kinematic poses, as motions about the centres in the part's frame
     names : of the N viewpoints
+    shared : None: no such errors
     """
+    if shared is None:
+        shared = SharedMotions(np.zeros((len(pairs), 6, 0)), np.zeros((len(kinematic_covariance), 0)))
     links = [_make_link(pair, poses, centres_mm, radii_mm, kinematic_covariance) for pair in pairs]
     azimuth = _azimuth_rad(poses, centres_mm)
     loops = {_rotate_to_smallest(loop) for start in range(len(poses)) if (loop := _find_best_loop(start, links, azimuth))}
     jointly = _joint_covariance(pairs, poses, centres_mm, kinematic_covariance) if loops else kinematic_covariance
-    closed = [_evaluate_loop(loop, links, poses, centres_mm, radii_mm, jointly, names) for loop in sorted(loops)]
-    return max(closed, key=lambda one: one.gap_mm, default=None)
+    closed = [_evaluate_loop(loop, links, poses, centres_mm, radii_mm, jointly, shared) for loop in sorted(loops)]
+    worst = min(closed, key=lambda one: (_probability(one), -one.gap_mm), default=None)
+    return worst and replace(worst, viewpoints=tuple(names[int(i)] for i in worst.viewpoints), loops=len(closed))
+
+
+def _probability(loop: LoopClosure) -> float:
+    """Return the probability of so large a gap: a scaled chi-square with the mean and variance of the weighted squares (Satterthwaite)."""
+    return float(chdtrc(loop.freedom, loop.freedom * (loop.gap_mm / max(loop.sigma_mm, LEAST_SIGMA_MM)) ** 2))
 
 
 def _rows(pair: PairMeasurement) -> IntArray:
@@ -101,9 +125,9 @@ def _make_link(
     gain = np.zeros((6, len(kinematic_covariance)))
     gain[:, rows] = turn @ share @ both
     lengths = np.array([1.0] * 3 + [float(radii_mm[pair.target])] * 3)
-    return _Link(
-        pair.target, pair.source, between, target.apply(pair.centre_mm), turn @ share @ known @ turn.T, gain, float(lengths**2 @ np.diag(known))
-    )  # fmt: skip
+    cost = float(lengths**2 @ np.diag(known))
+    scatter = turn @ share @ known @ turn.T
+    return _Link(pair.target, pair.source, between, target.apply(pair.centre_mm), turn @ share, scatter, gain, cost)
 
 
 def _azimuth_rad(poses: Sequence[RigidTransform], centres_mm: FloatArray) -> FloatArray:
@@ -149,32 +173,38 @@ def _evaluate_loop(
     centres_mm: FloatArray,
     radii_mm: FloatArray,
     jointly: FloatArray,
-    names: Sequence[str],
+    shared: SharedMotions,
 ) -> LoopClosure:
-    """Return the gap of a loop at the points of its first view, and its expected size.
+    """Return the gap of a loop (over the numbers of its views) at the points of its first view, its expected size and degrees of freedom.
 
     The joint estimate, of covariance ``jointly``, is correlated with the pairs: its covariance is subtracted from that of the pairs.
     """
-    by_views = {frozenset((link.target, link.source)): link for link in links}
+    by_views = {frozenset((link.target, link.source)): number for number, link in enumerate(links)}
     around: RigidTransform | None = None
-    scatter, gain = np.zeros((6, 6)), np.zeros((6, len(jointly)))
+    scatter, gain, moved = np.zeros((6, 6)), np.zeros((6, len(jointly))), np.zeros((6, shared.of_views.shape[1]))
     first = loop[0]
     for start, end in pairwise((*loop, first)):
-        link = by_views[frozenset((start, end))]
+        number = by_views[frozenset((start, end))]
+        link = links[number]
         step = link.from_to(start)
         around = step if around is None else around @ step
         carry = twist_shift(centres_mm[first], link.centre_mm)
+        forward = 1 if start == link.target else -1
         scatter += carry @ link.scatter @ carry.T
-        gain += (1 if start == link.target else -1) * carry @ link.gain
+        gain += forward * carry @ link.gain
+        moved += forward * carry @ link.follow @ shared.of_pairs[number]
     assert around is not None
     centre = poses[first].inverse().apply(centres_mm[first])
     shift, turn = np.linalg.norm(around.apply(centre) - centre), around.angle_rad
-    covariance = scatter - gain @ jointly @ gain.T
+    moved -= gain @ shared.of_views
     # a rotation moves points at the rms distance r from their centre by √(2/3) r |turn|, for any axis
     lengths = np.array([1.0] * 3 + [float(np.sqrt(2 / 3) * radii_mm[first])] * 3)
+    covariance = np.outer(lengths, lengths) * (scatter - gain @ jointly @ gain.T + moved @ moved.T)
+    expected, squares = float(np.trace(covariance)), float(np.sum(covariance**2))
     return LoopClosure(
-        viewpoints=tuple(names[i] for i in loop),
+        viewpoints=tuple(map(str, loop)),
         gap_mm=float(np.hypot(shift, lengths[3] * turn)),
         gap_deg=float(np.degrees(turn)),
-        sigma_mm=float(np.sqrt(lengths**2 @ np.diag(covariance))),
+        sigma_mm=float(np.sqrt(expected)),
+        freedom=expected**2 / max(squares, LEAST_SIGMA_MM**4),
     )

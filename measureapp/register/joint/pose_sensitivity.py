@@ -68,11 +68,18 @@ class JointSensitivity:
     def propagate_cloud_errors(self, errors: CloudErrorModel) -> FloatArray:
         """Propagate errors shared by all clouds to the motions (6N, K) of all views."""
         right = np.zeros((6 * len(self.poses), errors.count))
-        for one, weight in zip(self.pairs, self.sensitivity.by_pairs, strict=True):
+        for one, weight, moved in zip(self.pairs, self.sensitivity.by_pairs, self.propagate_to_pairs(errors), strict=True):
+            right[_rows(one.pair)] += weight @ moved
+        return np.asarray(self.sensitivity.inverse @ right)
+
+    def propagate_to_pairs(self, errors: CloudErrorModel) -> FloatArray:
+        """Propagate errors shared by all clouds to the motions (E, 6, K) that all pairs measure."""
+        moved = np.zeros((len(self.pairs), 6, errors.count))
+        for one, motions in zip(self.pairs, moved, strict=True):
             target, source = one.pair.target, one.pair.source
             source_from_target = self.poses[source].inverse() @ self.poses[target]
-            right[_rows(one.pair)] += weight @ one.propagate(self.clouds[source], source_from_target, errors)
-        return np.asarray(self.sensitivity.inverse @ right)
+            motions[:] = one.propagate(self.clouds[source], source_from_target, errors)
+        return moved
 
     def propagate_kinematic_errors(self, motions: FloatArray) -> FloatArray:
         """Propagate motions (6N, K) of the kinematic poses to the motions (6N, K) of all views."""

@@ -16,7 +16,7 @@ from measureapp.progress import Progress
 from measureapp.register.joint.axis_doubt import are_many, doubt_axes
 from measureapp.register.joint.form_errors import estimate_form_errors
 from measureapp.register.joint.innovation_test import estimate_free_correction, innovation_limit
-from measureapp.register.joint.loop_closure import find_worst_loop
+from measureapp.register.joint.loop_closure import SharedMotions, find_worst_loop
 from measureapp.register.joint.pose_graph import PoseGraphSolution, linearise_poses, optimise_pose_graph, relative_motion_projector
 from measureapp.register.joint.pose_prior import (
     NO_PRIOR,
@@ -138,25 +138,33 @@ class Registration:
         fitted = [edge for edge in measured if self.settings.fine and not excluded & {edge.target, edge.source}]
         # evaluated at the present poses, without another step: the remaining motion is far below the uncertainty
         known = self._optimise(poses, fitted)
+        errors, shared = self._model_errors(poses, fitted, known)
         loop_closure = find_worst_loop(
-            poses, fitted, self.centres, self.radii, self.kinematic_covariance, [view.cloud.viewpoint_id for view in self.views]
+            poses, fitted, self.centres, self.radii, self.kinematic_covariance, [view.cloud.viewpoint_id for view in self.views], shared
         )
         moved = self._relative_corrections(poses, fitted)
         placements = [self._assess_view(i, poses[i], moved[i], contradictions.get(i), measured, known) for i in range(len(self.views))]
-        return placements, loop_closure, self._model_errors(poses, fitted, known)
+        return placements, loop_closure, errors
 
-    def _model_errors(self, poses: Sequence[RigidTransform], edges: Sequence[PairMeasurement], known: PoseGraphSolution) -> ViewErrors:
-        """Model the errors of the views: registration, camera calibration, form errors of each cloud, and systematic errors of all."""
+    def _model_errors(
+        self, poses: Sequence[RigidTransform], edges: Sequence[PairMeasurement], known: PoseGraphSolution
+    ) -> tuple[ViewErrors, SharedMotions]:
+        """Model the errors of the views (registration, camera calibration, form errors of each cloud, systematic errors of all).
+
+        Also returned is what those that all clouds share do to pairs and poses.
+        """
         stitching_motions = factor_covariance(known.covariance)
         clouds, sizes = [view.prepared for view in self.views], self._estimate_cloud_sigmas(edges)
         influences = map_in_parallel(lambda edge: PairSensitivity.of(edge, clouds[edge.target], clouds[edge.source]), edges)
         joint = JointSensitivity(linearise_poses(poses, self.kinematic, self.prior, edges, self.centres), influences, clouds, poses)
         form, systematic = estimate_form_errors(clouds, sizes, poses, self.centres), estimate_systematic_errors(joint, sizes)
-        if self.calibration is None:
-            return ViewErrors(tuple(poses), self.centres, stitching_motions, np.zeros((len(stitching_motions), 0)), None, form, systematic)
-        distortion = self.calibration.distortion
-        moved = joint.propagate_kinematic_errors(self.calibration.kinematic_motions) + joint.propagate_cloud_errors(distortion)
-        return ViewErrors(tuple(poses), self.centres, stitching_motions, moved, distortion, form, systematic)
+        of_pairs, moved, distortion = joint.propagate_to_pairs(systematic), np.zeros((len(stitching_motions), 0)), None
+        if self.calibration is not None:
+            distortion = self.calibration.distortion
+            moved = joint.propagate_kinematic_errors(self.calibration.kinematic_motions) + joint.propagate_cloud_errors(distortion)
+            of_pairs = np.concatenate([of_pairs, joint.propagate_to_pairs(distortion)], axis=2)
+        errors = ViewErrors(tuple(poses), self.centres, stitching_motions, moved, distortion, form, systematic)
+        return errors, SharedMotions(of_pairs, np.hstack([systematic.motions, moved]))
 
     def _find_overlapping_pairs(self) -> list[tuple[int, int]]:
         """Find the pairs of sufficient overlap at their kinematic positions, the best of every view."""
