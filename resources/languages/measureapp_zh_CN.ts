@@ -66,8 +66,16 @@
       <translation>灰度</translation>
     </message>
     <message>
+      <source>Part</source>
+      <translation>工件</translation>
+    </message>
+    <message>
       <source>Points</source>
       <translation>点</translation>
+    </message>
+    <message>
+      <source>Run chart: values in order of measurement, with limits and mean; moving ranges below</source>
+      <translation>运行图：按测量顺序的值，带限值和平均值；下方为移动极差</translation>
     </message>
     <message>
       <source>Saturated {saturated}</source>
@@ -76,6 +84,10 @@
     <message>
       <source>{counted} points, {ends}</source>
       <translation>{counted} 个点，{ends}</translation>
+    </message>
+    <message>
+      <source>{name}: {count} values, mean {mean}, {beyond} beyond the limits</source>
+      <translation>{name}：{count} 个值，均值 {mean}，{beyond} 个超出界限</translation>
     </message>
   </context>
   <context>
@@ -7876,6 +7888,14 @@
       <translation> &amp;nbsp; </translation>
     </message>
     <message>
+      <source> · {share} saturated</source>
+      <translation> · {share} 饱和</translation>
+    </message>
+    <message>
+      <source> – too bright</source>
+      <translation> – 过亮</translation>
+    </message>
+    <message>
       <source>, no values</source>
       <translation>，没有值</translation>
     </message>
@@ -7932,8 +7952,16 @@
       <translation>图</translation>
     </message>
     <message>
+      <source>Median level {median} · saturated {saturated}</source>
+      <translation>中位灰度 {median} · 饱和 {saturated}</translation>
+    </message>
+    <message>
       <source>Modulation</source>
       <translation>调制度</translation>
+    </message>
+    <message>
+      <source>No image yet.</source>
+      <translation>尚无图像。</translation>
     </message>
     <message>
       <source>Phase</source>
@@ -7968,6 +7996,10 @@
       <translation>第二端点的行</translation>
     </message>
     <message>
+      <source>Row {row}, column {column}: {level}</source>
+      <translation>第 {row} 行，第 {column} 列：{level}</translation>
+    </message>
+    <message>
       <source>Save table…</source>
       <translation>保存表格…</translation>
     </message>
@@ -7986,6 +8018,10 @@
     <message>
       <source>The values of all maps along the line, as CSV</source>
       <translation>沿直线的所有图的数值，CSV</translation>
+    </message>
+    <message>
+      <source>The wheel zooms, dragging moves the image, a double click shows all of it.</source>
+      <translation>滚轮缩放，拖动移动图像，双击显示整幅图像。</translation>
     </message>
     <message>
       <source>Valid</source>
@@ -8059,6 +8095,10 @@
       <translation>；自由：{list}</translation>
     </message>
     <message>
+      <source>; with its bonus {upper}</source>
+      <translation>；含补偿公差 {upper}</translation>
+    </message>
+    <message>
       <source>A plane fixes three degrees of freedom, a line or axis two more, a point the last one.</source>
       <translation>平面确定三个自由度，直线或轴线再确定两个，点确定最后一个。</translation>
     </message>
@@ -8113,6 +8153,10 @@
     <message>
       <source>Alignment</source>
       <translation>对齐</translation>
+    </message>
+    <message>
+      <source>Alignment of the part that the value refers to</source>
+      <translation>该值所参照的零件对齐</translation>
     </message>
     <message>
       <source>Alignment of the program changed.</source>
@@ -9736,10 +9780,6 @@ The first run of this part counts.</source>
     <message>
       <source>PIN or password of the engineer</source>
       <translation>工程师的 PIN 或密码</translation>
-    </message>
-    <message>
-      <source>Part</source>
-      <translation>工件</translation>
     </message>
     <message>
       <source>Part program</source>
@@ -12267,10 +12307,6 @@ in danger use the emergency stop.</source>
       <translation>若此工件此前已测量，请说明原因</translation>
     </message>
     <message>
-      <source>Run chart: values in order of measurement, with limits and mean; moving ranges below</source>
-      <translation>运行图：按测量顺序的值，带限值和平均值；下方为移动极差</translation>
-    </message>
-    <message>
       <source>Series of parts</source>
       <translation>工件系列</translation>
     </message>
@@ -13011,14 +13047,6 @@ in danger use the emergency stop.</source>
   <context>
     <name>widgets</name>
     <message>
-      <source> · {share} saturated</source>
-      <translation> · {share} 饱和</translation>
-    </message>
-    <message>
-      <source> – too bright</source>
-      <translation> – 过亮</translation>
-    </message>
-    <message>
       <source># Help
 
 There is no page about “{name}”.</source>
@@ -13363,10 +13391,6 @@ There is no page about “{name}”.</source>
       <translation>标记</translation>
     </message>
     <message>
-      <source>Median level {median} · saturated {saturated}</source>
-      <translation>中位灰度 {median} · 饱和 {saturated}</translation>
-    </message>
-    <message>
       <source>Meshes (*.stl *.ply *.obj)</source>
       <translation>网格 (*.stl *.ply *.obj)</translation>
     </message>
@@ -13381,10 +13405,6 @@ There is no page about “{name}”.</source>
     <message>
       <source>New, open, copy or close a project; settings; exit</source>
       <translation>新建、打开、复制或关闭项目；设置；退出</translation>
-    </message>
-    <message>
-      <source>No image yet.</source>
-      <translation>尚无图像。</translation>
     </message>
     <message>
       <source>No project open</source>
