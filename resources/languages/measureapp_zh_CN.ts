@@ -413,6 +413,10 @@
       <translation>清理时去除</translation>
     </message>
     <message>
+      <source>Residual</source>
+      <translation>残差</translation>
+    </message>
+    <message>
       <source>Row {line}, column {across}</source>
       <translation>第 {line} 行，第 {across} 列</translation>
     </message>
@@ -10481,10 +10485,6 @@ The first run of this part counts.</source>
       <translation>重投影不超过 {reprojection_limit_px}（均方根）</translation>
     </message>
     <message>
-      <source>Residual</source>
-      <translation>残差</translation>
-    </message>
-    <message>
       <source>Residual (rms)</source>
       <translation>残差（均方根）</translation>
     </message>
@@ -10553,8 +10553,8 @@ The first run of this part counts.</source>
       <translation>标准差</translation>
     </message>
     <message>
-      <source>Straightness</source>
-      <translation>直线度</translation>
+      <source>Straightness up to {robot_mm}, twice the robot's absolute accuracy</source>
+      <translation>直线度不超过 {robot_mm}，即机器人绝对精度的两倍</translation>
     </message>
     <message>
       <source>Switch the clip box off; its numbers are kept</source>
