@@ -3916,6 +3916,10 @@
       <translation>相机 {v2} 在 {v3} µs 的图像 {v1} 与其他曝光矛盾{v4}。</translation>
     </message>
     <message>
+      <source>Keep vibration away or wait longer after each move, and take the viewpoint again.</source>
+      <translation>请避免振动，或在每次移动后等待更久，然后重新拍摄该视点。</translation>
+    </message>
+    <message>
       <source>No camera sees fringes at {v1} µs.</source>
       <translation>在 {v1} µs 时没有相机看到条纹。</translation>
     </message>
@@ -4154,6 +4158,10 @@
     <message>
       <source>{v1} has grey levels up to {v2}, but the stack saturates at {v3}.</source>
       <translation>{v1} 的灰度达 {v2}，但图像组在 {v3} 饱和。</translation>
+    </message>
+    <message>
+      <source>{v1} images of camera {v2} contradict the other exposures, in up to {v3} of their pixels, although they are as bright as predicted: the fringes moved during the images, by vibration, or because a part or axis had not settled.</source>
+      <translation>相机 {v2} 的 {v1} 幅图像与其他曝光矛盾，最多达 {v3} 的像素，尽管亮度与预测一致：拍摄期间条纹发生了移动，原因是振动，或零件或轴尚未静止。</translation>
     </message>
     <message>
       <source>{v1} is the same as {v2}.</source>
