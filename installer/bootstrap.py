@@ -8,18 +8,21 @@ import sys
 
 USAGE = """usage: python3 installer/bootstrap.py run [ARGUMENTS ...]
        python3 installer/bootstrap.py test [PYTEST ARGUMENTS ...]
+       python3 installer/bootstrap.py proofs [ROOMS ...]
 
 run    opens the application with the demo project; without a screen runs the demo and says where its report is.
        Further arguments go to `measureapp gui --demo`, or to `measureapp demo` where there is no screen.
 test   checks style, types and import rules, then runs the tests. Further arguments go to pytest.
+proofs runs the slow tests of all rooms, or of those named (`pipeline`, `benchmarks`), one file after the other, and measures virtual
+       parts on every rig; `proofs/proofs.md` and `.json` state accuracy, coverage and speed. Ended early, it goes on where it was.
 
-Both first set up what is missing: the virtual environment `.venv` in the checkout with the locked packages, and on
+All first set up what is missing: the virtual environment `.venv` in the checkout with the locked packages, and on
 Debian and Ubuntu the system libraries (as root; otherwise the line to run is printed). Exit code 2: the set-up is incomplete.
 """
 
 
 def main(arguments):
-    """Run one of the two commands and return its exit code."""
+    """Run one of the three commands and return its exit code."""
     if not (3, 11) <= sys.version_info[:2] <= (3, 13):
         sys.stderr.write(
             "MeasureApp needs Python 3.11, 3.12 or 3.13; this is Python %d.%d. "

@@ -1,4 +1,4 @@
-"""The two commands: run the application, test the project."""
+"""The three commands: run the application, test the project, run its slow proofs."""
 
 from __future__ import annotations
 
@@ -14,10 +14,12 @@ from contextlib import contextmanager
 
 import environment
 import machine
+import proofs
 import system_libraries
 from trouble import SetupTrouble
 
 DEMO_FOLDER = "demo-gypsum-quarter"
+PROOFS_FOLDER = "proofs"
 DEMO = ("demo", "--resolution", "quarter")  # the first report counts, and comes in half the time
 CANCELLED = 130
 COMPILE_KERNELS = "from measureapp.pipeline.warm_up import warm_up; warm_up()"
@@ -77,10 +79,12 @@ def test(arguments: Sequence[str]) -> int:
     with ThreadPoolExecutor(max_workers=1) as beside:
         # Once and early: else every process of pytest compiles what the others compile.
         kernels = None if arguments else beside.submit(_timed, "kernels", [str(home.python), "-c", COMPILE_KERNELS], home)
+        # Then types, while the selection for an older processor compiles its own: two processors are busy to the end of both.
+        types = None if arguments else beside.submit(_check, "mypy", checks.pop("mypy"), home)
         results = [_check(name, command, home) for name, command in checks.items()]
         if not arguments and platform.machine() in X86:
             results.append(_older_processor(home))
-        results += [] if kernels is None else [kernels.result()]
+        results += [task.result() for task in (types, kernels) if task is not None]
     several = _several_processes()
     if arguments or not several:
         results.append(_check("pytest", [*pytest, *arguments], home))
@@ -92,6 +96,16 @@ def test(arguments: Sequence[str]) -> int:
         print(f"{name:<14}{'passed' if code == 0 else f'failed ({code})':<14}{seconds:7.1f} s")
     sys.stdout.flush()
     return max(abs(code) for _, code, _ in results)
+
+
+def prove(rooms: Sequence[str]) -> int:
+    """Run the slow proofs of these rooms, all without any, and write a table of what they found."""
+    system_libraries.ensure(screen=False)
+    system_libraries.ensure_for_tests()
+    home = environment.ensure()
+    return proofs.prove(
+        environment.ROOT, environment.ROOT / PROOFS_FOLDER, rooms, lambda arguments: _call([str(home.python), *arguments], home)
+    )
 
 
 @contextmanager
@@ -141,4 +155,4 @@ def _call(command: Sequence[str], home: environment.Environment, variables: Mapp
     return subprocess.run(command, cwd=environment.ROOT, env={**home.variables(), **(variables or {})}, check=False).returncode
 
 
-STEPS: dict[str, Callable[[Sequence[str]], int]] = {"run": run, "test": test}
+STEPS: dict[str, Callable[[Sequence[str]], int]] = {"run": run, "test": test, "proofs": prove}

@@ -6,6 +6,8 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 
+from measureapp.data.control_frame import ControlFrame
+
 CONTRIBUTIONS = (
     "noise",
     "stitching",
@@ -62,6 +64,7 @@ class Dimension:
     alignment: str = ""  # name of its own alignment; empty: that of the program
     group: str = ""  # heading under which tables list it
     budget: Mapping[str, float] = field(default_factory=dict)  # the `CONTRIBUTIONS` to `uncertainty`, k = 2, to be added in quadrature
+    frame: ControlFrame | None = None  # of a geometrical tolerance; None: it has none, or was stored by an earlier version
 
     @property
     def deviation(self) -> float | None:

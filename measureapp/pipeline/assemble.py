@@ -23,6 +23,7 @@ from measureapp.data.view_choices import ViewChoices
 from measureapp.data.view_errors import CalibrationErrors
 from measureapp.errors import RegistrationError
 from measureapp.inspection.settings import InspectionSettings, UncertaintySettings
+from measureapp.pipeline.axes_check import without_contradictions
 from measureapp.pipeline.chosen_views import add_refused, select_views
 from measureapp.pipeline.consistency.check import check_consistency, with_unexplained
 from measureapp.pipeline.events import Event, InspectionReady, StitchReady, ValidityKnown
@@ -88,12 +89,13 @@ def assemble(
     Raises
     ------
     RegistrationError
-        No view has a usable cloud.
+        No view has a usable cloud, or read-backs and images disagree in many views.
     """
     validity = None if revision is None else revision.former.validity
     if validity is None:
         validity = validity_of(project, calibrated, views)
         on_event(ValidityKnown(validity))
+    views = without_contradictions(views, calibrated) if revision is None else views
     choices = project.view_choices() if revision is None else revision.choices
     good = _require_usable(views, choices, validity)
     with watch.stage("stitching"):

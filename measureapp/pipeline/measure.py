@@ -22,7 +22,7 @@ from measureapp.fringe.settings import DecodeSettings
 from measureapp.pipeline.events import CloudsKept, Event, ViewFailed, ViewReady
 from measureapp.pipeline.kept_views import kept_views, made_from
 from measureapp.pipeline.noise import decode_settings_of
-from measureapp.pipeline.stack_findings import stack_findings
+from measureapp.pipeline.stack_findings import blur_findings, stack_findings
 from measureapp.pipeline.watch import Stopwatch
 from measureapp.progress import PartOf, Progress
 from measureapp.project.folder import ProjectFolder
@@ -120,6 +120,7 @@ def compute_cloud(
     for finding in findings:
         if finding.severity == "error":
             raise finding.error()
+    blurred = blur_findings(result.blur_px, calibration.cameras)
     quality = assess_cloud(result.cloud, completeness=_completeness(maps, result.cloud.pixel))
     return ViewResult(
         viewpoint_id=stack.viewpoint_id,
@@ -134,7 +135,7 @@ def compute_cloud(
         pairs=tuple(asdict(pair) for pair in result.pairs),
         rejected=dict(result.rejected),
         readback=stack.readback,
-        findings=(*(f"{finding.message} {finding.remedy}" for finding in findings), *stack_findings(maps, result.cloud)),
+        findings=(*(f"{finding.message} {finding.remedy}" for finding in findings), *stack_findings(maps, result.cloud), *blurred),
         shift=camera_shift(maps, calibration.cameras),
     )
 

@@ -6,12 +6,14 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from measureapp.data.calibration import CameraArrayCalibration
 from measureapp.data.cloud import PointCloud
 from measureapp.data.phase import PhaseMap
 
 CLEARLY = 0.85  # of the stated phase noise that motion or light must make up: then it is more than all other noise
 LEAST_STEP = 0.1  # share by which light must change from one group of images to the next
 SCATTER = 1.5  # times the predicted phase noise
+BLURRED = 1.15  # times the blur of the board
 
 
 def stack_findings(maps: Mapping[str, PhaseMap], cloud: PointCloud) -> tuple[str, ...]:
@@ -52,3 +54,15 @@ def stack_findings(maps: Mapping[str, PhaseMap], cloud: PointCloud) -> tuple[str
             f"{noise[rough] * mm_per_rad:.3f} mm at a point. `measureapp response` corrects the projector."
         )
     return tuple(sentences)
+
+
+def blur_findings(blur_px: Mapping[str, float], cameras: CameraArrayCalibration) -> tuple[str, ...]:
+    """Return a sentence about the camera in which the part is least sharp beside the board, if it is clearly less sharp."""
+    known = {name: blur / cameras.cameras[name].blur_px for name, blur in blur_px.items() if cameras.cameras[name].blur_px > 0.0}
+    if not known or max(known.values()) < BLURRED:
+        return ()
+    worst = max(known, key=lambda name: known[name])
+    return (
+        f"The part is less sharp in camera {worst} than the board was: its edges are blurred by {blur_px[worst]:.2f} px instead of "
+        f"{cameras.cameras[worst].blur_px:.2f} px. Points are corrected for it. Check focus and lens, and calibrate at the distance of the part.",
+    )

@@ -50,6 +50,7 @@ class GeneratorSettings(Model):
     sigma_mm: float | None = Field(
         default=None, gt=0, description="required of a point, coverage is then of information 1/σ²; none: it is measured"
     )
+    views: int = Field(default=2, ge=1, le=10, description="that see each place where candidates allow: overlap joins the clouds")
     overlap: float = Field(default=0.2, ge=0, le=1, description="share of its area that a viewpoint has in common with others")
     samples: int = Field(default=5000, ge=50, le=50_000, description="of the surface")
     candidates: int = Field(default=MOST_CANDIDATES, ge=24, le=20_000)
@@ -181,7 +182,11 @@ def _with_aimed(search: _Search, grid: Candidates, free: Candidates, progress: P
 
 def _chosen(search: _Search, found: _Found, progress: Progress) -> tuple[list[int], Problem]:
     settings = search.settings
-    problem = Problem.of(found.sigma_mm, search.samples.areas_mm2, found.free.station, settings.sigma_mm)
+    areas_mm2, station = search.samples.areas_mm2, found.free.station
+    if settings.views > 1 and settings.sigma_mm is None:
+        problem = Problem.of_views(found.sigma_mm, areas_mm2, station, settings.views)
+    else:
+        problem = Problem.of(found.sigma_mm, areas_mm2, station, settings.sigma_mm)
     most = problem.covered_area(problem.information(np.arange(len(found.free))))
     goal = Goal(settings.coverage * most, settings.viewpoints, settings.overlap)
     chosen = choose(problem, goal, PartOf(progress, 0.0, 0.4))

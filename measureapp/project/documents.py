@@ -17,6 +17,7 @@ from measureapp.data.camera_shift import ShiftEvidence
 from measureapp.data.cloud import LoopClosure, ViewPlacement
 from measureapp.data.conditions import Conditions, LensSetting
 from measureapp.data.consistency import Consistency, ConsistencyCheck
+from measureapp.data.control_frame import ControlFrame, frame_document, frame_from
 from measureapp.data.dimension import Dimension, Verdict
 from measureapp.data.feature import Feature
 from measureapp.data.fringe import AxisReadback
@@ -258,7 +259,8 @@ def _feature_from(document: Mapping[str, Any]) -> Feature:
 
 def _dimension_from(document: Mapping[str, Any]) -> Dimension:
     names = {key: tuple(document.get(key, ())) for key in ("features", "datums")}
-    return Dimension(**_attributes({**document, **names, "verdict": Verdict(document["verdict"])}))
+    known = {"verdict": Verdict(document["verdict"]), "frame": frame_from(document.get("frame"))}
+    return Dimension(**_attributes({**document, **names, **known}))
 
 
 def _plain(noun: Any) -> dict[str, Any]:
@@ -274,6 +276,8 @@ def _attributes(document: Mapping[str, Any]) -> dict[str, Any]:
 def _plain_value(value: Any) -> Any:
     if isinstance(value, RigidTransform):
         return transform_document(value)
+    if isinstance(value, ControlFrame):
+        return frame_document(value)
     if isinstance(value, np.ndarray):
         return value.tolist()
     if isinstance(value, np.generic):

@@ -30,6 +30,7 @@ from measureapp.reconstruct.matching.cross_check import check_orthogonal, keep_n
 from measureapp.reconstruct.matching.figures import PairFigures, evaluate_pair
 from measureapp.reconstruct.matching.match import CameraSet, DepthMap, match_camera, sample_step
 from measureapp.reconstruct.matching.tables import fringe_sine, pair_sides, pair_tables
+from measureapp.reconstruct.part_blur import with_blur_of_part
 from measureapp.reconstruct.phase_view import PhaseView
 from measureapp.reconstruct.rectification.rectified_grid import resample_on_grid
 from measureapp.reconstruct.rectification.rectifier import Rectifier
@@ -45,6 +46,7 @@ class Reconstruction:
     rejected: Mapping[str, int]  # reason -> count
     states: Mapping[str, IntArray]  # camera -> (H, W) uint8 of PointState, of every pixel of its image
     max_sigma_mm: Mapping[str, float] = field(default_factory=dict)  # camera -> standard deviation above which its points were left out
+    blur_px: Mapping[str, float] = field(default_factory=dict)  # camera -> blur of its image of the part
 
 
 def reconstruct(
@@ -80,11 +82,12 @@ def reconstruct(
     memory = memory or BufferPool()
     names = _usable_names(phase_maps, cameras)
     rectified = settings.grid == "rectified" or (settings.grid == "auto" and len(names) == 2)
-    inner = exclude_discontinuities(phase_maps, cameras, memory)
-    phase_maps = correct_blur(inner, cameras, settings.max_phase_step_rad, memory, interpolated=names if rectified else names[1:])
-    if rectified:
-        return _reconstruct_rectified(names, phase_maps, rectifier, settings, progress, memory)
-    return _reconstruct(names, phase_maps, rectifier, settings, progress, memory)
+    seeing = with_blur_of_part({name: phase_maps[name] for name in names}, cameras)
+    inner = exclude_discontinuities(phase_maps, seeing, memory)
+    phase_maps = correct_blur(inner, seeing, settings.max_phase_step_rad, memory, interpolated=names if rectified else names[1:])
+    by_grid = _reconstruct_rectified if rectified else _reconstruct
+    made = by_grid(names, phase_maps, rectifier, settings, progress, memory)
+    return replace(made, blur_px={name: seeing.cameras[name].blur_px for name in names})
 
 
 def _reconstruct_rectified(

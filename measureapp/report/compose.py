@@ -32,6 +32,8 @@ from measureapp.report.part_pictures import placed_mesh, render_failing, render_
 from measureapp.report.valid_pixels import valid_pixel_facts, valid_pixels
 from measureapp.report.words import format_key, format_name, format_setting, number, percent
 
+BEST_FIT = "The alignment is a best fit, which belongs to no datum system and spreads defects over the whole part: for comparison only."
+
 
 def compose(
     measurement: Measurement,
@@ -180,6 +182,8 @@ def _cloud_facts(measurement: Measurement, deviation: Deviation | None, why_not:
 
 def _alignment_facts(alignment: Alignment) -> list[Fact]:
     facts = [Fact("Alignment to the nominal", alignment.name)]
+    if alignment.for_comparison_only:
+        facts.append(Fact("Warning", BEST_FIT))
     if alignment.residuals_mm:
         stays = ", ".join(f"{name} {number(residual)} mm" for name, residual in alignment.residuals_mm.items())
         facts.append(Fact("Residuals of the alignment", stays))

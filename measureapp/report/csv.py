@@ -29,6 +29,7 @@ COLUMNS = (
     "reason",
     "kind",
     "datums",
+    "control_frame",
     "alignment",
     "group",
     "warning",
@@ -60,6 +61,9 @@ def dimension_rows(model: ReportModel) -> Iterator[dict[str, Any]]:
         budget = document.pop("uncertainty_budget")
         document |= {f"uncertainty_{name}": budget.get(name) for name in CONTRIBUTIONS}
         document["datums"] = "|".join(document["datums"])
+        document["control_frame"] = (
+            "" if dimension.frame is None else " | ".join((dimension.frame.characteristic, *dimension.frame.words()))
+        )
         balloon = balloons.get(dimension.name, Balloon(number=""))
         yield {**document, "balloon": balloon.number, "zone": balloon.zone, "designator": balloon.designator}
 

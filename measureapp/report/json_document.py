@@ -9,6 +9,7 @@ from typing import Any
 
 from measureapp.data.axis_motions import AxisMotions
 from measureapp.data.calibration import RigCalibration
+from measureapp.data.control_frame import frame_document
 from measureapp.data.dimension import Dimension
 from measureapp.data.feature import Feature
 from measureapp.data.measurement import Alignment, Measurement
@@ -24,6 +25,7 @@ def dimension_document(dimension: Dimension) -> dict[str, Any]:
         "name": dimension.name,
         "kind": dimension.kind,
         "datums": list(dimension.datums),
+        "control_frame": frame_document(dimension.frame),
         "nominal": dimension.nominal,
         "measured": dimension.measured,
         "error": dimension.deviation,

@@ -6,7 +6,9 @@ from collections import Counter
 from collections.abc import Sequence
 from typing import Any
 
+from measureapp.data.control_frame import ControlFrame
 from measureapp.data.dimension import SEVERITY, Dimension, Verdict
+from measureapp.data.frame_symbols import symbol_svg
 from measureapp.report.header import field_words
 from measureapp.report.model import DeviationSummary, Fact, Picture, PlanLine, ReportModel, ViewLine
 from measureapp.report.words import (
@@ -31,8 +33,10 @@ WIDEST = 1.3  # of the tolerance's half width: where the bar of a deviation ends
 
 def typst_document(model: ReportModel) -> dict[str, Any]:
     """Return the data of the layout; pictures are named as in `picture_files`."""
-    template, details = model.details.template, model.details
-    dimensions = [_dimension(number_, one) for number_, one in enumerate(model.dimensions, start=1)]
+    template, details, aligned = model.details.template, model.details, alignments(model)
+    dimensions = [
+        _dimension(number_, one, name) for number_, (one, name) in enumerate(zip(model.dimensions, aligned, strict=True), start=1)
+    ]
     facts = {fact.name: fact.value for section in model.sections for fact in section.facts}
     return {
         "title": model.title,
@@ -61,6 +65,7 @@ def typst_document(model: ReportModel) -> dict[str, Any]:
         "warnings": [fact.value for section in model.sections for fact in section.facts if fact.name == "Warning"],
         "pictures": [_picture(f"picture{n}.png", picture) for n, picture in enumerate(model.pictures)],
         "dimensions": dimensions,
+        "alignments": alignment_note(aligned),
         "worst": [dimensions[index] for index in worst_first(model.dimensions)[:MOST_WORST]],
         "groups": _groups(model.dimensions, dimensions),
         "failing": [
@@ -83,6 +88,8 @@ def picture_files(model: ReportModel) -> dict[str, bytes]:
     files |= {f"section{n}.svg": picture.png for n, picture in enumerate(model.cross_sections)}
     if model.deviation is not None:
         files |= {f"deviation{n}.png": picture.png for n, picture in enumerate(model.deviation.pictures)}
+    frames = {dimension.frame.characteristic for dimension in model.dimensions if dimension.frame is not None}
+    files |= {symbol_file(one): symbol_svg(one).encode() for one in frames}
     logo = model.details.template.logo
     return files if logo is None else {**files, f"logo{logo[0]}": logo[1]}
 
@@ -148,7 +155,7 @@ def _groups(dimensions: Sequence[Dimension], rows: Sequence[dict[str, Any]]) -> 
     return [{"title": title, "rows": found} for title, found in groups.items()]
 
 
-def _dimension(row: int, dimension: Dimension) -> dict[str, Any]:
+def _dimension(row: int, dimension: Dimension, aligned_by: str) -> dict[str, Any]:
     unit = "" if dimension.unit == "mm" else "°" if dimension.unit == "°" else f" {dimension.unit}"
     lower, upper = dimension.lower_tolerance, dimension.upper_tolerance
     half = 0.0 if lower is None or upper is None else (upper - lower) / 2
@@ -158,6 +165,8 @@ def _dimension(row: int, dimension: Dimension) -> dict[str, Any]:
         "key": dimension.name,
         "name": format_name(dimension.name),
         "about": _about(dimension),
+        "frame": _frame(dimension.frame),
+        "aligned_by": aligned_by,
         "nominal": number(dimension.nominal) + unit,
         "upper": number(upper, signed=True),
         "lower": number(lower, signed=True),
@@ -174,6 +183,37 @@ def _dimension(row: int, dimension: Dimension) -> dict[str, Any]:
         "sign": SIGNS[dimension.verdict],
         "colour": COLOURS[dimension.verdict],
         "reason": dimension.reason,
+    }
+
+
+def alignments(model: ReportModel) -> tuple[str, ...]:
+    """Return the name of the alignment that each dimension refers to."""
+    inspection = model.measurement.inspection
+    common = "" if inspection is None else inspection.alignment.name
+    return tuple(dimension.alignment or common for dimension in model.dimensions)
+
+
+def alignment_note(aligned: Sequence[str]) -> str:
+    """Return which alignment dimensions refer to, if it is the same for all; of several, each dimension states its own."""
+    names = set(aligned)
+    return f"All dimensions refer to the alignment by {names.pop()}." if len(names) == 1 and "" not in names else ""
+
+
+def symbol_file(characteristic: str) -> str:
+    """Return the name of the picture of a characteristic's symbol."""
+    return f"symbol_{characteristic}.svg"
+
+
+def _frame(frame: ControlFrame | None) -> dict[str, Any] | None:
+    """Return the cells of a feature control frame, and the picture of its symbol."""
+    if frame is None:
+        return None
+    symbol = symbol_svg(frame.characteristic)
+    return {
+        "file": symbol_file(frame.characteristic),
+        "svg": symbol,
+        "name": format_key(frame.characteristic),
+        "cells": list(frame.words()),
     }
 
 

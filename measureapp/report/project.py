@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
+from measureapp.data.control_frame import with_frames
 from measureapp.data.deviation_scale import DeviationScale
 from measureapp.data.measurement import Measurement
 from measureapp.errors import StorageError
@@ -42,6 +45,11 @@ def compose_project(
     measurement = measurement or project.measurement()
     if measurement is None:
         raise StorageError(f"{project.path} contains no measurement.", "Scan first, or recompute it: measureapp process PROJECT.")
+    if measurement.inspection is not None and project.program is not None:
+        inspection = measurement.inspection
+        stated = read_program(project.program).dimensions
+        dimensions = with_frames(inspection.dimensions, stated, inspection.features)
+        measurement = replace(measurement, inspection=replace(inspection, dimensions=dimensions))
     nominal = None if project.nominal is None else read_mesh(project.nominal, "nominal")
     return compose(measurement, nominal, details=project_details(project, template, created_at), progress=progress)
 

@@ -6,12 +6,12 @@ import re
 from collections.abc import Sequence
 from typing import Any
 
+from measureapp.data.control_frame import DATUM_LETTERS
 from measureapp.data.dimension import CONTRIBUTION_DIGITS, Dimension, Verdict
 
 MINUS = "−"
 NONE = "–"
 TOGETHER = "\u00a0"  # a space at which no line ends
-DATUM_LETTERS = "ABC"
 SIGNS: dict[Verdict, str] = {
     Verdict.PASS: "✓",
     Verdict.FAIL: "✗",

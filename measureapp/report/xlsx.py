@@ -38,6 +38,7 @@ COLUMNS = (  # title, key, number format, width
     ("Verdict", "verdict", "", 15),
     ("Reason", "reason", "", 30),
     ("Designator", "designator", "", 11),
+    ("Control frame", "control_frame", "", 26),
     ("Source", "origin", "", 50),
     *((f"U {CONTRIBUTION_LABELS.get(name, name)}", f"uncertainty_{name}", "0.0000", 12) for name in CONTRIBUTIONS),
 )

@@ -66,8 +66,16 @@
       <translation>灰度</translation>
     </message>
     <message>
+      <source>Part</source>
+      <translation>工件</translation>
+    </message>
+    <message>
       <source>Points</source>
       <translation>点</translation>
+    </message>
+    <message>
+      <source>Run chart: values in order of measurement, with limits and mean; moving ranges below</source>
+      <translation>运行图：按测量顺序的值，带限值和平均值；下方为移动极差</translation>
     </message>
     <message>
       <source>Saturated {saturated}</source>
@@ -76,6 +84,10 @@
     <message>
       <source>{counted} points, {ends}</source>
       <translation>{counted} 个点，{ends}</translation>
+    </message>
+    <message>
+      <source>{name}: {count} values, mean {mean}, {beyond} beyond the limits</source>
+      <translation>{name}：{count} 个值，均值 {mean}，{beyond} 个超出界限</translation>
     </message>
   </context>
   <context>
@@ -399,6 +411,10 @@
     <message>
       <source>Removed by cleaning</source>
       <translation>清理时去除</translation>
+    </message>
+    <message>
+      <source>Residual</source>
+      <translation>残差</translation>
     </message>
     <message>
       <source>Row {line}, column {across}</source>
@@ -3908,6 +3924,10 @@
       <translation>相机 {v2} 在 {v3} µs 的图像 {v1} 与其他曝光矛盾{v4}。</translation>
     </message>
     <message>
+      <source>Keep vibration away or wait longer after each move, and take the viewpoint again.</source>
+      <translation>请避免振动，或在每次移动后等待更久，然后重新拍摄该视点。</translation>
+    </message>
+    <message>
       <source>No camera sees fringes at {v1} µs.</source>
       <translation>在 {v1} µs 时没有相机看到条纹。</translation>
     </message>
@@ -4146,6 +4166,10 @@
     <message>
       <source>{v1} has grey levels up to {v2}, but the stack saturates at {v3}.</source>
       <translation>{v1} 的灰度达 {v2}，但图像组在 {v3} 饱和。</translation>
+    </message>
+    <message>
+      <source>{v1} images of camera {v2} contradict the other exposures, in up to {v3} of their pixels, although they are as bright as predicted: the fringes moved during the images, by vibration, or because a part or axis had not settled.</source>
+      <translation>相机 {v2} 的 {v1} 幅图像与其他曝光矛盾，最多达 {v3} 的像素，尽管亮度与预测一致：拍摄期间条纹发生了移动，原因是振动，或零件或轴尚未静止。</translation>
     </message>
     <message>
       <source>{v1} is the same as {v2}.</source>
@@ -7884,6 +7908,14 @@
       <translation> &amp;nbsp; </translation>
     </message>
     <message>
+      <source> · {share} saturated</source>
+      <translation> · {share} 饱和</translation>
+    </message>
+    <message>
+      <source> – too bright</source>
+      <translation> – 过亮</translation>
+    </message>
+    <message>
       <source>, no values</source>
       <translation>，没有值</translation>
     </message>
@@ -7940,8 +7972,16 @@
       <translation>图</translation>
     </message>
     <message>
+      <source>Median level {median} · saturated {saturated}</source>
+      <translation>中位灰度 {median} · 饱和 {saturated}</translation>
+    </message>
+    <message>
       <source>Modulation</source>
       <translation>调制度</translation>
+    </message>
+    <message>
+      <source>No image yet.</source>
+      <translation>尚无图像。</translation>
     </message>
     <message>
       <source>Phase</source>
@@ -7976,6 +8016,10 @@
       <translation>第二端点的行</translation>
     </message>
     <message>
+      <source>Row {row}, column {column}: {level}</source>
+      <translation>第 {row} 行，第 {column} 列：{level}</translation>
+    </message>
+    <message>
       <source>Save table…</source>
       <translation>保存表格…</translation>
     </message>
@@ -7994,6 +8038,10 @@
     <message>
       <source>The values of all maps along the line, as CSV</source>
       <translation>沿直线的所有图的数值，CSV</translation>
+    </message>
+    <message>
+      <source>The wheel zooms, dragging moves the image, a double click shows all of it.</source>
+      <translation>滚轮缩放，拖动移动图像，双击显示整幅图像。</translation>
     </message>
     <message>
       <source>Valid</source>
@@ -8067,6 +8115,10 @@
       <translation>；自由：{list}</translation>
     </message>
     <message>
+      <source>; with its bonus {upper}</source>
+      <translation>；含补偿公差 {upper}</translation>
+    </message>
+    <message>
       <source>A plane fixes three degrees of freedom, a line or axis two more, a point the last one.</source>
       <translation>平面确定三个自由度，直线或轴线再确定两个，点确定最后一个。</translation>
     </message>
@@ -8121,6 +8173,10 @@
     <message>
       <source>Alignment</source>
       <translation>对齐</translation>
+    </message>
+    <message>
+      <source>Alignment of the part that the value refers to</source>
+      <translation>该值所参照的零件对齐</translation>
     </message>
     <message>
       <source>Alignment of the program changed.</source>
@@ -9746,10 +9802,6 @@ The first run of this part counts.</source>
       <translation>工程师的 PIN 或密码</translation>
     </message>
     <message>
-      <source>Part</source>
-      <translation>工件</translation>
-    </message>
-    <message>
       <source>Part program</source>
       <translation>工件程序</translation>
     </message>
@@ -10449,10 +10501,6 @@ The first run of this part counts.</source>
       <translation>重投影不超过 {reprojection_limit_px}（均方根）</translation>
     </message>
     <message>
-      <source>Residual</source>
-      <translation>残差</translation>
-    </message>
-    <message>
       <source>Residual (rms)</source>
       <translation>残差（均方根）</translation>
     </message>
@@ -10521,8 +10569,8 @@ The first run of this part counts.</source>
       <translation>标准差</translation>
     </message>
     <message>
-      <source>Straightness</source>
-      <translation>直线度</translation>
+      <source>Straightness up to {robot_mm}, twice the robot's absolute accuracy</source>
+      <translation>直线度不超过 {robot_mm}，即机器人绝对精度的两倍</translation>
     </message>
     <message>
       <source>Switch the clip box off; its numbers are kept</source>
@@ -12275,10 +12323,6 @@ in danger use the emergency stop.</source>
       <translation>若此工件此前已测量，请说明原因</translation>
     </message>
     <message>
-      <source>Run chart: values in order of measurement, with limits and mean; moving ranges below</source>
-      <translation>运行图：按测量顺序的值，带限值和平均值；下方为移动极差</translation>
-    </message>
-    <message>
       <source>Series of parts</source>
       <translation>工件系列</translation>
     </message>
@@ -13019,14 +13063,6 @@ in danger use the emergency stop.</source>
   <context>
     <name>widgets</name>
     <message>
-      <source> · {share} saturated</source>
-      <translation> · {share} 饱和</translation>
-    </message>
-    <message>
-      <source> – too bright</source>
-      <translation> – 过亮</translation>
-    </message>
-    <message>
       <source># Help
 
 There is no page about “{name}”.</source>
@@ -13371,10 +13407,6 @@ There is no page about “{name}”.</source>
       <translation>标记</translation>
     </message>
     <message>
-      <source>Median level {median} · saturated {saturated}</source>
-      <translation>中位灰度 {median} · 饱和 {saturated}</translation>
-    </message>
-    <message>
       <source>Meshes (*.stl *.ply *.obj)</source>
       <translation>网格 (*.stl *.ply *.obj)</translation>
     </message>
@@ -13389,10 +13421,6 @@ There is no page about “{name}”.</source>
     <message>
       <source>New, open, copy or close a project; settings; exit</source>
       <translation>新建、打开、复制或关闭项目；设置；退出</translation>
-    </message>
-    <message>
-      <source>No image yet.</source>
-      <translation>尚无图像。</translation>
     </message>
     <message>
       <source>No project open</source>

@@ -49,6 +49,19 @@ def test_combined_exposures_lower_the_noise_and_lose_no_pixel_against_the_papers
     assert by_rule[0] < 0.75 * by_rule[1]
 
 
+def test_light_that_saturates_most_of_a_gear_at_long_exposures_leaves_no_wrong_order() -> None:
+    """Four times the light: at 100, 80 and 60 ms some 60, 45 and 15 % of the gear's pixels are saturated in some image."""
+    world = Scene("gear", brightness=4.0).world()
+    stack = capture(world, DEFAULT_PATTERNS)
+    lit = world.true_light("left")[..., 2] > 0
+    saturated = [float((exposure.max(axis=0) >= stack.saturation)[lit].mean()) for exposure in stack.images["left"]]
+    assert 0.5 < saturated[0] < 0.7 and 0.1 < saturated[2] < 0.25 and saturated[-1] == 0.0
+    for rule in ("combined", "paper"):
+        found = evaluate(world, decode(stack, DecodeSettings(rule=rule))["left"])
+        assert found.wrong <= MOST_WRONG_OURS * found.valid
+        assert found.decoded >= LEAST_DECODED * found.decodable
+
+
 def test_the_predicted_noise_of_the_column_is_that_of_the_images() -> None:
     found = evaluate(world := Scene("gypsum").world(), decode(capture(world, DEFAULT_PATTERNS))["left"])
     assert 1.4826 * np.median(np.abs(found.error_px / found.sigma_px)) == pytest.approx(1.0, abs=0.06)

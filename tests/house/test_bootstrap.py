@@ -14,7 +14,7 @@ from types import ModuleType, SimpleNamespace
 import pytest
 
 INSTALLER = Path(__file__).resolve().parents[2] / "installer"
-MODULES = ("bootstrap", "steps", "environment", "machine", "system_libraries", "probe", "trouble")
+MODULES = ("bootstrap", "steps", "environment", "machine", "proofs", "system_libraries", "probe", "trouble")
 
 
 @pytest.fixture

@@ -8,7 +8,8 @@ import numpy as np
 
 from measureapp.data.cloud import PointCloud
 from measureapp.data.phase import PhaseMap, StackEvidence
-from measureapp.pipeline.stack_findings import stack_findings
+from measureapp.pipeline.stack_findings import blur_findings, stack_findings
+from tests.reconstruct.test_discontinuities import cameras
 
 QUIET = StackEvidence(6000.0, 7.0, True)
 SIGMA_RAD, SIGMA_MM = 0.02, 0.05
@@ -64,3 +65,12 @@ def test_a_lamp_that_was_switched_on_is_named_with_its_exposure_and_cost() -> No
 def test_phases_that_scatter_more_than_their_images_are_named() -> None:
     (sentence,) = said(replace(QUIET, scatter=1.9))
     assert "1.9 times" in sentence
+
+
+def test_a_part_less_sharp_than_the_board_is_named_with_both_blurs() -> None:
+    assert (
+        blur_findings({"one": 0.8}, cameras(0.757)) == blur_findings({"one": 0.8}, cameras(0.0)) == blur_findings({}, cameras(0.757)) == ()
+    )
+    (sentence,) = blur_findings({"one": 1.04}, cameras(0.757))
+    assert "camera one" in sentence
+    assert "1.04 px instead of 0.76 px" in sentence

@@ -10,7 +10,9 @@ import numpy as np
 import pytest
 
 from measureapp.cli.outcome import dimension_line
+from measureapp.data.control_frame import ControlFrame, frame_from
 from measureapp.data.dimension import Dimension, Verdict
+from measureapp.data.frame_symbols import symbol_svg
 from measureapp.data.mesh import Mesh
 from measureapp.errors import StorageError
 from measureapp.report.compose import compose, summarise_verdicts
@@ -21,7 +23,7 @@ from measureapp.report.json_document import dimension_document, report_document
 from measureapp.report.model import Details
 from measureapp.report.part_pictures import render_part
 from measureapp.report.pdf import page_images, pdf_bytes
-from measureapp.report.printed import typst_document
+from measureapp.report.printed import picture_files, typst_document
 from measureapp.report.template import Template
 from measureapp.report.words import format_name, format_tolerance, number
 
@@ -69,7 +71,7 @@ def test_the_json_form_of_a_dimension_is_the_one_of_the_command_line(measured) -
     first = dimension_document(measured().inspection.dimensions[0])
     assert set(first) == {
         "name", "nominal", "measured", "error", "relative_error", "uncertainty", "tolerance", "unit", "verdict", "reason", "kind", "datums", "origin",
-        "uncertainty_budget", "tolerance_source", "warning", "alignment", "group",
+        "uncertainty_budget", "tolerance_source", "warning", "alignment", "group", "control_frame",
     }  # fmt: skip
     assert first["relative_error"] == pytest.approx(0.0123456789 / 80)
     assert first["tolerance"] == [-0.1, 0.1]
@@ -199,3 +201,37 @@ def test_dimensions_without_tolerance_are_listed_and_decide_nothing(measured) ->
     assert json.loads(json.dumps(report_document(model)))["dimensions"][1]["tolerance"] == [None, None]
     assert "no tolerance" in html_text(model)
     assert typst_document(model)["dimensions"][1]["tolerance"] == "–"
+
+
+def test_every_document_states_the_same_control_frame(measured) -> None:
+    frame = ControlFrame("position", 0.1, "Ø", ("\u24c2",), ("A", "B\u24c1"))
+    seat = Dimension("seat", 0.0, 0.03, 0.01, 0.0, 0.1, Verdict.PASS, kind="position", datums=("face", "pin"), frame=frame)
+    model = compose(measured((*measured().inspection.dimensions, seat)), pictures=False)
+    cells = ["Ø\u00a00.100\u00a0\u24c2", "A", "B\u24c1"]
+    (printed,) = [one for one in typst_document(model)["dimensions"] if one["frame"]]
+    assert printed["name"] == "Seat" and printed["frame"]["cells"] == cells
+    assert printed["frame"]["file"] in picture_files(model)
+    (entry,) = [one for one in json.loads(json.dumps(report_document(model)))["dimensions"] if one["control_frame"]]
+    assert frame_from(entry["control_frame"]) == model.dimensions[-1].frame
+    page = html_text(model)
+    assert symbol_svg("position") in page and all(f"<span>{cell}</span>" in page for cell in cells)
+    (row,) = [one for one in csv.DictReader(io.StringIO(csv_text(model))) if one["control_frame"]]
+    assert row["control_frame"] == " | ".join(["position", *cells])
+    assert pdf_bytes(model).startswith(b"%PDF")
+
+
+def test_the_alignment_is_stated_once_if_it_is_common_and_per_dimension_if_not(measured) -> None:
+    first, *rest = measured().inspection.dimensions
+    common = typst_document(compose(measured(), pictures=False))
+    assert "best fit" in common["alignments"]
+    several = typst_document(compose(measured((replace(first, alignment="on the pins"), *rest)), pictures=False))
+    assert several["alignments"] == ""
+    assert [one["aligned_by"] for one in several["dimensions"]][:2] == ["on the pins", "best fit"]
+
+
+def test_a_best_fit_is_said_to_be_for_comparison_only(measured) -> None:
+    measurement = measured()
+    aligned = replace(measurement.inspection, alignment=replace(measurement.inspection.alignment, method="best-fit"))
+    (warning,) = typst_document(compose(replace(measurement, inspection=aligned), pictures=False))["warnings"]
+    assert "best fit" in warning and "comparison" in warning
+    assert warning in html_text(compose(replace(measurement, inspection=aligned), pictures=False))

@@ -8,7 +8,7 @@ from PySide6.QtCore import Qt
 
 from measureapp.devices.status import DeviceStatus
 
-PATIENCE_MS = 20_000
+PATIENCE_MS = 60_000
 
 
 @pytest.fixture
@@ -19,9 +19,10 @@ def page(application, window, rig):
 
 
 @pytest.fixture
-def connected(application, page, qtbot):
+def connected(application, page, window, qtbot):
     page.connect_button.click()
     qtbot.waitUntil(lambda: application.session.cell.connected, timeout=PATIENCE_MS)
+    qtbot.waitUntil(lambda: window.header.stop.isVisible() and page.pad.isEnabled(), timeout=PATIENCE_MS)
     return page
 
 
@@ -95,9 +96,9 @@ def test_stop_latches_and_nothing_moves_before_a_reset(application, connected, w
     else:
         qtbot.keyClick(window, Qt.Key.Key_Escape)
     qtbot.waitUntil(connected.stopped.isVisible, timeout=PATIENCE_MS)
-    assert not connected.pad.isEnabled()
+    qtbot.waitUntil(lambda: not connected.pad.isEnabled(), timeout=PATIENCE_MS)
+    qtbot.waitUntil(lambda: window.header.devices.text() == "Stopped", timeout=PATIENCE_MS)
     assert "Stop was pressed" in connected.stop_reason.text()
-    assert window.header.devices.text() == "Stopped"
     connected.reset.click()
     qtbot.waitUntil(lambda: not connected.stopped.isVisible() and connected.pad.isEnabled(), timeout=PATIENCE_MS)
 

@@ -6,7 +6,6 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
-from PySide6.QtGui import QImage
 
 from measureapp.acquire import events as e
 from measureapp.acquire.run_states import ViewpointState
@@ -18,7 +17,6 @@ from measureapp.project.folder import ProjectFolder, ProjectSettings
 from tests.ui.scan_runs import QuickRun
 from ui.controllers.scan_choices import ScanChoices
 from ui.pages.scan.page import left_words, state_words
-from ui.widgets.pictures import marked_image
 
 PATIENCE_MS = 20_000
 
@@ -213,18 +211,6 @@ def test_after_the_scan_a_viewpoint_is_taken_again_on_request(application, page,
     page.bar.retake.click()
     idle()
     assert quick.requests[0].retake == ("view-05",)
-
-
-@pytest.mark.parametrize("dtype", [np.uint8, np.uint16])
-def test_saturated_pixels_are_red_and_no_others(dtype):
-    saturation = 255 if dtype == np.uint8 else 4095
-    pixels = np.full((20, 30), saturation // 2, dtype)
-    pixels[:10] = saturation
-    pixels[10, 0] = saturation - 1
-    image = marked_image(pixels, saturation).convertToFormat(QImage.Format.Format_RGB32)
-    colours = [image.pixelColor(0, row) for row in range(20)]
-    assert all(colour.red() > 2 * colour.green() for colour in colours[:10])
-    assert all(colour.red() == colour.green() == colour.blue() for colour in colours[10:])
 
 
 def test_the_share_of_saturated_pixels_is_stated(application, page):

@@ -37,7 +37,9 @@ def test_a_series_shows_capability_with_its_number_of_parts_and_is_reported(seri
     cells = [dialog.table.model().index(0, column).data() for column in range(7)]
     assert cells[0] == "width" and cells[1] == "30" and cells[5].startswith("Ppk ") and cells[6].startswith("Cpk ")
     assert "preliminary" in dialog.remark.text().lower()
-    assert dialog.chart.renderer().isValid()
+    trend = dialog.found.trends[0]
+    assert dialog.chart.run.values is trend.values and dialog.chart.run.limits == trend.limits
+    assert "30 values" in dialog.chart.accessibleDescription()
     monkeypatch.setattr("ui.pages.series.dialog.choose_folder", lambda *_: tmp_path)
     dialog.save.click()
     qtbot.waitUntil(lambda: (tmp_path / "series.pdf").is_file() and (tmp_path / "series.json").is_file(), timeout=PATIENCE_MS)

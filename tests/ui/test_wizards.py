@@ -198,7 +198,7 @@ def test_an_image_of_one_camera_may_be_missing_and_a_broken_one_is_reported(qtbo
     assert [view.name for view in wizard.collecting.views] == ["left01.png", "left02.png", "left03.png", "left05.png"]
     wizard.collect.cameras.setValue("right")
     wizard.collect.choose("02")
-    assert "no image of this view" in wizard.collect.picture.empty_words
+    assert "no image of this view" in wizard.collect.picture.empty.text()
 
 
 def test_sizes_of_a_board_that_contradict_each_other_cannot_begin(wizard):

@@ -35,7 +35,7 @@ class BarChart(Chart):
         self, look: Look, quantity: str, unit: str = "mm", written: Callable[[float], str] = millimetres, *, most: float | None = None
     ) -> None:
         """``written`` returns a value with its unit; ``most`` is the largest value there can be."""
-        super().__init__(look)
+        super().__init__(look, BarChart._make_plot, BarChart._draw_data)
         self._quantity, self._unit, self._written, self._most = quantity, unit, written, most
         self.bars: tuple[Bar, ...] = ()
         self._longest = 1.0
@@ -62,7 +62,7 @@ class BarChart(Chart):
         plot.getViewBox().sigResized.connect(self._leave_room)  # also when the names need more room
         return plot
 
-    def _draw(self, plot: Plot) -> None:
+    def _draw_data(self, plot: Plot) -> None:
         import pyqtgraph as pg
 
         from ui.look.theme import font

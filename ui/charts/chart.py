@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
 
 from PySide6.QtWidgets import QSizePolicy, QVBoxLayout, QWidget
 
@@ -14,12 +15,16 @@ if TYPE_CHECKING:
 
 
 class Chart(QWidget):
-    """Axes that are made with the first data; subclasses keep their data and draw them in `_draw`."""
+    """Axes that are made with the first data, and drawn upon again when the theme changes."""
 
-    def __init__(self, look: Look, *, ground: str = "surface") -> None:
-        """``ground``: token of the background's colour."""
+    def __init__(self, look: Look, axes: Callable[[Any], Plot], draw: Callable[[Any, Plot], None], *, ground: str = "surface") -> None:
+        """``axes(chart)`` returns new axes, ``draw(chart, axes)`` draws on empty ones in the colours of the theme; ``ground``: token of their background.
+
+        Both are functions of the chart's class, not bound to it: a widget that refers to itself is freed piece by piece while Qt still paints it.
+        """
         super().__init__()
         self._look, self._ground = look, ground
+        self._axes_of, self._draw_on = axes, draw
         self.plot: Plot | None = None
         layout = QVBoxLayout()
         layout.setContentsMargins(0, 0, 0, 0)
@@ -27,25 +32,17 @@ class Chart(QWidget):
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
         look.changed.connect(self._dress)
 
-    def _make_plot(self) -> Plot:
-        """Return the axes of this chart."""
-        raise NotImplementedError
-
-    def _draw(self, plot: Plot) -> None:
-        """Draw the data on empty axes, in the colours of the present theme."""
-        raise NotImplementedError
-
     def redraw(self, spoken: str) -> None:
         """Draw the present data; ``spoken`` describes them to a screen reader."""
         self.setAccessibleDescription(translated(spoken))
         plot = self.prepare()
         plot.clear()
-        self._draw(plot)
+        self._draw_on(self, plot)
 
     def prepare(self) -> Plot:
         """Return the axes; they are made where there are none yet, which takes a while."""
         if self.plot is None:
-            self.plot = self._make_plot()
+            self.plot = self._axes_of(self)
             self.layout().addWidget(self.plot)
             self.plot.show()  # else only with the next event
             self.plot.dress(self._look.theme, self._ground)
@@ -55,4 +52,4 @@ class Chart(QWidget):
         if self.plot is not None:
             self.plot.dress(self._look.theme, self._ground)
             self.plot.clear()
-            self._draw(self.plot)
+            self._draw_on(self, self.plot)

@@ -25,7 +25,7 @@ class DeviationHistogram(Chart):
     """Bars over the range of a legend, with its colours below and its tolerance band marked."""
 
     def __init__(self, look: Look) -> None:
-        super().__init__(look)
+        super().__init__(look, DeviationHistogram._make_plot, DeviationHistogram._draw_data)
         self._legend: Legend | None = None
         self.edges = np.linspace(0.0, 1.0, BINS + 1)
         self.counts = np.zeros(BINS, int)
@@ -49,7 +49,7 @@ class DeviationHistogram(Chart):
         plot.leave_edges()  # the heights are told by comparison; the figures stand beside
         return plot
 
-    def _draw(self, plot: Plot) -> None:
+    def _draw_data(self, plot: Plot) -> None:
         import pyqtgraph as pg
 
         from ui.charts.plotting import bars

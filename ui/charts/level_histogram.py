@@ -23,7 +23,7 @@ class LevelHistogram(Chart):
     """Shares of the grey levels on a root scale, so that small ones show; the saturated end is marked where it is much."""
 
     def __init__(self, look: Look) -> None:
-        super().__init__(look, ground="sunken")
+        super().__init__(look, LevelHistogram._make_plot, LevelHistogram._draw_data, ground="sunken")
         self.shares = np.zeros(BINS)
         self.saturated = 0.0
         self._saturation = 255
@@ -47,7 +47,7 @@ class LevelHistogram(Chart):
         plot.leave_edges()  # a root scale has no readable numbers
         return plot
 
-    def _draw(self, plot: Plot) -> None:
+    def _draw_data(self, plot: Plot) -> None:
         from ui.charts.plotting import bars
 
         theme = self._look.theme

@@ -33,6 +33,11 @@ class NumberAxis(pg.AxisItem):
         written = [text.replace("-", MINUS) for text in super().tickStrings(values, scale, spacing)]
         return [text if self.most is None or value <= self.most else "" for value, text in zip(values, written, strict=True)]
 
+    def say(self, words: str, theme: Theme) -> None:
+        """Name another quantity."""
+        self.words = words
+        self.dress(theme)
+
     def dress(self, theme: Theme) -> None:
         """Take colours and letters from the theme."""
         small = theme.sizes["small"]
@@ -69,6 +74,11 @@ class Plot(pg.PlotWidget):
         """Leave room for the numbers at the ends of the bottom axis, where no left axis does."""
         self.hideAxis("left")
         self.getPlotItem().layout.setContentsMargins(EDGE, 0, EDGE, 0)
+
+    def leave_axes(self) -> None:
+        """Leave the whole area to what is drawn."""
+        self.hideAxis("left")
+        self.hideAxis("bottom")
 
     def dress(self, theme: Theme, ground: str) -> None:
         """Take colours and letters from the theme."""

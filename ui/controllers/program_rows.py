@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
 if TYPE_CHECKING:
+    from measureapp.data.control_frame import ControlFrame
     from measureapp.data.dimension import Dimension
     from measureapp.data.inspection_program import DimensionProgram, InspectionProgram
 
@@ -28,6 +29,8 @@ class DimensionRow:
     entry: DimensionProgram | None  # None: the program is not at hand, so the row cannot be edited
     found: Dimension | None  # None: not measured yet
     status: Status
+    frame: ControlFrame | None = None  # of a geometrical tolerance, as the program states it
+    aligned_by: str = ""  # name of the alignment that its result refers to; empty: there is no result
 
     @property
     def nominal(self) -> float:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal, Slot
 from PySide6.QtGui import QUndoCommand, QUndoStack
 
+from measureapp.data.control_frame import control_frame
 from measureapp.errors import MeasureError
 from ui.controllers.jobs import JobRunner
 from ui.controllers.program_jobs import (
@@ -109,12 +110,24 @@ class ProgrammingController(QObject):
             return ()
         if state is None:
             found = inspection.dimensions
-            return tuple(DimensionRow(place, one.name, None, one, _current(one)) for place, one in enumerate(found))
+            return tuple(
+                DimensionRow(place, one.name, None, one, _current(one), one.frame, one.alignment or inspection.alignment.name)
+                for place, one in enumerate(found)
+            )
         measured = self._measured
         stale = changed_names(None if measured is None else measured.state.program, state.program)
+        shapes = {one.name: str(one.shape) for one in inspection.features}
         results = MeasuredProgram(state, inspection).results() if measured is None else measured.results()
         return tuple(
-            DimensionRow(number, entry.name, entry, results.get(number), self._status(entry.name in stale, results.get(number)))
+            DimensionRow(
+                number,
+                entry.name,
+                entry,
+                results.get(number),
+                self._status(entry.name in stale, results.get(number)),
+                control_frame(entry, shapes),
+                entry.alignment or inspection.alignment.name,
+            )
             for number, entry in zip(state.ids, state.program.dimensions, strict=True)
         )
 

@@ -20,12 +20,11 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, eq=False)
 class ReadSeries:
-    """The runs of one program, and the trend of every dimension with its chart (SVG)."""
+    """The runs of one program, and the trend of every dimension."""
 
     program: str
     runs: tuple[SeriesRun, ...]
     trends: tuple[Trend, ...]
-    charts: tuple[bytes, ...]
 
 
 class SeriesController(QObject):
@@ -99,9 +98,7 @@ def read_series(program: str, job: Job) -> ReadSeries:
     """Read a series and compute its trends; runs on a job's thread. Raises StorageError where the store is damaged."""
     from measureapp.project.series.store import SeriesStore
     from measureapp.report.series.capability import trends
-    from measureapp.report.series.chart import run_chart
 
     job.report(0, 1, program)
     runs = SeriesStore(program).runs()
-    found = trends(runs) if runs else ()
-    return ReadSeries(program, runs, found, tuple(run_chart(trend).encode() for trend in found))
+    return ReadSeries(program, runs, trends(runs) if runs else ())

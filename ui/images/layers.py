@@ -53,7 +53,7 @@ class Layer:
 
     quantity: str
     unit: str
-    values: np.ndarray  # (H, W) float32, NaN where there is none
+    values: np.ndarray  # (H, W) float32, NaN where there is none; or the levels of an image
     digits: int
     colours: str = "viridis"  # a colour map of pyqtgraph
     categories: tuple[Category, ...] = ()  # of whole values from 0; then the colours are theirs
@@ -99,7 +99,7 @@ def layer_of(phase_map: PhaseMap, kind: str) -> Layer:
 
 def frame_layer(image: np.ndarray) -> Layer:
     """Return the grey levels of one stored image (H, W)."""
-    return Layer("Grey level", "", image.astype(np.float32), 0, "grey")
+    return Layer("Grey level", "", image, 0, "grey")
 
 
 def _masked(values: np.ndarray, mask: np.ndarray) -> np.ndarray:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -17,20 +18,25 @@ if TYPE_CHECKING:
     from pyqtgraph.GraphicsScene.mouseEvents import MouseClickEvent
 
     from ui.charts.plotting import Plot
+    from ui.look.theme import Theme
 
 Pixel = tuple[int, int]  # row, column
+GREYS = np.repeat(np.arange(256, dtype=np.uint8)[:, None], 3, axis=1)  # colours by level
+MARKED = np.vstack([GREYS[:-1], np.array(SATURATED, np.uint8)])  # the last level is saturation
 ARROWS = {Qt.Key.Key_Up: (-1, 0), Qt.Key.Key_Down: (1, 0), Qt.Key.Key_Left: (0, -1), Qt.Key.Key_Right: (0, 1)}
 
 
 class MapView(Chart):
-    """Shows one layer or picture; the wheel zooms, dragging pans, a click or the arrow keys move the cursor."""
+    """Shows one layer or picture; the wheel zooms, dragging pans, a double click shows all, a click or the arrow keys move the cursor."""
 
     pointed = Signal(int, int)  # row, column under the mouse, or of the cursor
     pixelChosen = Signal(int, int)  # row, column, by a click or a key
     lineMoved = Signal(object)  # ((row, column), (row, column)), by the mouse
 
-    def __init__(self, look: Look) -> None:
-        super().__init__(look, ground="sunken")
+    def __init__(self, look: Look, *, axes: bool = True, over: Callable[[Plot, Theme], None] | None = None) -> None:
+        """``axes``: rows and columns are numbered at the edges; ``over`` draws on top of the image, in its pixels; it must not refer to the view."""
+        super().__init__(look, MapView._make_plot, MapView._draw_image, ground="sunken")
+        self._numbered, self._over = axes, over
         self.layer: Layer | None = None
         self.pixels: np.ndarray | None = None  # (H, W, 3) uint8, where a picture is shown
         self.saturation: int | None = None
@@ -43,7 +49,7 @@ class MapView(Chart):
         self.setAccessibleName(tr("Map"))
 
     def show_layer(self, layer: Layer, saturation: int | None = None) -> None:
-        """Show a layer; pixels that reach ``saturation`` are marked. Zoom is kept for images of one size."""
+        """Show a layer; pixels of an image that reach ``saturation`` are marked. Zoom is kept for images of one size."""
         self.layer, self.pixels, self.saturation = layer, None, saturation
         self._show(layer.quantity, layer.values.shape)
 
@@ -78,9 +84,9 @@ class MapView(Chart):
 
     def show_line(self, ends: tuple[Pixel, Pixel] | None) -> None:
         """Draw the line of a profile between two pixels, or none."""
-        line = self._items.get("line")
-        if line is None:
+        if self.plot is None or (ends is None and "line" not in self._items):
             return
+        line = self._line(self.plot)
         line.setVisible(ends is not None)
         if ends is not None:
             self._moving = True
@@ -134,52 +140,79 @@ class MapView(Chart):
     def _make_plot(self) -> Plot:
         import pyqtgraph as pg
 
-        from ui.charts.plotting import ColourScale, NumberAxis, Plot, adopt_menu
+        from ui.charts.plotting import NumberAxis, Plot
 
         plot = Plot(NumberAxis("bottom", "Column [px]"), NumberAxis("left", "Row [px]"), steerable=True)
         plot.invertY(True)
         plot.setAspectLocked(True)
         plot.setFocusProxy(self)
+        if not self._numbered:
+            plot.leave_axes()
         image = pg.ImageItem(
             np.zeros((1, 1), np.float32), axisOrder="row-major"
         )  # without data it would keep the scale's range for pictures
-        line = pg.LineSegmentROI([(0, 0), (1, 1)])
-        line.setZValue(20)
-        line.setVisible(False)
-        for handle in line.getHandles():
-            adopt_menu(plot, handle.menu)
-        line.sigRegionChanged.connect(self._tell_line)
-        self._items = {"image": image, "line": line, "cursor": pg.ScatterPlotItem(size=14, symbol="+"), "scale": ColourScale(plot, image)}
+        self._items = {"image": image, "cursor": pg.ScatterPlotItem(size=14, symbol="+")}
         plot.scene().sigMouseMoved.connect(self._tell_pointed)
         plot.scene().sigMouseClicked.connect(self._take_click)
         return plot
 
-    def _draw(self, plot: Plot) -> None:
+    def _line(self, plot: Plot) -> Any:
+        """Return the line of a profile, which is made when it is needed first: live images need none."""
+        import pyqtgraph as pg
+
+        from ui.charts.plotting import adopt_menu
+
+        if "line" not in self._items:
+            line = pg.LineSegmentROI([(0, 0), (1, 1)], pen=pg.mkPen(self._look.theme.colour("accent"), width=2))
+            line.setZValue(20)
+            for handle in line.getHandles():
+                adopt_menu(plot, handle.menu)
+            line.sigRegionChanged.connect(self._tell_line)
+            self._items["line"] = line
+            plot.addItem(line)
+        return self._items["line"]
+
+    def _show_scale(self, plot: Plot, layer: Layer | None) -> None:
+        """Show the scale of a layer, made when it is needed first, or none."""
+        from ui.charts.plotting import ColourScale
+
+        if layer is not None:
+            if "scale" not in self._items:
+                self._items["scale"] = ColourScale(plot, self._items["image"])
+            scale = self._items["scale"]
+            scale.show(layer.colours, layer.span, f"{layer.quantity} [{layer.unit}]")
+            scale.dress(self._look.theme)
+        elif "scale" in self._items:
+            self._items["scale"].leave()
+
+    def _draw_image(self, plot: Plot) -> None:
         import pyqtgraph as pg
 
         layer, theme = self.layer, self._look.theme
         if self.is_empty:
             return
-        image, scale = self._items["image"], self._items["scale"]
+        image = self._items["image"]
+        is_scaled = layer is not None and not layer.categories and layer.colours != "grey"
         if layer is None:
             image.setImage(self.pixels, levels=None, autoLevels=False)
-            scale.leave()
         elif layer.categories:
             image.setImage(_coloured(layer), levels=None, autoLevels=False)
-            scale.leave()
         elif layer.colours == "grey":
-            top = float(self.saturation or 255)
-            image.setImage(_grey(layer.values, top), levels=None, autoLevels=False)
-            scale.leave()
+            image.setImage(
+                _levels(layer.values, self.saturation), levels=None, autoLevels=False, lut=GREYS if self.saturation is None else MARKED
+            )
         else:
             image.setImage(layer.values, autoLevels=False, levels=layer.span)
-            scale.show(layer.colours, layer.span, f"{layer.quantity} [{layer.unit}]")
-            scale.dress(theme)
+        self._show_scale(plot, layer if is_scaled else None)
         image.setRect(-0.5, -0.5, self._shape[1], self._shape[0])  # the centre of the first pixel is (0, 0)
-        self._items["line"].setPen(pg.mkPen(theme.colour("accent"), width=2))
+        if "line" in self._items:
+            self._items["line"].setPen(pg.mkPen(theme.colour("accent"), width=2))
         self._items["cursor"].setPen(pg.mkPen(theme.colour("verdict_not_proven"), width=2))
         for name in ("image", "cursor", "line"):
-            plot.addItem(self._items[name])
+            if name in self._items:
+                plot.addItem(self._items[name])
+        if self._over is not None:
+            self._over(plot, theme)
 
     def _tell_pointed(self, place: QPointF) -> None:
         assert self.plot is not None
@@ -189,6 +222,9 @@ class MapView(Chart):
 
     def _take_click(self, event: MouseClickEvent) -> None:
         assert self.plot is not None
+        if event.double():
+            self.show_all()
+            return
         pixel = self.pixel_at(QPointF(self.plot.mapTo(self, self.plot.mapFromScene(event.scenePos()))))
         if pixel is not None and event.button() == Qt.MouseButton.LeftButton:
             self.point_at(*pixel)
@@ -211,9 +247,15 @@ def _coloured(layer: Layer) -> np.ndarray:
     return table[np.where(np.isfinite(layer.values), layer.values, len(layer.categories)).astype(np.intp)]
 
 
-def _grey(values: np.ndarray, saturation: float) -> np.ndarray:
-    """Return an image (H, W) in grey, its saturated pixels marked, as colours (H, W, 3) uint8."""
-    grey = np.clip(values * np.float32(255.0 / saturation), 0, 255).astype(np.uint8)
-    colours = np.repeat(grey[..., None], 3, axis=2)
-    colours[values >= saturation] = SATURATED
-    return colours
+def _levels(values: np.ndarray, saturation: int | None) -> np.ndarray:
+    """Return the levels (H, W) uint8 of an image: 255 where it is saturated and nowhere else; without ``saturation`` up to its brightest pixel.
+
+    Images of 8 bits are returned as they are: live ones come ten times per second from every camera.
+    """
+    if values.dtype == np.uint8 and saturation in (None, 255):
+        return values
+    if saturation is None:
+        return (values * np.float32(255.0 / max(1.0, float(values.max(initial=0))))).astype(np.uint8)
+    levels = np.minimum(values * np.float32(255.0 / saturation), 254).astype(np.uint8)
+    levels[values >= saturation] = 255
+    return levels

@@ -19,7 +19,7 @@ class ProfileChart(Chart):
     """Curves over the distance from the first end of a line; gaps where there is no value."""
 
     def __init__(self, look: Look) -> None:
-        super().__init__(look)
+        super().__init__(look, ProfileChart._make_plot, ProfileChart._draw_data)
         self.words = ""
         self.distance_px = np.zeros(0)
         self.curves: dict[str, np.ndarray] = {}
@@ -41,7 +41,7 @@ class ProfileChart(Chart):
         plot.axes[1].setWidth(48)
         return plot
 
-    def _draw(self, plot: Plot) -> None:
+    def _draw_data(self, plot: Plot) -> None:
         import pyqtgraph as pg
         from PySide6.QtCore import Qt
 

@@ -61,7 +61,7 @@ def solution_rows(calibration: RigCalibration, rig: RigDescription | None) -> li
             f"± {quantity(degrees(guide.direction_sigma_rad), '°', 4)} · ± {guide.scale_sigma * 1e6:.0f} ppm",
             millimetres(guide.straightness_mm),
             guide.straightness_mm <= robot_mm,
-            robot_words.replace("Residual", "Straightness"),
+            tr("Straightness up to {robot_mm}, twice the robot's absolute accuracy", robot_mm=millimetres(robot_mm, 2)),
         )
     )
     rows.append(

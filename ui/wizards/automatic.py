@@ -10,6 +10,7 @@ from PySide6.QtWidgets import QDialog, QProgressBar, QWidget
 
 from measureapp.errors import MeasureError
 from ui.controllers.rig_calibrating import RigCalibratingController
+from ui.images.camera_images import CameraImages
 from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.look.wording import keep_units, several
@@ -18,7 +19,6 @@ from ui.widgets.basic import Button, card, column, label, row, scrolled
 from ui.widgets.board_form import BoardForm
 from ui.widgets.checklist import Checklist, Finding, Item
 from ui.widgets.path_field import PathField
-from ui.widgets.pictures import Pictures
 
 if TYPE_CHECKING:
     from measureapp.pipeline.rig_calibration import CalibratedRig
@@ -52,7 +52,7 @@ class AutomaticCalibration(QDialog):
         self._has_outcome = False  # of the last run: calibrated, or failed with a reason
         self.folder = PathField(look, "Folder of the project", "New folder, or an existing project of this rig", "projects")
         self.board, self.board_note = BoardForm(), label("", "small", wrap=True)
-        self.found, self.pictures = Checklist(look), Pictures(look)
+        self.found, self.pictures = Checklist(look), CameraImages(look)
         self.state, self.bar = label("", "soft", wrap=True), QProgressBar()
         self.bar.setTextVisible(False)
         self.bar.setRange(0, 1000)

@@ -11,13 +11,12 @@ from PySide6.QtWidgets import QPushButton, QWidget
 from measureapp.calibrate.cameras.projector_sightings import PROJECTOR, device_title
 from ui.controllers.collecting import CollectingController
 from ui.controllers.collecting_nouns import CollectedView
+from ui.images.board_view import BoardView, Overlay
 from ui.look.language.words import tr
 from ui.look.look import Look
 from ui.look.wording import quantity, sentence_case, several
 from ui.widgets.basic import Button, clear, column, label, row
-from ui.widgets.board_picture import BoardPicture, Overlay
 from ui.widgets.gauges import Level
-from ui.widgets.image_view import grey_image
 from ui.widgets.segments import Segments
 from ui.widgets.thumbnail_strip import Thumbnail, ThumbnailStrip
 from ui.wizards.guidance_panel import GuidancePanel
@@ -57,7 +56,7 @@ class CollectPage(QWidget):
             self._layer_place.addWidget(button)
         self.live = Button("Back to live", look, "scan", "normal", "Show the newest image again")
         self.live.clicked.connect(lambda: self.choose(""))
-        self.picture = BoardPicture(look)
+        self.picture = BoardView(look)
         self.picture.clear(NOTHING_YET)
         self.guidance = GuidancePanel(look)
         self.count = label("", "caption")
@@ -185,7 +184,7 @@ class CollectPage(QWidget):
         if pixels is None:
             self.picture.clear(tr("{caption}\nThere is no image of this view.", caption=caption))
         else:
-            self.picture.show_image(grey_image(pixels), (pixels.shape[1], pixels.shape[0]), overlay, caption)
+            self.picture.show_board(pixels, overlay, caption)
 
     def _ghost(self, camera: str) -> np.ndarray | None:
         interim = self._collecting.solver.interim

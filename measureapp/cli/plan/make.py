@@ -20,6 +20,12 @@ if TYPE_CHECKING:
     from measureapp.planning.coverage.result import GeneratedPlan
 
 SHOWN_AREAS = 8
+ViewsOption = Annotated[
+    int,
+    typer.Option(
+        min=1, max=10, help="From how many viewpoints each place is seen, where possible: clouds that overlap are joined more accurately."
+    ),
+]
 MB = 1e6
 
 
@@ -37,6 +43,7 @@ def register(app: typer.Typer) -> None:
         coverage: Annotated[
             float, typer.Option(min=0.01, max=1.0, help="Required fraction of what the rig can measure of the part.")
         ] = 0.98,
+        views: ViewsOption = 2,
         sigma: Annotated[float | None, typer.Option(min=1e-4, help="Required standard deviation of a point, in mm.")] = None,
         pose: PoseFileOption = None,
         turn_deg: TurnOption = None,
@@ -65,7 +72,14 @@ def register(app: typer.Typer) -> None:
         check_plan_name(out)
         description = read_rig(rig)
         settings = GeneratorSettings(
-            name=out.stem, coverage=coverage, viewpoints=viewpoints, sigma_mm=sigma, samples=samples, candidates=candidates, seed=seed
+            name=out.stem,
+            coverage=coverage,
+            viewpoints=viewpoints,
+            views=views,
+            sigma_mm=sigma,
+            samples=samples,
+            candidates=candidates,
+            seed=seed,
         )
         mesh = _read_nominal(nominal, unit)
         context = PlanContext(pose_of_options(pose, turn_deg, upside_down), light=PartLight(white=brightness))

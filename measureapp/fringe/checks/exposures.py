@@ -19,6 +19,7 @@ CLEAR_LEVELS = (0.08, 0.90)  # predicted levels that are compared
 TOLERANCE, SIGMAS = 0.12, 6.0  # of the predicted level of a pixel; no lamp, shutter or sensor is as far from linear
 MOST_OFF, MOST_OFF_ROW = 0.08, 0.6  # share of the pixels of an image, or of a row, that may contradict: blooming around highlights
 MOST_BRIGHTER = 0.08  # by which an image as a whole may differ from the others of its exposure, beyond what they have in common
+MOVED_IMAGES, MOVED_EXPOSURES = 4, 3  # from so many on it is no single exchanged or torn image
 MOST_IN_COMMON = 0.17  # by which all images of an exposure may: cameras bend by 12 %, the next exposure of a fine ladder is 20 % away
 
 
@@ -58,7 +59,7 @@ def check_exposures(stack: FringeStack) -> None:
 
     From every image the same pattern at another exposure follows by the ratio of the exposure times, where neither is dark or
     saturated. Found are a single image of another scene or pattern, a torn or half-transferred one, a wrong exposure, grey levels that
-    wrapped, and a lamp that changed by more than a tenth between images. With a single exposure there is nothing to compare.
+    wrapped, a lamp that changed by more than a tenth between images, and fringes that moved in several images. With a single exposure there is nothing to compare.
 
     Raises
     ------
@@ -69,6 +70,14 @@ def check_exposures(stack: FringeStack) -> None:
         return
     for camera, images in stack.images.items():
         wrong = [finding for finding in _compare(_sample(images), stack) if finding.contradicts]
+        moved = [finding for finding in wrong if not finding.too_bright]
+        if len(moved) >= MOVED_IMAGES and len({finding.level for finding in moved}) >= MOVED_EXPOSURES:
+            worst = max(moved, key=lambda finding: finding.off)
+            raise DecodeError(
+                f"{len(moved)} images of camera {camera!r} contradict the other exposures, in up to {worst.off:.0%} of their pixels, although they "
+                "are as bright as predicted: the fringes moved during the images, by vibration, or because a part or axis had not settled.",
+                "Keep vibration away or wait longer after each move, and take the viewpoint again.",
+            )
         if wrong:
             worst = max(wrong, key=lambda finding: (finding.off, abs(finding.ratio - 1.0)))
             raise DecodeError(

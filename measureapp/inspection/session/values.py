@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from measureapp.data.control_frame import control_frame
 from measureapp.data.dimension import CONTRADICTED, Dimension, Verdict
 from measureapp.data.inspection_program import ZONES, DimensionProgram
 from measureapp.errors import InspectionError
@@ -176,7 +177,14 @@ def _make_dimension(
         alignment=described.alignment or "",
         group=described.group,
         traceability=_describe_traceability(described, [found[name] for name in (*features, *datums)], how),
+        frame=control_frame(described, {name: _shape_of(found[name]) for name in (*features, *datums)}),
     )
+
+
+def _shape_of(found: FoundFeature) -> str:
+    """Return the shape of a feature as designed where it was not found; empty if neither is known."""
+    known = found.feature or found.nominal
+    return "" if known is None else str(known.shape)
 
 
 def _distinct(sets: tuple[tuple[str, ...], ...]) -> tuple[str, ...]:

@@ -19,7 +19,8 @@ class Problem:
 
     Without a required standard deviation, a sample is covered when it is seen; its value is 0.85 for that and up to 0.15 for its information
     ``Σ 1/σ²``, relative to that of the median view. With a requirement, coverage and value are both ``min(1, Σ 1/σ² · σ_required²)``, so
-    that further views pay until it is reached.
+    that further views pay until it is reached. Where places are to be seen ``views`` times, coverage and value are both the number of views over
+    that, at most 1.
     """
 
     weights: FloatArray  # (V, N) float32, 1/σ² relative to the wanted information; 0: not seen
@@ -33,8 +34,17 @@ class Problem:
     def of(cls, sigma_mm: FloatArray, areas_mm2: FloatArray, station: IntArray, required_mm: float | None) -> Problem:
         """Build from the standard deviations (V, N), NaN where not seen; without a requirement, the median σ is wanted."""
         wanted = required_mm if required_mm is not None else _median(sigma_mm)
-        weights = np.where(np.isnan(sigma_mm), 0.0, np.square(wanted / sigma_mm)).astype(np.float32)
-        share = COVER_SHARE if required_mm is None else 0.0
+        weights = np.where(np.isnan(sigma_mm), 0.0, np.square(wanted / sigma_mm))
+        return cls._of_weights(weights, areas_mm2, station, COVER_SHARE if required_mm is None else 0.0)
+
+    @classmethod
+    def of_views(cls, sigma_mm: FloatArray, areas_mm2: FloatArray, station: IntArray, views: int) -> Problem:
+        """Build for places that are to be seen by several viewpoints, from the standard deviations (V, N), NaN where not seen."""
+        return cls._of_weights(np.isfinite(sigma_mm) / views, areas_mm2, station, 0.0)
+
+    @classmethod
+    def _of_weights(cls, weights: FloatArray, areas_mm2: FloatArray, station: IntArray, share: float) -> Problem:
+        weights = weights.astype(np.float32)
         rows = tuple(np.flatnonzero(row) for row in weights)
         areas = areas_mm2 / max(float(areas_mm2.sum()), 1e-300)
         return cls(weights, areas, station, share, rows, csc_matrix(weights, dtype=np.float64))

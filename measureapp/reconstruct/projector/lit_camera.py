@@ -15,6 +15,7 @@ from measureapp.reconstruct.blur import correct_blur
 from measureapp.reconstruct.cleaning.clean import CleanDepth, Partner, clean
 from measureapp.reconstruct.cleaning.uncertainty_limit import uncertainty_limit_mm
 from measureapp.reconstruct.discontinuities import exclude_discontinuities
+from measureapp.reconstruct.part_blur import with_blur_of_part
 from measureapp.reconstruct.projector.depth import ProjectorDepth, triangulate_with_projector
 from measureapp.reconstruct.rectification.rectifier import Rectifier
 from measureapp.reconstruct.settings import ReconstructSettings
@@ -62,8 +63,9 @@ class LitCamera:
                 "Use the calibration of the cameras that took the images.",
             )
         rays, settings = (rectifier or Rectifier(cameras)).rays(name), settings or ReconstructSettings()
-        inner = exclude_discontinuities({name: phase_map}, cameras)
-        corrected = correct_blur(inner, cameras, settings.max_phase_step_rad)[name]
+        seeing = with_blur_of_part({name: phase_map}, cameras)
+        inner = exclude_discontinuities({name: phase_map}, seeing)
+        corrected = correct_blur(inner, seeing, settings.max_phase_step_rad)[name]
         return cls(corrected, cameras.cameras[name], cameras.projector, cameras.names.index(name), rays, settings)
 
     def triangulate(self) -> ProjectorDepth:

@@ -194,6 +194,25 @@ def test_one_image_that_is_brighter_than_the_others_of_its_exposure_is_refused_a
         check_exposures(stack(FOUR, change=brighter))
 
 
+def test_fringes_that_move_from_image_to_image_are_named_as_vibration() -> None:
+    """Each image stands up to 3 px elsewhere; one image that does is a single mistake."""
+
+    def shaken(images: np.ndarray) -> None:
+        rng = np.random.default_rng(8)
+        for level, image in np.ndindex(images.shape[:2]):
+            images[level, image] = np.roll(images[level, image], int(rng.integers(-3, 4)), axis=-1)
+
+    def displaced(images: np.ndarray) -> None:
+        images[1, 2] = np.roll(images[1, 2], 3, axis=-1)
+
+    exposures = (100_000, 80_000, 60_000, 40_000, 20_000)
+    with pytest.raises(DecodeError, match=r"as bright as predicted: the fringes moved during the images, by vibration") as refused:
+        check_exposures(stack(FOUR, exposures, shaken, mean=110.0, modulation=90.0))
+    assert "wait longer after each move" in str(refused.value)
+    with pytest.raises(DecodeError, match="contradicts the other exposures"):
+        check_exposures(stack(FOUR, exposures, displaced, mean=110.0, modulation=90.0))
+
+
 def test_cameras_of_different_bit_depths_are_refused() -> None:
     good = stack(FOUR)
     mixed = replace(good, images={**good.images, "right": good.images["left"].astype(np.uint16)})

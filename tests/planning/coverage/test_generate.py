@@ -53,9 +53,18 @@ def test_a_plan_sees_what_it_states_and_98_percent_of_what_is_measurable(made: G
     assert made.problems == ()
 
 
-def test_a_plan_needs_no_more_viewpoints_than_a_greedy_cover_of_the_same_candidates(made: GeneratedPlan) -> None:
+def test_a_plan_sees_places_twice_so_that_clouds_overlap(made: GeneratedPlan) -> None:
+    areas = made.samples.areas_mm2
+    twice = areas[made.seen.sum(axis=0) >= 2].sum() / areas[made.allowed].sum()
+    once = generate_plan(casting(), checked(casting()), QUICK.model_copy(update={"views": 1}))
+    assert twice >= 0.9 > 1.5 * areas[once.seen.sum(axis=0) >= 2].sum() / areas[once.allowed].sum()
+    assert len(once.plan) < len(made.plan) <= 2 * len(once.plan)
+
+
+def test_a_plan_needs_no_more_viewpoints_than_a_greedy_cover_of_the_same_candidates() -> None:
     scene = PartScene.of(placed(casting()), RIG)
     cell = checked(casting())
+    made = generate_plan(casting(), cell, QUICK.model_copy(update={"views": 1}))
     grid, free = checked_grid(extent_on_table(scene.part, RIG), RIG, ARM, cell.is_free, NoProgress(), QUICK.candidates)
     seen = seen_by(grid.subset(free).viewpoints, made.samples, RIG, scene).seen
     assert len(made.plan) <= 1.1 * greedy_cover(seen, made.samples.areas_mm2, 0.98)

@@ -21,6 +21,7 @@ from measureapp.progress import Cancelled
 pytestmark = needs_fake_camera
 RAMP_EXPOSURE_US = 10_000  # at which the fake camera does not scale its ramp
 LOST_S = 4.0
+WAIT_S = 30.0  # for what takes 3 s where nothing else runs
 STOP_S = 0.2
 
 
@@ -191,7 +192,7 @@ def test_a_program_that_is_killed_leaves_neither_a_process_nor_its_hold_on_the_c
             assert killed.stdout is not None
             child = int(killed.stdout.readline())
             killed.kill()
-        wait_until(lambda: not is_running(child), within_s=2.0)
+        wait_until(lambda: not is_running(child), within_s=WAIT_S)
         with connected(control_wait_s=0.0) as camera:
             assert first_of_a_sequence(camera).number == 0
 
@@ -231,10 +232,13 @@ def test_control_lost_to_a_heartbeat_that_ran_out_is_found() -> None:
     with fake_camera(), connected() as camera:
         first_of_a_sequence(camera, 3)
         process_of(camera).send_signal(signal.SIGSTOP)
-        time.sleep(3.3)  # the heartbeat of the camera: 3 s
-        process_of(camera).send_signal(signal.SIGCONT)
+        try:
+            with connected(control_wait_s=WAIT_S):  # the camera gives its control away once the heartbeat has run out
+                pass
+        finally:
+            process_of(camera).send_signal(signal.SIGCONT)
         with pytest.raises(DeviceLost):
-            camera.next_frame(timeout_s=LOST_S)
+            camera.next_frame(timeout_s=WAIT_S)
 
 
 @pytest.mark.timed

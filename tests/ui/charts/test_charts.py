@@ -10,10 +10,11 @@ from tests.ui.heartbeat import Heartbeat
 from ui.charts.bar_chart import Bar, BarChart
 from ui.charts.deviation_histogram import BINS, DeviationHistogram
 from ui.charts.level_histogram import LevelHistogram
+from ui.charts.run_chart import Run, RunChart
+from ui.images.live_tile import LiveTile
 from ui.look.look import Look
 from ui.look.theme import Theme
 from ui.viewport.overlay.legend import Legend
-from ui.widgets.live_tile import LiveTile
 
 BARS = (Bar("Cameras", 0.004), Bar("Hand–eye", 0.021), Bar("Together", 0.0214, strong=True))
 
@@ -101,18 +102,39 @@ def test_levels_are_shares_and_saturation_is_marked_only_where_it_is_much(qtbot,
     assert chart.saturated == 0.0
 
 
-def test_a_live_image_marks_saturated_pixels_and_says_their_share(qtbot, look):
+def test_a_live_image_says_the_share_of_saturated_pixels(qtbot, look):
     tile = LiveTile(look, "left", 255)
     qtbot.addWidget(tile)
     pixels = np.full((120, 160), 100, np.uint8)
     pixels[:60] = 255
     tile.show_pixels(pixels, 20_000)
-    image = tile.image._image
-    assert image.pixelColor(10, 10).name() == "#d1495b"
-    below = image.pixelColor(10, 100)
-    assert below.red() == below.green() == below.blue()
     assert "saturated 50.0" in tile.words.text() and "too bright" in tile.words.text()
     assert tile.histogram.saturated == pytest.approx(0.5)
+
+
+def test_a_run_chart_has_every_value_at_its_part_and_marks_those_beyond_a_limit(qtbot, look):
+    chart = shown(qtbot, RunChart(look))
+    values = np.array([10.0, 10.02, np.nan, 10.06, 9.99])
+    chart.show_run(Run("width", "mm", values, (9.95, 10.05), 10.0175))
+    (points,) = drawn(chart, pg.PlotDataItem)
+    assert points.xData.tolist() == [1, 2, 4, 5] and points.yData.tolist() == [10.0, 10.02, 10.06, 9.99]
+    fail, usual = look.theme.colour("verdict_fail"), look.theme.colour("accent")
+    assert points.opts["symbolBrush"] == [usual, usual, fail, usual]
+    assert sorted(line.value() for line in drawn(chart, pg.InfiniteLine)) == [9.95, 10.0175, 10.05]
+    (ranges,) = drawn(chart, pg.BarGraphItem)
+    heights = np.asarray(ranges.opts["y1"]) - ranges.opts["y0"]
+    assert heights / heights.max() == pytest.approx(np.array([0.02, 0.04, 0.07]) / 0.07)
+    assert max(ranges.opts["y1"]) < 9.95 and chart.plot.axes[1].labelText == "width [mm]"
+    assert "5 values" in chart.accessibleDescription() and "1 beyond" in chart.accessibleDescription()
+    chart.show_run(None)
+    assert not drawn(chart, pg.PlotDataItem)
+
+
+@pytest.mark.parametrize("values", [[], [np.nan, np.nan], [4.0], [4.0, 4.0]])
+def test_a_run_of_few_or_equal_values_is_drawn(qtbot, look, values):
+    chart = shown(qtbot, RunChart(look))
+    chart.show_run(Run("width", "mm", np.array(values)))
+    assert not chart.grab().isNull()
 
 
 def test_charts_follow_the_theme_without_new_data(qtbot, look):

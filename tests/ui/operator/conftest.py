@@ -89,7 +89,7 @@ class Workshop:
 
     def wait(self, condition: Callable[[], Any]) -> None:
         """Wait for a job."""
-        self.qtbot.waitUntil(lambda: bool(condition()), timeout=20_000)
+        self.qtbot.waitUntil(lambda: bool(condition()), timeout=60_000)
 
     def identify(self, serial: str) -> None:
         """Choose the gypsum cross and state a serial number, as far as the screen for loading."""

@@ -15,12 +15,17 @@ SEPARATORS = [re.compile(f"({one})") for one in (r"\n", r"(?<=[.!?…]) ", " · 
 LETTERS = re.compile(r"[A-Za-z]{2}")
 
 
+BEGINS = {"lower": str.lower, "upper": str.upper}  # how a text begins, as the format of its placeholder
+
+
 class WordsFormatter(Formatter):
     """Puts values into a template; those that are texts already, as found in a message, are not formatted again."""
 
     def format_field(self, value: object, format_spec: str) -> str:
         """Format one value."""
-        return value if isinstance(value, str) else format(value, format_spec)
+        if not isinstance(value, str):
+            return format(value, format_spec)
+        return BEGINS[format_spec](value[:1]) + value[1:] if format_spec in BEGINS else value
 
 
 FORMATTER = WordsFormatter()
@@ -96,7 +101,17 @@ class Translator:
         if catalogue.translation(text) is not None:
             return self.translate(text, {})
         found = catalogue.find_template(text)
-        return self._in_pieces(text) if found is None else self.translate(*found)
+        if found is not None:
+            return self.translate(*found)
+        made = self._in_pieces(text)
+        return self._begun_otherwise(text) if made == text else made
+
+    def _begun_otherwise(self, text: str) -> str:
+        """Translate a text that is known with another case of its first letter, as where it became part of a sentence; names are one word."""
+        other = text[0].swapcase() + text[1:]
+        if " " not in text or other == text or self.renewed(other) == other:
+            return text
+        return self.translate("{words:lower}" if text[0].islower() else "{words:upper}", {"words": other})
 
     def _in_pieces(self, text: str) -> str:
         """Translate the sentences and items of a text one by one; where none is known it stays."""

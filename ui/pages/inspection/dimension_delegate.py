@@ -11,13 +11,15 @@ from PySide6.QtWidgets import QLineEdit, QStyle, QStyleOptionViewItem, QWidget
 from ui.look.language.words import translated
 from ui.look.look import Look
 from ui.pages.inspection.cell_edits import problem_of
-from ui.pages.inspection.dimension_model import ROW_ROLE, STATUS_ROLE, Column
+from ui.pages.inspection.dimension_model import FRAME_ROLE, ROW_ROLE, STATUS_ROLE, Column
+from ui.viewport.overlay.control_frame import CELL_PX, frame_width, paint_frame
+from ui.viewport.overlay.style import OverlayStyle
 from ui.widgets.data_table import Index, SignDelegate
 
 if TYPE_CHECKING:
     from ui.pages.inspection.dimension_table import DimensionTable
 
-SIGN = 12.0  # px
+SIGN, FRAME_MARGIN = 12.0, 6.0  # px
 
 
 class DimensionDelegate(SignDelegate):
@@ -30,6 +32,18 @@ class DimensionDelegate(SignDelegate):
     def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: Index) -> None:
         """Draw a cell; the current one of the focused table is framed."""
         super().paint(painter, option, index)
+        frame = index.data(FRAME_ROLE)
+        if frame is not None:
+            style = OverlayStyle.of(self._look.theme)
+            room = QRectF(option.rect)
+            width = frame_width(frame, style)
+            left = max(room.left() + FRAME_MARGIN, room.right() - FRAME_MARGIN - width)
+            painter.save()
+            painter.setClipRect(room)
+            painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+            top = float(int(room.center().y() - CELL_PX / 2)) + 0.5
+            paint_frame(painter, frame, QPointF(float(int(left)) + 0.5, top), style, self._look.theme.colour("text"))
+            painter.restore()
         status = index.data(STATUS_ROLE)
         if status:
             draw_status(painter, QRectF(option.rect), status, self._look)
@@ -37,6 +51,12 @@ class DimensionDelegate(SignDelegate):
             painter.setPen(QPen(self._look.theme.colour("accent"), 1.0))
             painter.setBrush(Qt.BrushStyle.NoBrush)
             painter.drawRect(option.rect.adjusted(1, 1, -2, -2))
+
+    def initStyleOption(self, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex) -> None:
+        """Leave the text out where a frame is drawn."""
+        super().initStyleOption(option, index)
+        if index.data(FRAME_ROLE) is not None:
+            option.text = ""
 
     def createEditor(self, parent: QWidget, _option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex) -> QWidget:
         """Return a field that turns red while its text cannot be used."""

@@ -11,14 +11,15 @@ from PySide6.QtCore import QAbstractTableModel, QObject, Qt
 from PySide6.QtGui import QFont
 
 from ui.controllers.program_rows import STATUS_WORDS, DimensionRow
-from ui.look.language.words import translated
-from ui.look.wording import NOTHING, quantity
-from ui.pages.inspection.dimension_rows import dimension_words, tolerance
+from ui.look.language.words import tr, translated
+from ui.look.wording import NOTHING, quantity, sentence_case
+from ui.pages.inspection.dimension_rows import datum_words, dimension_words, tolerance
 from ui.widgets.data_table import SIGN_ROLE, VERDICT_WORDS, Index
 
 ROW_ROLE = Qt.ItemDataRole.UserRole + 1  # the DimensionRow
 SORT_ROLE = Qt.ItemDataRole.UserRole + 2  # what a column is sorted by
 STATUS_ROLE = Qt.ItemDataRole.UserRole + 3
+FRAME_ROLE = Qt.ItemDataRole.UserRole + 4  # the feature control frame that is drawn in place of the text
 DIGITS = 3
 WORST_FIRST = ("fail", "not proven", "not measured", "", "pass", "no tolerance")
 
@@ -34,6 +35,7 @@ class Column(IntEnum):
     DEVIATION = 5
     UNCERTAINTY = 6
     VERDICT = 7
+    ALIGNMENT = 8
 
 
 HEADERS = {
@@ -45,6 +47,7 @@ HEADERS = {
     Column.DEVIATION: "Deviation",
     Column.UNCERTAINTY: "U",
     Column.VERDICT: "Verdict",
+    Column.ALIGNMENT: "Alignment",
 }
 HEADER_TIPS = {
     Column.STATUS: "Status: current, being measured, stale, or not measurable",
@@ -53,6 +56,7 @@ HEADER_TIPS = {
     Column.MEASURED: "Measured value, in mm unless a unit is given",
     Column.DEVIATION: "Measured minus nominal",
     Column.UNCERTAINTY: "Expanded uncertainty (k = 2)",
+    Column.ALIGNMENT: "Alignment of the part that the value refers to",
 }
 NUMERIC = frozenset({Column.NOMINAL, Column.TOLERANCE, Column.MEASURED, Column.DEVIATION, Column.UNCERTAINTY})
 EDITABLE = (Column.NAME, Column.NOMINAL, Column.TOLERANCE)
@@ -78,6 +82,8 @@ def cell_text(row: DimensionRow, column: Column) -> str:
         return quantity(row.nominal, printed, DIGITS)
     if column is Column.TOLERANCE:
         return _tolerance_text(row, printed)
+    if column is Column.ALIGNMENT:
+        return sentence_case(row.aligned_by) or NOTHING
     if found is None:
         return "" if column is Column.STATUS else NOTHING
     values = {
@@ -124,6 +130,8 @@ def sort_key(row: DimensionRow, column: Column) -> Any:
         return float("-inf") if row.limits is None else row.limits[1] - row.limits[0]
     if column is Column.VERDICT:
         return rank(row)
+    if column is Column.ALIGNMENT:
+        return row.aligned_by.casefold()
     if column is Column.STATUS:
         return list(STATUS_WORDS).index(row.status)
     value = None if found is None else {4: found.measured, 5: found.deviation, 6: found.uncertainty}[int(column)]
@@ -169,6 +177,7 @@ class DimensionModel(QAbstractTableModel):
             or (column is Column.STATUS and old.status != new.status)
             or (column is Column.VERDICT and old.verdict != new.verdict)
             or (column is Column.NOMINAL and old.is_linked != new.is_linked)
+            or (column is Column.TOLERANCE and old.frame != new.frame)
         ]
         if touched:
             self.dataChanged.emit(self.index(place, min(touched)), self.index(place, max(touched)))
@@ -228,6 +237,8 @@ class DimensionModel(QAbstractTableModel):
             return _italic()
         if role == Qt.ItemDataRole.AccessibleTextRole and column is Column.STATUS:
             return translated(STATUS_WORDS[row.status])
+        if role == FRAME_ROLE:
+            return row.frame if column is Column.TOLERANCE else None
         return {ROW_ROLE: row, STATUS_ROLE: row.status if column is Column.STATUS else None}.get(role)
 
 
@@ -242,6 +253,17 @@ def _italic() -> QFont:
     return font
 
 
+def frame_words(row: DimensionRow) -> str:
+    """Return a feature control frame in words, with the limit of the last result where a material condition widens it."""
+    assert row.frame is not None
+    datums = row.entry.datums if row.entry is not None else row.found.datums if row.found is not None else ()
+    kind = translated(sentence_case(row.frame.characteristic.replace("_", " ")))
+    stated = ", ".join(words for words in (row.frame.zone(), datum_words(datums) if row.frame.datums else "") if words)
+    allowed = row.limits
+    bonus = "" if allowed is None or allowed[1] <= row.frame.width_mm else tr("; with its bonus {upper}", upper=quantity(allowed[1], "mm"))
+    return f"{kind}: {stated}{bonus}"
+
+
 def _tip(row: DimensionRow, column: Column) -> str:
     reason = "" if row.found is None else row.found.reason
     if column in (Column.STATUS, Column.VERDICT) and reason and row.status in ("failed", "current"):
@@ -250,6 +272,8 @@ def _tip(row: DimensionRow, column: Column) -> str:
         return translated(STATUS_WORDS[row.status])
     if column in (Column.TOLERANCE, Column.UNCERTAINTY) and row.found is not None and row.found.warning:
         return row.found.warning
+    if column is Column.TOLERANCE and row.frame is not None:
+        return frame_words(row)
     if column is Column.NOMINAL and row.entry is not None and not row.is_zone:
         return "Follows the nominal features" if row.is_linked else "Typed"
     if column is Column.TOLERANCE and row.limits is None:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from measureapp.data.control_frame import DATUM_LETTERS
 from measureapp.data.dimension import CONTRIBUTION_DIGITS
 from ui.look.language.words import later, tr, translated
 from ui.look.wording import counted, millimetres, percent, quantity, sentence, sentence_case, several
@@ -15,8 +16,6 @@ if TYPE_CHECKING:
     from measureapp.data.dimension import Dimension
     from measureapp.data.feature import Feature
     from measureapp.data.measurement import Alignment
-
-DATUM_LETTERS = "ABC"
 
 
 ALIGNMENTS = (later("best fit"), later("datums"), later("reference points"), later("coordinates"))  # names that results state

@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from PySide6.QtCore import QItemSelectionModel, QPoint, Qt, Signal
-from PySide6.QtGui import QAction, QGuiApplication, QKeyEvent, QKeySequence, QMouseEvent
+from PySide6.QtGui import QAction, QFontMetrics, QGuiApplication, QKeyEvent, QKeySequence, QMouseEvent
 from PySide6.QtWidgets import QAbstractItemDelegate, QAbstractItemView, QHeaderView, QMenu, QTableView, QWidget
 
 from ui.controllers.program_rows import DimensionRow
@@ -15,9 +15,11 @@ from ui.look.look import Look
 from ui.pages.inspection.dimension_delegate import DimensionDelegate
 from ui.pages.inspection.dimension_filter import PROGRAM_ORDER, DimensionFilter
 from ui.pages.inspection.dimension_model import COPIED, EDITABLE, HEADERS, ROW_ROLE, CellEdit, Column, DimensionModel, cell_text
+from ui.viewport.overlay.control_frame import frame_width
+from ui.viewport.overlay.style import OverlayStyle
 from ui.widgets.data_table import ROW_HEIGHT, Index
 
-STATUS_WIDTH = 28
+STATUS_WIDTH, NAME_WIDTH = 28, 150
 CELL_ROOM, SIGN_ROOM, SORT_ROOM = 16, 28, 24  # px beside the text: margins, sign of the verdict, arrow of the order
 EDIT_KEYS = QAbstractItemView.EditTrigger.EditKeyPressed | QAbstractItemView.EditTrigger.AnyKeyPressed
 NONE = -1
@@ -35,8 +37,9 @@ class DimensionTable(QTableView):
         self.dimensions = DimensionModel(edit, self)
         self.shown = DimensionFilter(self.dimensions, self)
         self._edit_cells = edit
-        self._current = NONE
+        self._look, self._current = look, NONE
         self._widths: dict[Column, int] = {}  # as fitted last
+        self._has_alignments = False  # of which one column is shown
         self._is_waiting = False  # to be sorted again when the editor is closed
         self.setModel(self.shown)
         self.setItemDelegate(DimensionDelegate(look, self))
@@ -70,6 +73,7 @@ class DimensionTable(QTableView):
         header.sortIndicatorChanged.connect(self._sort)
         header.setContextMenuPolicy(Qt.ContextMenuPolicy.CustomContextMenu)
         header.customContextMenuRequested.connect(self._show_header_menu)
+        self.setColumnHidden(Column.ALIGNMENT, True)
         self.shown.sort(Column.VERDICT)
 
     @property
@@ -93,6 +97,7 @@ class DimensionTable(QTableView):
         blocked = self.selectionModel().blockSignals(True)
         was_reset = self.dimensions.set_rows(rows)
         self.selectionModel().blockSignals(blocked)
+        self._show_alignments(len({row.aligned_by for row in self.rows}) > 1)
         self._fit_columns()
         if self.is_editing:
             self._is_waiting = True
@@ -100,6 +105,17 @@ class DimensionTable(QTableView):
         self._sort_keeping(kept, current)
         if was_reset and self.current_id() != current:
             self._follow()
+
+    def _show_alignments(self, are_several: bool) -> None:
+        """Show the column of alignments where dimensions differ in them; a common one is stated above the picture."""
+        if are_several == self._has_alignments:
+            return
+        self._has_alignments = are_several
+        self.setColumnHidden(Column.ALIGNMENT, not are_several)
+        mode = QHeaderView.ResizeMode.Interactive if are_several else QHeaderView.ResizeMode.Stretch
+        self.horizontalHeader().setSectionResizeMode(Column.NAME, mode)
+        if are_several:
+            self.setColumnWidth(Column.NAME, NAME_WIDTH)
 
     def set_filter(self, chips: frozenset[str], words: str) -> None:
         """Show some of the rows; the current one stays current if it is among them."""
@@ -251,13 +267,19 @@ class DimensionTable(QTableView):
         """Fit the columns to their texts, except those that the user resized."""
         header, letters = self.horizontalHeader(), self.fontMetrics()
         for column in (one for one in COPIED if one is not Column.NAME):
-            texts = [cell_text(row, column) for row in self.rows]
-            cell = max((letters.horizontalAdvance(text) for text in texts), default=0) + (SIGN_ROOM if column is Column.VERDICT else 0)
+            cell = max((self._width_of(row, column, letters) for row in self.rows), default=0) + (
+                SIGN_ROOM if column is Column.VERDICT else 0
+            )
             heading = header.fontMetrics().horizontalAdvance(HEADERS[column]) + (SORT_ROOM if column is Column.VERDICT else 0)
             wanted = max(cell, heading) + CELL_ROOM
             if self.columnWidth(column) == self._widths.get(column, self.columnWidth(column)):
                 self.setColumnWidth(column, wanted)
                 self._widths[column] = self.columnWidth(column)
+
+    def _width_of(self, row: DimensionRow, column: Column, letters: QFontMetrics) -> int:
+        if column is Column.TOLERANCE and row.frame is not None:
+            return int(frame_width(row.frame, OverlayStyle.of(self._look.theme)))
+        return letters.horizontalAdvance(cell_text(row, column))
 
     def _follow(self) -> None:
         """Tell which row is current, once."""

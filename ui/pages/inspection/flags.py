@@ -9,15 +9,14 @@ import numpy as np
 
 from ui.look.language.words import tr
 from ui.look.wording import millimetres, quantity
-from ui.pages.inspection.control_frames import control_frame
 from ui.pages.inspection.dimension_rows import dimension_words, features_of, tolerance, unit_of
 from ui.pages.inspection.outlines import outline
 from ui.pages.inspection.section_lines import Whiskers
 from ui.viewport.overlay.flag import Flag
 
 if TYPE_CHECKING:
+    from measureapp.data.control_frame import ControlFrame
     from measureapp.data.dimension import Dimension
-    from measureapp.data.dimension_program import DimensionProgram
     from measureapp.data.feature import Feature
     from measureapp.inspection.section_curves import SectionCurves
     from measureapp.inspection.surface.probe import ProbeValue
@@ -32,9 +31,9 @@ def dimension_flags(
     features: Sequence[Feature],
     sections: SectionCurves | None,
     pins: Pins,
-    entries: Mapping[str, DimensionProgram] | None = None,
+    frames: Mapping[str, ControlFrame | None] | None = None,
 ) -> list[Flag]:
-    """Return a flag for each dimension that has features in the picture; ``entries``: of the program, where it is at hand, by name."""
+    """Return a flag for each dimension that has features in the picture; ``frames``: of the edited program, by name."""
     known = {feature.name: feature for feature in features}
     flags = []
     for dimension in dimensions:
@@ -46,8 +45,8 @@ def dimension_flags(
         if sections is not None and dimension.name in sections.profiles:
             more.append(tr("Whiskers × {gain}", gain=Whiskers.of(sections.profiles[dimension.name]).gain))
         limits = (dimension.lower_tolerance, dimension.upper_tolerance)
-        frame = control_frame(dimension, (entries or {}).get(dimension.name), known)
-        is_stated = limits[1] is None or (frame is not None and dimension.upper_tolerance == frame.width)
+        frame = (frames or {}).get(dimension.name, dimension.frame)
+        is_stated = limits[1] is None or (frame is not None and dimension.upper_tolerance == frame.width_mm)
         flags.append(
             Flag(
                 key,

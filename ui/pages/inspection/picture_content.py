@@ -56,8 +56,8 @@ class PictureContent(QObject):
         lines = feature_lines(inspection.features, chosen.features, dimension, self._sections(), colour)
         shown = inspection.dimensions if self.all_flags else () if dimension is None else (dimension,)
         worst_first = sorted(shown, key=lambda one: (one is not dimension, WORST.get(str(one.verdict), 3)))
-        entries = {row.name: row.entry for row in self._side.rows if row.entry is not None}
-        flags = dimension_flags(worst_first, inspection.features, self._sections(), self._pins, entries)
+        frames = {row.found.name: row.frame for row in self._side.rows if row.found is not None}
+        flags = dimension_flags(worst_first, inspection.features, self._sections(), self._pins, frames)
         if self.is_deviation:
             comparison = self._session.comparison
             flags += self._probing.flags(self._pins)

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QComboBox, QFrame, QStackedWidget, QWidget
 from measureapp.resources import resource
 from ui.controllers.controllers import Controllers
 from ui.controllers.demo import MeshQuestion
+from ui.images.live_tile import LiveTile
 from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.look.wording import exposure, several
@@ -24,7 +25,6 @@ from ui.widgets.data_table import DataTable
 from ui.widgets.demo_form import DemoForm
 from ui.widgets.empty_state import EmptyState
 from ui.widgets.jog_pad import JogPad
-from ui.widgets.live_tile import LiveTile
 from ui.widgets.rig_drawing import RigDrawing
 from ui.widgets.segments import Segments
 from ui.widgets.unit_dialog import UnitDialog

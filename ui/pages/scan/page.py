@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QStackedWidget, QWidget
 from ui.controllers.controllers import Controllers
 from ui.controllers.scan_choices import CheckedScan, ScanChoices, suggested_choices
 from ui.controllers.stored_sessions import project_on_disk
+from ui.images.camera_images import CameraImages
 from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.look.wording import counted, percent, rough_duration, several
@@ -22,7 +23,6 @@ from ui.pages.viewport_page import Composer, Picture, ViewportPage
 from ui.session import Session
 from ui.widgets.basic import Button, card, column, label, row
 from ui.widgets.empty_state import EmptyState
-from ui.widgets.pictures import Pictures
 from ui.widgets.properties_panel import Group, Properties
 from ui.widgets.viewpoint_tiles import Tile, TileList
 from ui.workers.job import Job
@@ -52,7 +52,7 @@ class ScanPage(ViewportPage):
         self.setup = ScanSetup(look, session)
         self.tiles = TileList(look)
         self.bar = RunBar(look)
-        self.pictures = Pictures(look)
+        self.pictures = CameraImages(look)
         self.missing_dialog = MissingDialog(look, self)
         self.pictures_title = label("Images", "caption")
         self._placed = PlacedClouds()

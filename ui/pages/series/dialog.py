@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QByteArray, Qt, Slot
-from PySide6.QtSvgWidgets import QSvgWidget
+from PySide6.QtCore import Qt, Slot
 from PySide6.QtWidgets import QComboBox, QDialog, QLineEdit, QWidget
 
+from ui.charts.run_chart import Run, RunChart
 from ui.controllers.series import ReadSeries, SeriesController
 from ui.look.language.retranslating import GIVEN
 from ui.look.language.words import tr, translated
@@ -42,10 +42,8 @@ class SeriesDialog(QDialog):
         self.programs.setAccessibleName(tr("Program"))
         self.words = label(NONE_YET, "body", wrap=True)
         self.table = DataTable(look, list(HEADERS), numeric=NUMERIC, stretch=0)
-        self.chart = QSvgWidget()
+        self.chart = RunChart(look)
         self.chart.setFixedHeight(CHART_HEIGHT)
-        self.chart.renderer().setAspectRatioMode(Qt.AspectRatioMode.KeepAspectRatio)
-        self.chart.setAccessibleName(tr("Run chart: values in order of measurement, with limits and mean; moving ranges below"))
         self.remark = label("", "soft", wrap=True)
         self.reason = QLineEdit()
         self.reason.setPlaceholderText(translated(REASON))
@@ -106,9 +104,9 @@ class SeriesDialog(QDialog):
         self.words.setText(f"{error.message} {error.hint}")
 
     def _show_chart(self, place: int) -> None:
-        known = self.found is not None and 0 <= place < len(self.found.charts)
-        self.chart.load(QByteArray(self.found.charts[place] if self.found is not None and known else b""))
+        known = self.found is not None and 0 <= place < len(self.found.trends)
         trend = self.found.trends[place] if self.found is not None and known else None
+        self.chart.show_run(None if trend is None else Run(trend.name, trend.unit, trend.values, trend.limits, trend.mean))
         self.remark.setText("" if trend is None else f"{trend.name}: {trend.remark}" if trend.remark else translated(trend.name))
 
     def _show_buttons(self) -> None:

@@ -7,7 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from PySide6.QtCore import QSizeF
 
-from ui.viewport.overlay.control_frame import ControlFrame, frame_size
+from measureapp.data.control_frame import ControlFrame
+from ui.viewport.overlay.control_frame import frame_size
 from ui.viewport.overlay.style import OverlayStyle
 
 SIGNS = {"pass": "✓", "fail": "✗", "not proven": "?", "not measured": "–"}

@@ -48,6 +48,24 @@ def test_sentences_put_together_are_translated_one_by_one(translator):
     assert translator.renewed("Surface…") == "表面…"
 
 
+def test_a_text_that_became_part_of_a_sentence_is_known_by_its_other_first_letter(translator):
+    english, catalogue = Translator(), translator.catalogue
+    source = "Residual up to {limit}"
+    catalogue.entries |= {
+        source: Entry(source, "残差不超过 {limit}"),
+        "Criterion: {criterion}.": Entry("Criterion: {criterion}.", "判据：{criterion}。"),
+    }
+    limit = english.translate(source, {"limit": "0.5 px"})
+    shown = english.translate("Criterion: {criterion}.", {"criterion": limit[:1].lower() + limit[1:]})
+    english.use(catalogue)
+    chinese = english.renewed(shown)
+    assert chinese == "判据：残差不超过 0.5 px。"
+    assert english.renewed("The cable is loose") == "电缆松动"
+    assert english.renewed("surface") == "surface"  # one word may be the name of a part
+    english.use(None)
+    assert english.renewed(chinese) == shown == "Criterion: residual up to 0.5 px."
+
+
 def test_what_is_translated_already_stays(translator):
     once = translator.renewed("Surface")
     assert translator.renewed(once) == once

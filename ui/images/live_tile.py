@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import numpy as np
-from PySide6.QtWidgets import QSizePolicy, QWidget
+from PySide6.QtCore import QTimer
+from PySide6.QtGui import QShowEvent
+from PySide6.QtWidgets import QWidget
 
 from ui.charts.level_histogram import EVERY, SATURATED_IS_MUCH, LevelHistogram
+from ui.images.camera_view import CameraView
 from ui.look.language.words import tr
 from ui.look.look import Look
 from ui.look.wording import exposure, percent
 from ui.widgets.basic import column, label
-from ui.widgets.image_view import ImageView, marked_image
 
 
 class LiveTile(QWidget):
@@ -19,20 +21,34 @@ class LiveTile(QWidget):
     def __init__(self, look: Look, camera: str, saturation: int) -> None:
         super().__init__()
         self._camera, self._saturation = camera, saturation
-        self.image = ImageView(look, camera, whole=True)
-        self.image.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
+        self.image = CameraView(look, camera)
         self.histogram = LevelHistogram(look)
         self.words = label("No image yet.", "small")
         layout = column(self.image, self.histogram, self.words, spacing=4)
         layout.setStretch(0, 1)
         self.setLayout(layout)
 
+    def showEvent(self, event: QShowEvent) -> None:
+        """Make the axes before the first image."""
+        super().showEvent(event)
+        QTimer.singleShot(0, self, self._prepare)
+
+    def _prepare(self) -> None:
+        """Make the axes one after the other, so that the window answers in between."""
+        for chart in (self.image.map, self.histogram):
+            if chart.plot is None:
+                chart.prepare()
+                QTimer.singleShot(0, self, self._prepare)
+                return
+
     def show_pixels(self, pixels: np.ndarray, exposure_us: int) -> None:
         """Show a new image (H, W)."""
-        self.image.show_image(marked_image(pixels, self._saturation), f"{self._camera} · {exposure(exposure_us)}")
+        if self.isVisible() and (self.image.map.plot is None or self.histogram.plot is None):
+            return  # the axes are being made; the next image comes within a tenth of a second
+        self.image.show_image(pixels, f"{self._camera} · {exposure(exposure_us)}", self._saturation)
         self.histogram.show_levels(pixels, self._saturation)
         thin = pixels[::EVERY, ::EVERY]
         saturated = float(np.mean(thin >= self._saturation))
         median = float(np.median(thin)) / self._saturation
         words = tr("Median level {median} · saturated {saturated}", median=percent(median, 0), saturated=percent(saturated, 1))
-        self.words.setText(words + (" – too bright" if saturated > SATURATED_IS_MUCH else ""))
+        self.words.setText(words + (tr(" – too bright") if saturated > SATURATED_IS_MUCH else ""))

@@ -5,23 +5,23 @@ from __future__ import annotations
 import numpy as np
 from PySide6.QtWidgets import QWidget
 
+from ui.images.camera_view import CameraView
 from ui.look.language.words import tr
 from ui.look.look import Look
 from ui.look.wording import exposure, percent
 from ui.widgets.basic import clear, column
-from ui.widgets.image_view import ImageView, marked_image
 
 EVERY = 4  # pixels, in rows and columns, for the share that is saturated
 LEAST_SHOWN, HARDLY = 0.0005, 0.01  # saturated share
 
 
-class Pictures(QWidget):
-    """One `ImageView` per camera, one above the other."""
+class CameraImages(QWidget):
+    """One `CameraView` per camera, one above the other."""
 
     def __init__(self, look: Look) -> None:
         super().__init__()
         self._look = look
-        self.images: dict[str, ImageView] = {}
+        self.images: dict[str, CameraView] = {}
         self._saturations: dict[str, int] = {}
         self._shown: dict[str, tuple[str, float]] = {}  # viewpoint and saturated share of the image of a camera
         self._layout = column(spacing=8)
@@ -33,9 +33,8 @@ class Pictures(QWidget):
             return
         clear(self._layout)
         self._saturations, self._shown = dict(saturations), {}
-        self.images = {name: ImageView(self._look, name, whole=True) for name in saturations}
+        self.images = {name: CameraView(self._look, name) for name in saturations}
         for image in self.images.values():
-            image.setMinimumSize(144, 72)
             self._layout.addWidget(image, 1)
 
     def show_image(self, camera: str, pixels: np.ndarray, exposure_us: int, of: str = "") -> None:
@@ -51,7 +50,7 @@ class Pictures(QWidget):
         share = float(np.mean(pixels[::EVERY, ::EVERY] >= saturation))
         self._shown[camera] = (of, share)
         saturated = tr(" · {share} saturated", share=percent(share, 1)) if share > LEAST_SHOWN else ""
-        self.images[camera].show_image(marked_image(pixels, saturation), f"{camera} · {exposure(exposure_us)}{saturated}")
+        self.images[camera].show_image(pixels, f"{camera} · {exposure(exposure_us)}{saturated}", saturation)
 
     @property
     def is_empty(self) -> bool:
