@@ -4338,6 +4338,14 @@
       <translation>请先给出下限。</translation>
     </message>
     <message>
+      <source>ISO 14253-1 with a guard band of the expanded uncertainty (k = 2): PASS inside the tolerance reduced by it, FAIL outside the tolerance widened by it, otherwise NOT PROVEN.</source>
+      <translation>ISO 14253-1，以扩展不确定度（k = 2）为保护带：在按其缩小的公差内为合格，在按其扩大的公差外为不合格，否则为未证实。</translation>
+    </message>
+    <message>
+      <source>ISO 14253-1:2017: PASS when the true value lies within the tolerance with a probability of at least 95 %, FAIL when it lies beyond one limit with at least 95 %, otherwise NOT PROVEN. Uncertainties are expanded, k = 2.</source>
+      <translation>ISO 14253-1:2017：真值以至少 95 % 的概率位于公差内时为合格，以至少 95 % 的概率超出某一极限时为不合格，否则为未证实。不确定度为扩展不确定度，k = 2。</translation>
+    </message>
+    <message>
       <source>Inspect it with a program that has dimensions.</source>
       <translation>请用有尺寸的程序检测。</translation>
     </message>
@@ -4408,6 +4416,10 @@
     <message>
       <source>Scan this feature, or align by features that were measured.</source>
       <translation>请扫描此特征，或按已测量的特征对齐。</translation>
+    </message>
+    <message>
+      <source>Simple acceptance: PASS within the tolerance, FAIL outside; the uncertainty (k = 2) is stated but not subtracted.</source>
+      <translation>简单接受：在公差内为合格，在公差外为不合格；不确定度（k = 2）给出但不扣除。</translation>
     </message>
     <message>
       <source>Some measured points are not finite numbers.</source>

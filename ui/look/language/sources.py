@@ -18,7 +18,12 @@ MESSAGES = {  # calls of the core whose texts reach the window
     "InputError", "StorageError", "DeviceError", "PlanError", "CalibrationError", "ReconstructError", "RegisterError", "InspectionError",
     "DecodeError", "MeasureError", "UnitQuestion", "report", "warn", "Cancelled",
 }  # fmt: skip
-TOLD = {("calibrate", "kinds"), ("calibrate", "guidance"), ("calibrate", "draft")}  # rooms whose constants the window displays
+TOLD = {
+    ("calibrate", "kinds"),
+    ("calibrate", "guidance"),
+    ("calibrate", "draft"),
+    ("inspection", "verdict.py"),
+}  # rooms whose constants the window displays
 UNTRANSLATED = {"setObjectName", "setProperty", "getattr", "hasattr", "resource", "compile", "setStyleSheet", "QKeySequence", "ValueError"}
 LOGS = {"debug", "info", "warning", "exception", "error"}
 

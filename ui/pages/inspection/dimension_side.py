@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Signal
-from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QStackedWidget, QWidget
 
 from ui.controllers.controllers import Controllers
@@ -18,7 +17,6 @@ from ui.pages.inspection.cell_edits import apply_edit
 from ui.pages.inspection.create_bar import CreateBar
 from ui.pages.inspection.deviation_card import DeviationCard
 from ui.pages.inspection.deviation_display import DeviationDisplay
-from ui.pages.inspection.dimension_model import Column
 from ui.pages.inspection.dimension_rows import Selection, decision_rule, features_of, rule_name
 from ui.pages.inspection.dimension_table import DimensionTable
 from ui.pages.inspection.feature_table import FeatureTable
@@ -35,7 +33,6 @@ if TYPE_CHECKING:
     from ui.session import Comparison
 
 TABLE_WIDTH = 680  # px
-NARROW, NARROWEST = 620, 460  # px: without the nominal, then without the tolerance; the properties show both
 LISTS = {"dimensions": "Dimensions", "features": "Features", "alignment": "Alignment", "deviation": "Deviation"}
 
 
@@ -163,14 +160,6 @@ class DimensionSide(QWidget):
         self.list.setValue("dimensions")
         self.table.sort_worst_first()
         self.table.select_first()
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        """Hide nominals and tolerances in a narrow table, so that the verdicts stay in sight."""
-        super().resizeEvent(event)
-        for hidden, least in ((Column.NOMINAL, NARROW), (Column.TOLERANCE, NARROWEST)):
-            is_narrow = self.width() < least
-            if is_narrow != (event.oldSize().width() < least) or not event.oldSize().isValid():
-                self.table.setColumnHidden(hidden, is_narrow)
 
     def _edit(self, edit):  # type: ignore[no-untyped-def]
         return apply_edit(self._programming, self.table.rows, edit)

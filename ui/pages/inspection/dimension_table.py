@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from typing import Any
 
 from PySide6.QtCore import QItemSelectionModel, QPoint, Qt, Signal
-from PySide6.QtGui import QAction, QFontMetrics, QGuiApplication, QKeyEvent, QKeySequence, QMouseEvent
+from PySide6.QtGui import QAction, QFontMetrics, QGuiApplication, QKeyEvent, QKeySequence, QMouseEvent, QResizeEvent
 from PySide6.QtWidgets import QAbstractItemDelegate, QAbstractItemView, QHeaderView, QMenu, QTableView, QWidget
 
 from ui.controllers.program_rows import DimensionRow
@@ -19,7 +19,8 @@ from ui.viewport.overlay.control_frame import frame_width
 from ui.viewport.overlay.style import OverlayStyle
 from ui.widgets.data_table import ROW_HEIGHT, Index
 
-STATUS_WIDTH, NAME_WIDTH = 28, 150
+STATUS_WIDTH, NAME_WIDTH, LEAST_NAME_WIDTH = 28, 150, 96
+LEFT_OUT = (Column.NOMINAL, Column.DEVIATION, Column.TOLERANCE)  # in this order, where there is little room; the properties show them
 CELL_ROOM, SIGN_ROOM, SORT_ROOM = 16, 28, 24  # px beside the text: margins, sign of the verdict, arrow of the order
 EDIT_KEYS = QAbstractItemView.EditTrigger.EditKeyPressed | QAbstractItemView.EditTrigger.AnyKeyPressed
 NONE = -1
@@ -39,6 +40,8 @@ class DimensionTable(QTableView):
         self._edit_cells = edit
         self._look, self._current = look, NONE
         self._widths: dict[Column, int] = {}  # as fitted last
+        self._needs: dict[Column, int] = {}  # of their texts, also while they are hidden
+        self._chosen = set[Column]()  # shown or hidden by the user
         self._has_alignments = False  # of which one column is shown
         self._is_waiting = False  # to be sorted again when the editor is closed
         self.setModel(self.shown)
@@ -117,6 +120,27 @@ class DimensionTable(QTableView):
         if are_several:
             self.setColumnWidth(Column.NAME, NAME_WIDTH)
 
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Leave columns out where there is no room for them."""
+        super().resizeEvent(event)
+        self._leave_out_columns()
+
+    def _leave_out_columns(self) -> None:
+        """Hide columns until names and verdicts are in sight; those that the user chose stay as he chose."""
+        offered = [column for column in LEFT_OUT if column not in self._chosen]
+        shown = [column for column in COPIED if column is not Column.NAME and (column in offered or not self.isColumnHidden(column))]
+        excess = sum(map(self._width_for, shown)) - (self.viewport().width() - STATUS_WIDTH - LEAST_NAME_WIDTH)
+        for column in offered:
+            self.setColumnHidden(column, excess > 0)
+            excess -= self._width_for(column) if excess > 0 else 0
+
+    def _width_for(self, column: Column) -> int:
+        return self._needs.get(column, 0) if self.isColumnHidden(column) else self.columnWidth(column)
+
+    def _choose_column(self, column: Column, shown: bool) -> None:
+        self._chosen.add(column)
+        self.setColumnHidden(column, not shown)
+
     def set_filter(self, chips: frozenset[str], words: str) -> None:
         """Show some of the rows; the current one stays current if it is among them."""
         kept, current = self.selected_ids(), self._current
@@ -168,7 +192,7 @@ class DimensionTable(QTableView):
         """Open the editor of the current row in a column."""
         index = self.currentIndex().siblingAtColumn(column)
         if index.isValid() and index.flags() & Qt.ItemFlag.ItemIsEditable:
-            self.setColumnHidden(column, False)
+            self._choose_column(column, True)
             self.setCurrentIndex(index)
             self.edit(index)
 
@@ -230,7 +254,7 @@ class DimensionTable(QTableView):
         menu.addSeparator()
         for column in (one for one in COPIED if one not in (Column.NAME, Column.VERDICT)):
             action = QAction(translated(HEADERS[column]), menu, checkable=True, checked=not self.isColumnHidden(column))
-            action.toggled.connect(lambda shown, column=column: self.setColumnHidden(column, not shown))
+            action.toggled.connect(lambda shown, column=column: self._choose_column(column, shown))
             menu.addAction(action)
         return menu
 
@@ -271,10 +295,11 @@ class DimensionTable(QTableView):
                 SIGN_ROOM if column is Column.VERDICT else 0
             )
             heading = header.fontMetrics().horizontalAdvance(HEADERS[column]) + (SORT_ROOM if column is Column.VERDICT else 0)
-            wanted = max(cell, heading) + CELL_ROOM
+            wanted = self._needs[column] = max(cell, heading) + CELL_ROOM
             if self.columnWidth(column) == self._widths.get(column, self.columnWidth(column)):
                 self.setColumnWidth(column, wanted)
                 self._widths[column] = self.columnWidth(column)
+        self._leave_out_columns()
 
     def _width_of(self, row: DimensionRow, column: Column, letters: QFontMetrics) -> int:
         if column is Column.TOLERANCE and row.frame is not None:
