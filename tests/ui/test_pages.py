@@ -185,8 +185,8 @@ def test_clouds_can_be_coloured_in_every_stage(filled, drawn):
 def test_the_inspection_page_shows_value_error_and_verdict(filled):
     page = filled.pages["inspection"]
     rows = [[plain(text) for text in row] for row in page.side.table.texts()]
-    assert rows[0] == ["a", "120.000", "± 0.100", "120.021", "+0.021", "0.018", "Pass"]
-    assert rows[3] == ["d", "10.000", "± 0.100", "–", "–", "–", "Not measured"]
+    assert rows[0] == ["a", "120.000", "± 0.100", "120.021", "+0.021", "0.018", "Pass", "Best fit"]
+    assert rows[3] == ["d", "10.000", "± 0.100", "–", "–", "–", "Not measured", "Best fit"]
     shown = [chip.accessibleName() for chip in page.side.filter.buttons.values() if not chip.isHidden()]
     assert shown == ["1 fail", "1 not proven", "1 not measured", "1 pass"]
     assert [row.name for row in page.side.table.shown_rows] == ["b", "c", "d", "a"]  # the worst first
