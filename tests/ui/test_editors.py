@@ -103,7 +103,7 @@ def test_a_mesh_of_the_users_own_becomes_an_entry_of_the_list(qtbot, monkeypatch
     assert form.value().part == path
     assert form._part.currentText() == "bracket.stl"
     assert form._part.itemText(form._part.count() - 1) == OWN_MESH
-    assert demo_folder(form.value()).name.startswith("demo-bracket-half-8")
+    assert demo_folder(form.value()).name.startswith("demo-bracket-quarter-8")
 
 
 def test_a_file_choice_that_is_given_up_keeps_the_part(qtbot, monkeypatch):
