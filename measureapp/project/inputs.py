@@ -23,6 +23,7 @@ WORDS = {
     "choices": "The results were computed with other choices of views.",
     "version": "The results were computed by version {was} of MeasureApp; this is version {now}.",
 }
+SIMULATION = "simulate"  # computes nothing of results, and may be missing
 LIBRARIES = ("numpy", "numba", "scipy", "opencv-python-headless")
 OF_INSPECTION = ("program", "nominal", "choices")
 FILES = {
@@ -39,7 +40,7 @@ FILES = {
 def fingerprint() -> str:
     """Return version and checksum of the program's sources and of the libraries that it computes with: equal ones compute equal numbers."""
     root, found = Path(__file__).parent.parent, hashlib.sha256()
-    for source in sorted(root.rglob("*.py")):
+    for source in sorted(one for one in root.rglob("*.py") if SIMULATION not in one.relative_to(root).parts):
         found.update(source.relative_to(root).as_posix().encode())
         found.update(source.read_bytes())
     for library in LIBRARIES:

@@ -27,6 +27,7 @@ GAUSSIAN_RISE = 2.563  # from 10 to 90 % of an edge, over the standard deviation
 LEAST_EDGES = 100
 SCATTER = 0.12  # of the widths, half of them lie within: more is no blur of steps
 KNOWN = 0.05  # relative: by less, edges of part and board do not differ significantly
+MOST_PLACES = 30_000  # read at once: OpenCV takes fewer than 32 768 rows
 
 
 def with_blur_of_part(phase_maps: Mapping[str, PhaseMap], cameras: CameraArrayCalibration) -> CameraArrayCalibration:
@@ -102,4 +103,5 @@ def _read(image: FloatArray, column: IntArray, row: IntArray, normal: FloatArray
         return np.zeros((0, np.atleast_2d(apart).shape[1]))
     x = (column[:, None] + apart * normal[:, :1]).astype(np.float32)
     y = (row[:, None] + apart * normal[:, 1:]).astype(np.float32)
-    return np.asarray(cv2.remap(image, x, y, how))
+    starts = range(0, len(x), MOST_PLACES)
+    return np.concatenate([cv2.remap(image, x[one : one + MOST_PLACES], y[one : one + MOST_PLACES], how) for one in starts])
