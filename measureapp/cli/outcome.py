@@ -59,6 +59,10 @@ def measurement_lines(measurement: Measurement) -> list[str]:
     for placement in measurement.stitched.placements:
         if placement.verdict != "good":
             lines.append(f"  {placement.viewpoint_id}: {placement.verdict}")
+    from measureapp.data.measurement import SURROUNDINGS
+
+    if SURROUNDINGS in measurement.settings:
+        lines.append(measurement.settings[SURROUNDINGS])
     lines += [f"Calibration: {sentence}" for sentence in measurement.validity.all_warnings]
     if measurement.consistency.sentence:
         lines.append(f"Checks of the error model: {measurement.consistency.sentence}")
