@@ -18,8 +18,6 @@ from measureapp.data.setups import JoinedSetUp
 from measureapp.data.validity import Validity
 from measureapp.geometry.transform import RigidTransform
 
-SURROUNDINGS = "surroundings"  # key of the settings of a measurement: what was left out of the clouds, in a sentence
-
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ViewResult:

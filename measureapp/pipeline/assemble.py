@@ -15,9 +15,10 @@ from measureapp.calibrate.rig.stitch_uncertainty import RigUncertainty, view_unc
 from measureapp.data.calibration import RigCalibration
 from measureapp.data.cloud import StitchedCloud
 from measureapp.data.fringe import AxisReadback
-from measureapp.data.measurement import SURROUNDINGS, Inspection, Measurement, ViewResult
+from measureapp.data.measurement import Inspection, Measurement, ViewResult
 from measureapp.data.part_temperature import PartTemperature
 from measureapp.data.rig import RigDescription
+from measureapp.data.surroundings import SURROUNDINGS, SURROUNDINGS_KEPT, Surroundings
 from measureapp.data.validity import Validity
 from measureapp.data.view_choices import ViewChoices
 from measureapp.data.view_errors import CalibrationErrors
@@ -30,7 +31,7 @@ from measureapp.pipeline.events import Event, InspectionReady, StitchReady, Vali
 from measureapp.pipeline.lengths import length_scale, temperature_of
 from measureapp.pipeline.noise import describe_noise
 from measureapp.pipeline.surface import SurfaceBeside
-from measureapp.pipeline.surroundings import Surroundings, leave_out_surroundings
+from measureapp.pipeline.surroundings import leave_out_surroundings
 from measureapp.pipeline.validity import validity_of
 from measureapp.pipeline.watch import Stopwatch
 from measureapp.progress import PartOf, Progress
@@ -127,7 +128,7 @@ def assemble(
         stitched=stitched,
         mesh=mesh,
         inspection=inspection,
-        settings=_with_surroundings(_settings(project) if revision is None else revision.former.settings, surroundings),
+        settings=_with_surroundings(_settings(project) if revision is None else revision.former.settings, surroundings, choices),
         timings_s=dict(watch.seconds),
         validity=validity,
         consistency=consistency,
@@ -159,10 +160,11 @@ def _without_surroundings(
     return leave_out_surroundings(views, read_mesh(project.nominal, "nominal"), pose, calibrated, project.rig())
 
 
-def _with_surroundings(settings: Mapping[str, Any], surroundings: Surroundings) -> dict[str, Any]:
-    """Return the settings of a measurement with what was left out as surroundings, if anything was."""
+def _with_surroundings(settings: Mapping[str, Any], surroundings: Surroundings, choices: ViewChoices) -> dict[str, Any]:
+    """Return the settings of a measurement with what was left out as surroundings, or that they were kept."""
     others = {name: value for name, value in settings.items() if name != SURROUNDINGS}
-    return {**others, SURROUNDINGS: surroundings.sentence} if surroundings.sentence else others
+    said = SURROUNDINGS_KEPT if choices.keep_surroundings else surroundings.sentence
+    return {**others, SURROUNDINGS: said} if said else others
 
 
 def _stitch(

@@ -17,6 +17,7 @@ from measureapp.data.measurement import ViewResult
 from measureapp.data.mesh import Mesh
 from measureapp.data.part_pose import PartPose
 from measureapp.data.rig import RigDescription
+from measureapp.data.surroundings import ABOVE_TABLE_MM, Surroundings
 from measureapp.errors import InspectionError
 from measureapp.inspection.alignment.best_fit import best_fit
 from measureapp.inspection.measured_points import MeasuredPoints
@@ -31,32 +32,11 @@ BIN_MM, NEAR_LEVEL_MM = 0.5, 1.5  # of the heights among which the table's top i
 LEAST_TABLE_POINTS = 300
 STEEPEST_COSINE = 0.996  # 5° between a normal of the table's top and the axis
 WIDE_MM = 20.0  # standard deviation of the table's points along the narrow side, below which their plane is taken as level
-ABOVE_TABLE_MM = 1.0  # left out with the table
 AROUND_FIXTURE_MM = 0.5
 FAR_MM, FAR_SHARE = 5.0, 0.02  # distance from the nominal, and share of its diagonal, beyond which a point is not of the part
 SEEN_SHARE = 0.003  # of all points, above which the surroundings are in the picture: fewer are stray
 ALIGNED_POINTS = 60_000
 UP = np.array([0.0, 0.0, 1.0])
-KINDS = {  # in the order in which points are looked at, with how each is told
-    "background": "background",
-    "table": f"the table's top, and all within {ABOVE_TABLE_MM:g} mm above it",
-    "fixtures": "fixtures of the rig description",
-    "far": "others far from the nominal, such as clamps",
-}
-
-
-@dataclass(frozen=True, slots=True)
-class Surroundings:
-    """Numbers of points that were left out, and of all points."""
-
-    points: int = 0
-    found: tuple[tuple[str, int], ...] = ()  # by the keys of `KINDS`
-
-    @property
-    def sentence(self) -> str:
-        """What was left out, in words; empty where nothing was."""
-        told = [f"{count / self.points:.1%} {KINDS[kind]}" for kind, count in self.found if count]
-        return f"Left out of all points as surroundings of the part: {'; '.join(told)}." if told else ""
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -297,8 +297,16 @@
       <translation>图像…</translation>
     </message>
     <message>
+      <source>Keep surroundings</source>
+      <translation>保留周围物体</translation>
+    </message>
+    <message>
       <source>Kinematic</source>
       <translation>运动学</translation>
+    </message>
+    <message>
+      <source>Leave out surroundings</source>
+      <translation>去除周围物体</translation>
     </message>
     <message>
       <source>Limit of the correction</source>

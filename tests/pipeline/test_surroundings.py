@@ -13,8 +13,9 @@ from measureapp.data.cloud import CloudQuality
 from measureapp.data.measurement import ViewResult
 from measureapp.data.mesh import Mesh
 from measureapp.data.rig import RigDescription
+from measureapp.data.surroundings import ABOVE_TABLE_MM, Surroundings
 from measureapp.geometry.transform import RigidTransform
-from measureapp.pipeline.surroundings import ABOVE_TABLE_MM, FAR_MM, Surroundings, leave_out_surroundings
+from measureapp.pipeline.surroundings import FAR_MM, leave_out_surroundings
 from measureapp.planning.viewpoints import plan_around_part
 from tests.calibrate.paper_rig import RIG, Cell
 from tests.register.conftest import box, cross, seen
@@ -48,7 +49,8 @@ def scene_of(*meshes: Any) -> Any:
     scene = o3d.t.geometry.RaycastingScene()
     for mesh in meshes:
         scene.add_triangles(
-            o3d.core.Tensor(np.asarray(mesh.vertices + [0, 0, LEVEL_MM], np.float32)), o3d.core.Tensor(np.asarray(mesh.faces, np.uint32))
+            o3d.core.Tensor(np.asarray(mesh.vertices + np.array([0, 0, LEVEL_MM]), np.float32)),
+            o3d.core.Tensor(np.asarray(mesh.faces, np.uint32)),
         )
     return scene
 
