@@ -27,6 +27,12 @@ if TYPE_CHECKING:
     from measureapp.project.folder import ProjectFolder
 
 
+SurroundingsOption = Annotated[
+    Literal["keep", "leave-out"] | None,
+    typer.Option(help="Keep the points of table, fixtures and background, or leave them out, now and later.", show_default="leave-out"),
+]
+
+
 def register(app: typer.Typer) -> None:
     """Add the commands."""
 
@@ -41,12 +47,7 @@ def register(app: typer.Typer) -> None:
             list[str] | None, typer.Option(help="Use this view regardless of its quality, now and later; may be given several times.")
         ] = None,
         refuse: Annotated[list[str] | None, typer.Option(help="Do not use this view, now and later; may be given several times.")] = None,
-        surroundings: Annotated[
-            Literal["keep", "leave-out"] | None,
-            typer.Option(
-                help="Keep the points of table, fixtures and background, or leave them out, now and later.", show_default="leave-out"
-            ),
-        ] = None,
+        surroundings: SurroundingsOption = None,
         check: Annotated[
             bool,
             typer.Option(
