@@ -28,8 +28,8 @@ if TYPE_CHECKING:
 
 
 SurroundingsOption = Annotated[
-    Literal["keep", "leave-out"] | None,
-    typer.Option(help="Keep the points of table, fixtures and background, or leave them out, now and later.", show_default="leave-out"),
+    Literal["keep", "exclude"] | None,
+    typer.Option(help="Keep the points of table, fixtures and background, or exclude them, now and later.", show_default="exclude"),
 ]
 
 

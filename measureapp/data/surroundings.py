@@ -1,4 +1,4 @@
-"""What was left out of the clouds of a measurement because it is not of the part, in numbers and words."""
+"""Points excluded from the clouds of a measurement because they are not of the part, in numbers and words."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 SURROUNDINGS = "surroundings"  # key of the settings of a measurement, under which the sentence is kept
 SURROUNDINGS_KEPT = "Points of table, fixtures and background were kept, by choice."
-ABOVE_TABLE_MM = 1.0  # left out with the table
+ABOVE_TABLE_MM = 1.0  # excluded with the table
 KINDS = {  # in the order in which points are looked at, with how each is told
     "background": "background",
     "table": f"the table's top, and all within {ABOVE_TABLE_MM:g} mm above it",
@@ -17,13 +17,13 @@ KINDS = {  # in the order in which points are looked at, with how each is told
 
 @dataclass(frozen=True, slots=True)
 class Surroundings:
-    """Numbers of points that were left out, and of all points."""
+    """Numbers of points that were excluded, and of all points."""
 
     points: int = 0
     found: tuple[tuple[str, int], ...] = ()  # by the keys of `KINDS`
 
     @property
     def sentence(self) -> str:
-        """What was left out, in words; empty where nothing was."""
+        """What was excluded, in words; empty where nothing was."""
         told = [f"{count / self.points:.1%} {KINDS[kind]}" for kind, count in self.found if count]
-        return f"Left out of all points as surroundings of the part: {'; '.join(told)}." if told else ""
+        return f"Excluded as surroundings of the part, of all points: {'; '.join(told)}." if told else ""

@@ -31,7 +31,7 @@ from measureapp.pipeline.events import Event, InspectionReady, StitchReady, Vali
 from measureapp.pipeline.lengths import length_scale, temperature_of
 from measureapp.pipeline.noise import describe_noise
 from measureapp.pipeline.surface import SurfaceBeside
-from measureapp.pipeline.surroundings import leave_out_surroundings
+from measureapp.pipeline.surroundings import exclude_surroundings
 from measureapp.pipeline.validity import validity_of
 from measureapp.pipeline.watch import Stopwatch
 from measureapp.progress import PartOf, Progress
@@ -157,11 +157,11 @@ def _without_surroundings(
         return views, Surroundings()
     plan = project.plan()
     pose = None if plan is None else plan.part_pose
-    return leave_out_surroundings(views, read_mesh(project.nominal, "nominal"), pose, calibrated, project.rig())
+    return exclude_surroundings(views, read_mesh(project.nominal, "nominal"), pose, calibrated, project.rig())
 
 
 def _with_surroundings(settings: Mapping[str, Any], surroundings: Surroundings, choices: ViewChoices) -> dict[str, Any]:
-    """Return the settings of a measurement with what was left out as surroundings, or that they were kept."""
+    """Return the settings of a measurement with what was excluded as surroundings, or that they were kept."""
     others = {name: value for name, value in settings.items() if name != SURROUNDINGS}
     said = SURROUNDINGS_KEPT if choices.keep_surroundings else surroundings.sentence
     return {**others, SURROUNDINGS: said} if said else others

@@ -19,7 +19,7 @@ from measureapp.inspection.surface.deviation import signed_distances
 from measureapp.inspection.surface.nominal import NominalSurface
 from measureapp.pipeline.events import Event, PartElsewhere, ViewReady
 from measureapp.pipeline.part_on_table import assumed_pose
-from measureapp.pipeline.surroundings import leave_out_surroundings
+from measureapp.pipeline.surroundings import exclude_surroundings
 from measureapp.project.folder import ProjectFolder
 from measureapp.project.geometry.files import read_mesh
 
@@ -64,7 +64,7 @@ def displacement(view: ViewResult, nominal: Mesh, pose: PartPose | None, calibra
     """
     surface = NominalSurface(nominal)
     assumed = assumed_pose(nominal, pose, calibration, rig)
-    view = leave_out_surroundings([view], nominal, pose, calibration, rig)[0][0]
+    view = exclude_surroundings([view], nominal, pose, calibration, rig)[0][0]
     cloud = view.cloud.seen_from(view.part_from_camera)
     some = assumed.inverse().apply(cloud.points_mm[:: max(1, len(cloud) // POINTS)])
     off_mm = float(np.median(np.abs(signed_distances(some, surface))))

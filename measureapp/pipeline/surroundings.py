@@ -1,4 +1,4 @@
-"""Table, fixtures and background in the clouds: what cameras see beside the part is left out before views are laid onto each other.
+"""Table, fixtures and background in the clouds: what cameras see beside the part is excluded before views are laid onto each other.
 
 What stands still while the table turns would pull the views apart, and what turns with it would be measured as if it were the part.
 """
@@ -95,13 +95,13 @@ class PartRoom:
         return np.asarray(np.linalg.lstsq(design, seen[:, 2], rcond=None)[0])
 
 
-def leave_out_surroundings(
+def exclude_surroundings(
     views: Sequence[ViewResult], nominal: Mesh, pose: PartPose | None, calibration: RigCalibration, rig: RigDescription
 ) -> tuple[list[ViewResult], Surroundings]:
-    """Return the views without points of table, fixtures and background, and what was left out.
+    """Return the views without points of table, fixtures and background, and what was excluded.
 
     Background is what lies outside of a generous room around the part as it should stand. The plane of the table's top is found where
-    points beside the part show it. Only where the surroundings are in the picture, points far from the nominal are left out too, after a
+    points beside the part show it. Only where the surroundings are in the picture, points far from the nominal are excluded too, after a
     best fit: on a part by itself they are deviations.
 
     Parameters

@@ -233,6 +233,10 @@
       <translation>每个视点产生一片点云，配准使其对齐。演示在一两分钟内生成若干点云。</translation>
     </message>
     <message>
+      <source>Exclude surroundings</source>
+      <translation>去除周围物体</translation>
+    </message>
+    <message>
       <source>Exclude this view</source>
       <translation>排除此视图</translation>
     </message>
@@ -303,10 +307,6 @@
     <message>
       <source>Kinematic</source>
       <translation>运动学</translation>
-    </message>
-    <message>
-      <source>Leave out surroundings</source>
-      <translation>去除周围物体</translation>
     </message>
     <message>
       <source>Limit of the correction</source>

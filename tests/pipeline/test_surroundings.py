@@ -1,4 +1,4 @@
-"""Table, fixtures and background are left out of the clouds; nothing of the part is, and a part by itself stays as it is."""
+"""Table, fixtures and background are excluded from the clouds; nothing of the part is, and a part by itself stays as it is."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from measureapp.data.mesh import Mesh
 from measureapp.data.rig import RigDescription
 from measureapp.data.surroundings import ABOVE_TABLE_MM, Surroundings
 from measureapp.geometry.transform import RigidTransform
-from measureapp.pipeline.surroundings import FAR_MM, leave_out_surroundings
+from measureapp.pipeline.surroundings import FAR_MM, exclude_surroundings
 from measureapp.planning.viewpoints import plan_around_part
 from tests.calibrate.paper_rig import RIG, Cell
 from tests.register.conftest import box, cross, seen
@@ -89,19 +89,19 @@ def heights_mm(views: list[ViewResult]) -> np.ndarray:
 
 def test_a_part_by_itself_stays_as_it_is(cell: Cell, calibration: RigCalibration, nominal: Mesh) -> None:
     views = views_of(cell, cross())
-    kept, found = leave_out_surroundings(views, nominal, None, calibration, RIG)
+    kept, found = exclude_surroundings(views, nominal, None, calibration, RIG)
     assert all(one is other for one, other in zip(kept, views, strict=True))
     assert found == Surroundings() and found.sentence == ""
 
 
 def test_a_defect_of_a_part_by_itself_stays(cell: Cell, calibration: RigCalibration, nominal: Mesh) -> None:
     views = views_of(cell, cross(), box((20.0, 20.0, 12.0), (50.0, 0.0, 56.0)))  # 12 mm too much on one arm
-    kept, _ = leave_out_surroundings(views, nominal, None, calibration, RIG)
+    kept, _ = exclude_surroundings(views, nominal, None, calibration, RIG)
     assert all(one is other for one, other in zip(kept, views, strict=True))
 
 
 @pytest.mark.parametrize("moved_mm", [(0.0, 0.0), (15.0, -10.0)])
-def test_table_and_clamps_are_left_out_and_nothing_of_the_part(
+def test_table_and_clamps_are_excluded_and_nothing_of_the_part(
     cell: Cell, calibration: RigCalibration, nominal: Mesh, moved_mm: tuple[float, float]
 ) -> None:
     part = cross()
@@ -110,7 +110,7 @@ def test_table_and_clamps_are_left_out_and_nothing_of_the_part(
     for one in holding:
         one.apply_translation([*moved_mm, 0.0])
     views = views_of(cell, part, table_top(), *holding)
-    kept, found = leave_out_surroundings(views, nominal, None, calibration, RIG)
+    kept, found = exclude_surroundings(views, nominal, None, calibration, RIG)
     before, after = distances_mm(views, part), distances_mm(kept, part)
     assert np.mean(before > FAR_MM) > 0.3  # most of the picture is not the part
     assert np.mean(after > FAR_MM + 1.0) == 0.0
@@ -124,18 +124,18 @@ def test_table_and_clamps_are_left_out_and_nothing_of_the_part(
 def test_what_stands_behind_the_table_is_background(cell: Cell, calibration: RigCalibration, nominal: Mesh) -> None:
     wall = box((10.0, 900.0, 600.0), (320.0, 0.0, 100.0))
     views = views_of(cell, cross(), wall)
-    kept, found = leave_out_surroundings(views, nominal, None, calibration, RIG)
+    kept, found = exclude_surroundings(views, nominal, None, calibration, RIG)
     assert dict(found.found)["background"] > 0
     assert distances_mm(kept, cross()).max() < 2.0
 
 
-def test_a_described_fixture_is_left_out_even_where_it_touches_the_part(cell: Cell, calibration: RigCalibration, nominal: Mesh) -> None:
+def test_a_described_fixture_is_excluded_even_where_it_touches_the_part(cell: Cell, calibration: RigCalibration, nominal: Mesh) -> None:
     low, high = (60.2, -7.0, 0.0), (74.2, 7.0, 22.0)
     fixture = Fixture(name="stop", low_mm=low, high_mm=high, on_table=True)
     described: RigDescription = RIG.model_copy(update={"cell": RIG.cell.model_copy(update={"fixtures": (fixture,)})})
     views = views_of(cell, cross(), box(CLAMP, (67.2, 0.0, 11.0)))
-    kept, found = leave_out_surroundings(views, nominal, None, calibration, described)
+    kept, found = exclude_surroundings(views, nominal, None, calibration, described)
     assert dict(found.found)["fixtures"] > 100
     assert np.quantile(distances_mm(kept, cross()), 0.999) < 1.0
-    without, _ = leave_out_surroundings(views, nominal, None, calibration, RIG)
+    without, _ = exclude_surroundings(views, nominal, None, calibration, RIG)
     assert np.quantile(distances_mm(without, cross()), 0.999) > 5.0

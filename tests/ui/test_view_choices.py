@@ -66,7 +66,7 @@ def test_a_choice_that_fails_changes_nothing_and_says_why(application, window, k
     assert not page.undo.isVisible()
 
 
-def test_what_was_left_out_around_the_part_can_be_kept_and_left_out_again(application, window, kept, measurement, qtbot):
+def test_what_was_excluded_around_the_part_can_be_kept_and_excluded_again(application, window, kept, measurement, qtbot):
     page, session = window.pages["clouds"], application.session
     assert not page.surroundings.isVisible()
     said = Surroundings(1000, (("table", 400),)).sentence
@@ -77,7 +77,7 @@ def test_what_was_left_out_around_the_part_can_be_kept_and_left_out_again(applic
     settled(application, qtbot)
     assert kept.choices == ViewChoices(keep_surroundings=True)
     session.set_measurement(replace(measurement, settings={SURROUNDINGS: SURROUNDINGS_KEPT}), {})
-    assert page.surroundings.text().strip() == "Leave out surroundings"
+    assert page.surroundings.text().strip() == "Exclude surroundings"
     page.surroundings.click()
     settled(application, qtbot)
     assert kept.choices == ViewChoices()

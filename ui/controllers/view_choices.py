@@ -51,7 +51,7 @@ class ViewChoicesController(QObject):
 
     @Slot(bool)
     def keep_surroundings(self, keep: bool) -> None:
-        """Keep the points of table, fixtures and background in the clouds, or leave them out."""
+        """Keep the points of table, fixtures and background in the clouds, or exclude them."""
         folder = self._session.folder
         if folder is not None and self.can_choose:
             self._runner.run(TITLE, lambda job: restitch_with_surroundings(folder, job, keep=keep), self._keep)

@@ -153,12 +153,12 @@ class CloudsPage(ViewportPage):
         self.undo.setToolTip(translated(next((words for possible, words in steps if possible), UNDO_CHOICE)))
 
     def _show_surroundings(self) -> None:
-        """Offer to keep what was left out around the part, or to leave out what was kept; nothing where nothing was seen."""
+        """Offer to keep what was excluded around the part, or to exclude what was kept; nothing where nothing was seen."""
         measurement = self.session.measurement
         said = "" if measurement is None else measurement.settings.get(SURROUNDINGS, "")
         self._surroundings_kept = said == SURROUNDINGS_KEPT
         self.surroundings.setVisible(bool(said) and self.controllers.view_choices.can_choose)
-        words = "Leave out surroundings" if self._surroundings_kept else "Keep surroundings"
+        words = "Exclude surroundings" if self._surroundings_kept else "Keep surroundings"
         self.surroundings.setText(f"\u2009{translated(words)}")
         self.surroundings.setToolTip(translated(said))
 
