@@ -13603,8 +13603,8 @@ There is no page about “{name}”.</source>
       <translation>将日志、设置和版本保存到一个文件；不含秘密</translation>
     </message>
     <message>
-      <source>Seed of the rig</source>
-      <translation>测量系统的种子</translation>
+      <source>Seed</source>
+      <translation>种子</translation>
     </message>
     <message>
       <source>Seen to</source>
@@ -14110,6 +14110,10 @@ Click to see all messages.</source>
     <message>
       <source>See the result</source>
       <translation>查看结果</translation>
+    </message>
+    <message>
+      <source>Seed of the rig</source>
+      <translation>测量系统的种子</translation>
     </message>
     <message>
       <source>Set up</source>

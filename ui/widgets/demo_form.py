@@ -13,7 +13,7 @@ from ui.look.demo_settings import DemoSettings, Resolution
 from ui.look.language.words import tr, translated
 from ui.look.pattern_words import PATTERN_WORDS
 from ui.settings.dialogs import choose_file
-from ui.widgets.basic import Form, label
+from ui.widgets.basic import Form, label, row
 from ui.widgets.segments import Segments
 
 PARTS = {"gypsum": "Gypsum cross", "impeller": "Impeller", "gear": "Gear", "sphere_plate": "Sphere plate", "flat": "Flat plate"}
@@ -59,6 +59,7 @@ class DemoForm(QWidget):
             self._rig.addItem(translated(words), name)
             self._rig.setItemData(self._rig.count() - 1, line, Qt.ItemDataRole.ToolTipRole)
         self._rig.setToolTip(tr("How well the virtual rig and the part are made; uncertainties and verdicts follow from it"))
+        self._seed.setPrefix(f"{tr('Seed')} ")
         self._seed.setToolTip(tr("The seed determines the hidden errors of robot, guide, table and lenses"))
         form = Form(self)
         for words, editor in (
@@ -66,11 +67,10 @@ class DemoForm(QWidget):
             ("Resolution", self._resolution),
             ("Viewpoints", self._viewpoints),
             ("Patterns", self._patterns),
-            ("Virtual rig", self._rig),
-            ("Seed of the rig", self._seed),
+            ("Virtual rig", row(self._rig, self._seed)),
         ):
             form.add(words, editor)
-        form.insertRow(form.rowCount() - 2, "", self._pattern_line)
+        form.insertRow(form.rowCount() - 1, "", self._pattern_line)
         self.setValue(DemoSettings())
         self._part.activated.connect(self._on_part)
         self._part.currentIndexChanged.connect(self._tell)
