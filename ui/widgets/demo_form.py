@@ -59,15 +59,16 @@ class DemoForm(QWidget):
             self._rig.addItem(translated(words), name)
             self._rig.setItemData(self._rig.count() - 1, line, Qt.ItemDataRole.ToolTipRole)
         self._rig.setToolTip(tr("How well the virtual rig and the part are made; uncertainties and verdicts follow from it"))
-        self._seed.setPrefix(f"{tr('Seed')} ")
         self._seed.setToolTip(tr("The seed determines the hidden errors of robot, guide, table and lenses"))
+        rig = row(self._rig, label("Seed", "field"), self._seed)
+        rig.setStretch(0, 1)
         form = Form(self)
         for words, editor in (
             ("Part", self._part),
             ("Resolution", self._resolution),
             ("Viewpoints", self._viewpoints),
             ("Patterns", self._patterns),
-            ("Virtual rig", row(self._rig, self._seed)),
+            ("Virtual rig", rig),
         ):
             form.add(words, editor)
         form.insertRow(form.rowCount() - 1, "", self._pattern_line)
