@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -13,10 +15,13 @@ from measureapp.data.cloud import CloudQuality
 from measureapp.data.measurement import ViewResult
 from measureapp.data.mesh import Mesh
 from measureapp.data.rig import RigDescription
-from measureapp.data.surroundings import ABOVE_TABLE_MM, Surroundings
+from measureapp.data.surroundings import ABOVE_TABLE_MM, SURROUNDINGS, SURROUNDINGS_KEPT, Surroundings
+from measureapp.data.view_choices import ViewChoices
 from measureapp.geometry.transform import RigidTransform
+from measureapp.pipeline.assemble import _with_surroundings, _without_surroundings
 from measureapp.pipeline.surroundings import FAR_MM, exclude_surroundings
 from measureapp.planning.viewpoints import plan_around_part
+from measureapp.project.geometry.files import write_mesh
 from tests.calibrate.paper_rig import RIG, Cell
 from tests.register.conftest import box, cross, seen
 
@@ -139,3 +144,20 @@ def test_a_described_fixture_is_excluded_even_where_it_touches_the_part(cell: Ce
     assert np.quantile(distances_mm(kept, cross()), 0.999) < 1.0
     without, _ = exclude_surroundings(views, nominal, None, calibration, RIG)
     assert np.quantile(distances_mm(without, cross()), 0.999) > 5.0
+
+
+def test_the_user_may_keep_the_surroundings_and_is_told_either_way(
+    cell: Cell, calibration: RigCalibration, nominal: Mesh, tmp_path: Path
+) -> None:
+    path = tmp_path / "nominal.stl"
+    write_mesh(path, nominal)
+    project = SimpleNamespace(nominal=path, plan=lambda: None, rig=lambda: RIG)
+    views = views_of(cell, cross(), table_top())
+    without, found = _without_surroundings(project, calibration, views, ViewChoices())
+    assert sum(len(view.cloud) for view in without) < 0.6 * sum(len(view.cloud) for view in views)
+    kept, nothing = _without_surroundings(project, calibration, views, ViewChoices(keep_surroundings=True))
+    assert kept is views
+    former = {"patterns": "three-close", SURROUNDINGS: "of a former choice"}
+    assert _with_surroundings(former, found, ViewChoices()) == {"patterns": "three-close", SURROUNDINGS: found.sentence}
+    assert _with_surroundings(former, nothing, ViewChoices(keep_surroundings=True))[SURROUNDINGS] == SURROUNDINGS_KEPT
+    assert _with_surroundings(former, nothing, ViewChoices()) == {"patterns": "three-close"}
