@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Literal
 
 from measureapp.acquire.events import AcquisitionEvent
 from measureapp.data.calibration import RigCalibration
@@ -43,6 +44,13 @@ class CloudsKept:
     count: int
     of: int  # viewpoints that are stored
     placed_anew: bool  # the axes are calibrated differently now, so that the clouds lie elsewhere on the part
+
+
+@dataclass(frozen=True, slots=True)
+class ResultKept:
+    """A result is the former one, which would come out again."""
+
+    what: Literal["calibration", "stitched"]  # the stitched cloud, and its surface
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,6 +104,7 @@ ProcessingEvent = (
     | CalibrationReady
     | ViewReady
     | CloudsKept
+    | ResultKept
     | ViewFailed
     | PartElsewhere
     | StitchReady

@@ -21,6 +21,7 @@ from measureapp.errors import CalibrationError, DeviceError, InputError
 from measureapp.pipeline.calibrate import SolvedViews, solve_views
 from measureapp.pipeline.connecting import connected
 from measureapp.pipeline.events import CalibrationReady, Event
+from measureapp.pipeline.kept_results import calibration_made_from
 from measureapp.pipeline.watch import Stopwatch
 from measureapp.planning.calibration_views import calibration_viewpoints
 from measureapp.planning.collision.build import PartSolid
@@ -172,7 +173,8 @@ def _of_images(on_event: OnEvent) -> OnEvent:
 def solve_calibration(project: ProjectFolder, on_event: OnEvent, progress: Progress, watch: Stopwatch) -> SolvedViews:
     """Calibrate the rig from the stored images of the board; raises CalibrationError when they do not suffice."""
     with watch.stage("calibration"):
+        made_from = calibration_made_from(project)
         solved = solve_views(project.board_views(), project.settings.board, project.rig(), progress)
-        project.save_calibration(solved.solution.calibration, uncertainty_of(solved.solution))
+        project.save_calibration(solved.solution.calibration, uncertainty_of(solved.solution), made_from)
     on_event(CalibrationReady(solved.solution.calibration))
     return solved

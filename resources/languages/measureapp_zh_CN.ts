@@ -1676,6 +1676,14 @@
       <translation>从 {before} 个点中去除了 {counted} 个。</translation>
     </message>
     <message>
+      <source>The calibration is kept: it would come out as it is.</source>
+      <translation>保留标定：重新计算的结果不会改变。</translation>
+    </message>
+    <message>
+      <source>The stitched cloud is kept: it would come out as it is.</source>
+      <translation>保留拼接点云：重新计算的结果不会改变。</translation>
+    </message>
+    <message>
       <source>{count} of {of} clouds kept as they were.</source>
       <translation>保留 {count}/{of} 个点云，未作改动。</translation>
     </message>

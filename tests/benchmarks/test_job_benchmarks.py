@@ -66,7 +66,7 @@ def _processor_s() -> float:
 
 @pytest.fixture(scope="module")
 def project(tmp_path_factory: pytest.TempPathFactory) -> ProjectFolder:
-    """The measured project, without its results: what they were computed from would be recognised, and kept."""
+    """The measured project, without calibration and results: what would come out as it is would be kept."""
     place = tmp_path_factory.mktemp("job")
     made = Path(os.environ.get("MEASUREAPP_JOB_PROJECT", place / "demo"))
     if not made.is_dir():
@@ -74,6 +74,8 @@ def project(tmp_path_factory: pytest.TempPathFactory) -> ProjectFolder:
         assert (made / "results" / "measurement.json").is_file(), done.stderr
     copy = linked_copy(made, place / "copy")
     shutil.rmtree(copy / "results")
+    for name in ("cameras.json", "rig.json"):
+        (copy / "calibration" / name).unlink()
     return ProjectFolder.open(copy)
 
 

@@ -133,6 +133,12 @@ class RunEvents(QObject):
                     if event.placed_anew
                     else tr("{count} of {of} clouds kept as they were.", count=event.count, of=event.of)
                 )
+            case e.ResultKept():
+                session.tell(
+                    tr("The calibration is kept: it would come out as it is.")
+                    if event.what == "calibration"
+                    else tr("The stitched cloud is kept: it would come out as it is.")
+                )
             case e.ViewReady():
                 session.add_view(event.view)
             case e.ViewFailed():
