@@ -54,6 +54,16 @@ class ResultKept:
 
 
 @dataclass(frozen=True, slots=True)
+class MemoryShort:
+    """The board is searched for in fewer images at a time than usual, so that the memory suffices."""
+
+    threads: int
+    usual: int
+    needed_gib: float  # by as many as usual
+    available_gib: float
+
+
+@dataclass(frozen=True, slots=True)
 class ViewFailed:
     """The stored images of a viewpoint yield no cloud, with the reason."""
 
@@ -105,6 +115,7 @@ ProcessingEvent = (
     | ViewReady
     | CloudsKept
     | ResultKept
+    | MemoryShort
     | ViewFailed
     | PartElsewhere
     | StitchReady

@@ -161,9 +161,9 @@ class ProjectFolder:
         self.journal.check(*folder.glob("*/*"))
         return board_views.load_all(folder)
 
-    def has_board_views(self) -> bool:
-        """Whether images of the board are stored; none is read."""
-        return bool(board_views.list_stored(self.path / "calibration" / "views"))
+    def board_view_count(self) -> int:
+        """Return how many views of the board are stored; none is read."""
+        return len(board_views.list_stored(self.path / "calibration" / "views"))
 
     def save_calibration(self, calibration: RigCalibration, uncertainty: RigUncertainty | None = None, made_from: str = "") -> None:
         """Store the calibration of the rig and, if known, its uncertainty and what it was solved from; a former one is archived."""
