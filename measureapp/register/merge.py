@@ -73,12 +73,13 @@ def merge(
     numbers = list(views) if views is not None else list(range(len(clouds)))
     sums = VoxelSums(WIDTH)
     parts: list[tuple[IntArray, FloatArray]] = []
-    placed = list(zip(clouds, poses or [None] * len(clouds), origins_mm, strict=True))
+    places: Sequence[RigidTransform | None] = poses or [None] * len(clouds)
+    placed = list(zip(clouds, places, origins_mm, strict=True))
     at_once = os.cpu_count() or 1  # limits the memory for sums waiting to be added
     with ThreadPoolExecutor(at_once) as pool:
         for start in range(0, len(placed), at_once):
             progress.report(start, len(placed), "merging")
-            for keys, rows in pool.map(lambda one: _sum_cloud(*one, voxel_mm), placed[start : start + at_once]):
+            for keys, rows in pool.map(lambda one: _sum_cloud(one[0], one[1], one[2], voxel_mm), placed[start : start + at_once]):
                 sums.add(keys, rows)
                 parts.append((keys, rows[:, WEIGHT].astype(np.float32)))
     keys, rows = sums.sorted()
