@@ -112,8 +112,8 @@ def test_a_calibration_that_is_kept_equals_the_one_solved_from_the_images(projec
 
 def another_tolerance(project: ProjectFolder) -> None:
     text = project.program_text(has_nominal=True)
-    assert "tolerance" in text
-    project.save_program(text.replace("tolerance = 0.", "tolerance = 0.9"))
+    assert "nominal = 180\n" in text
+    project.save_program(text.replace("nominal = 180\n", "nominal = 180\ntolerance = 0.9\n"))
 
 
 def a_refused_view(project: ProjectFolder) -> None:
