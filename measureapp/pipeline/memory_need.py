@@ -17,7 +17,7 @@ PROGRAM_BYTES = 500_000_000  # with its libraries and compiled kernels
 DETECTION_BYTES = 120  # of a pixel of the two images that a thread searches for the board
 VIEW_BYTES = 130  # of a pixel of each camera of the view that is decoded, matched and cleaned
 CLOUD_BYTES = 53  # of a point, which stays
-STITCHING_BYTES = 250  # of a point, while clouds are registered and merged, and the part is inspected
+STITCHING_BYTES = 300  # of a point, while clouds are registered, merged and checked with the error model, and the part is inspected
 SAMPLED_VIEWS, ROWS, COLUMNS = 3, 16, 4  # of views, and of rows and columns of their images, lit pixels are counted
 LIT = 0.04  # of saturation: a pixel that changes by so much from pattern to pattern may become a point
 
