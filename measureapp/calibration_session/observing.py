@@ -67,8 +67,14 @@ class Observed:
         return explain_by_refused(error, [(f"{one.id} ({one.camera})", one.reason) for one in self.refused if one.id in without])
 
 
-def observe(positions: Sequence[Position], board: BoardDescription, cameras: CameraArrayCalibration | None, progress: Progress) -> Observed:
-    """Detect the board in the images of all positions; known cameras identify ambiguous parts of it.
+def observe(
+    positions: Sequence[Position],
+    board: BoardDescription,
+    cameras: CameraArrayCalibration | None,
+    progress: Progress,
+    threads: int = DETECTION_THREADS,
+) -> Observed:
+    """Detect the board in the images of all positions, ``threads`` of them at a time; known cameras identify ambiguous parts of it.
 
     Raises
     ------
@@ -76,7 +82,7 @@ def observe(positions: Sequence[Position], board: BoardDescription, cameras: Cam
         An image cannot be read.
     """
     found: dict[str, Detection] = {}
-    with ThreadPoolExecutor(DETECTION_THREADS) as pool:
+    with ThreadPoolExecutor(threads) as pool:
         pending = [pool.submit(_detect, position, board) for position in positions]
         try:
             for number, (position, future) in enumerate(zip(positions, pending, strict=True)):

@@ -13,6 +13,8 @@ from typing import TYPE_CHECKING, Any
 from uuid import uuid4
 
 from measureapp.errors import InputError, StorageError
+from measureapp.memory import GIB, available_bytes
+from measureapp.progress import NoProgress, Progress
 from measureapp.project.inputs import fingerprint
 
 if TYPE_CHECKING:
@@ -30,13 +32,18 @@ EXTRA = "Install it with: pip install 'measureapp[cluster]'."
 
 
 @contextmanager
-def connected_cluster(address: str) -> Iterator[Client]:
-    """Connect to the scheduler at ``address``, or start one process per processor of this computer for "local".
+def connected_cluster(address: str, needed_bytes: int, progress: Progress = NoProgress()) -> Iterator[Client]:  # noqa: B008 - stateless
+    """Connect to the scheduler at ``address``, or start processes on this computer for "local": one per processor, if their memory suffices.
+
+    Parameters
+    ----------
+    needed_bytes : memory of the largest task
+    progress : told where memory allows fewer processes than there are processors
 
     Raises
     ------
     InputError
-        Dask distributed is not installed, nothing answers, or there is no worker.
+        Dask distributed is not installed, nothing answers, there is no worker, or the memory does not hold one task.
     """
     try:
         import dask
@@ -44,10 +51,15 @@ def connected_cluster(address: str) -> Iterator[Client]:
     except ImportError as error:
         raise InputError("Dask distributed is not installed.", EXTRA) from error
     if address == LOCAL:
-        count = max(1, len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1)
+        processors, available = processor_count(), available_bytes()
+        count = local_workers(processors, needed_bytes, available)
+        if count < processors:
+            progress.report(0, 1, f"{count} of {processors} processors: a task needs {_gib(needed_bytes)}, {_gib(available)} are available")
         with (
             dask.config.set({"distributed.nanny.pre-spawn-environ": WORKER_ENVIRONMENT}),
-            distributed.LocalCluster(n_workers=count, threads_per_worker=1, dashboard_address=None) as cluster,
+            distributed.LocalCluster(
+                n_workers=count, threads_per_worker=1, memory_limit=available // count, dashboard_address=None
+            ) as cluster,
             distributed.Client(cluster) as client,
         ):
             yield client
@@ -64,6 +76,25 @@ def connected_cluster(address: str) -> Iterator[Client]:
         except TimeoutError as error:
             raise InputError(f"The cluster at {address} has no worker.", f"Start some with: dask worker {address}") from error
         yield client
+
+
+def processor_count() -> int:
+    """Return how many processors this program may use."""
+    return max(1, len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1)
+
+
+def local_workers(processors: int, needed_bytes: int, available: int) -> int:
+    """Return how many processes the memory allows, at most one per processor. Raises InputError where it does not hold one task."""
+    if needed_bytes > available:
+        raise InputError(
+            f"A task needs about {_gib(needed_bytes)} of memory, and {_gib(available)} are available.",
+            "Close other programs, raise the memory limit of the container, or use a computer with more memory.",
+        )
+    return min(processors, available // needed_bytes)
+
+
+def _gib(size: int) -> str:
+    return f"{size / GIB:.1f} GiB"
 
 
 def check_cluster(client: Client, folders: Sequence[Path], needed_bytes: int) -> None:

@@ -59,7 +59,7 @@ def run_on_cluster(jobs: Sequence[Job], address: str, on_finished: OnFinished, p
         From ``progress``; tasks under way end by themselves, nothing else is begun.
     """
     needed = max(PROGRAM_BYTES + round(STACKS_IN_MEMORY * _largest_stack(job)) for job in jobs)
-    with connected_cluster(address) as client:
+    with connected_cluster(address, needed, progress) as client:
         check_cluster(client, [job.folder if isinstance(job, ProcessJob) else job.folder.parent for job in jobs], needed)
         submitted = {job.name: (job, *_submit(client, job)) for job in jobs}
         tasks = [task for _, _, all_tasks in submitted.values() for task in all_tasks]

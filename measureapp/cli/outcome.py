@@ -19,7 +19,7 @@ MARK = {Verdict.PASS: "✓", Verdict.FAIL: "✗", Verdict.NOT_PROVEN: "?", Verdi
 def report_event(event: Event) -> None:
     """Print failed views, a missing surface, chosen exposures and warnings to standard error."""
     from measureapp.acquire.events import ViewpointFailed, ViewpointRetaken
-    from measureapp.pipeline.events import CloudsKept, ExposuresChosen, SurfaceFailed, ValidityKnown, ViewFailed
+    from measureapp.pipeline.events import CloudsKept, ExposuresChosen, MemoryShort, ResultKept, SurfaceFailed, ValidityKnown, ViewFailed
 
     if isinstance(event, ViewpointFailed | ViewFailed):
         say(f"{event.viewpoint_id}: {event.reason}")
@@ -27,6 +27,13 @@ def report_event(event: Event) -> None:
         say(f"{event.viewpoint_id}: taken again. {event.reason}")
     elif isinstance(event, CloudsKept):
         say(f"{event.count} of {event.of} clouds kept, {'placed anew' if event.placed_anew else 'as they were'}.")
+    elif isinstance(event, ResultKept):
+        say("Calibration kept, as it was." if event.what == "calibration" else "Stitched cloud kept, as it was.")
+    elif isinstance(event, MemoryShort):
+        say(
+            f"{event.threads} thread in place of {event.usual} detects the board: these would need about {event.needed_gib:.1f} GiB of memory, "
+            f"and {event.available_gib:.1f} GiB are available."
+        )
     elif isinstance(event, SurfaceFailed):
         say(f"No surface: {event.reason} {event.remedy}")
     elif isinstance(event, ExposuresChosen):

@@ -88,4 +88,5 @@ class Measurement:
     timings_s: Mapping[str, float] = field(default_factory=dict)
     validity: Validity = field(default_factory=Validity)  # of the calibration, for these images
     consistency: Consistency = field(default_factory=Consistency)  # with its error model
+    stitched_from: str = ""  # hash of everything the stitched cloud was computed from; empty if unknown
     setups: tuple[JoinedSetUp, ...] = ()  # of a measurement that is joined from several; the calibration is that of the first one

@@ -27,7 +27,8 @@ from measureapp.inspection.settings import InspectionSettings, UncertaintySettin
 from measureapp.pipeline.axes_check import without_contradictions
 from measureapp.pipeline.chosen_views import add_refused, select_views
 from measureapp.pipeline.consistency.check import check_consistency, with_unexplained
-from measureapp.pipeline.events import Event, InspectionReady, StitchReady, ValidityKnown
+from measureapp.pipeline.events import Event, InspectionReady, ResultKept, StitchReady, ValidityKnown
+from measureapp.pipeline.kept_results import StitchedViews, kept_stitched, stitched_made_from
 from measureapp.pipeline.lengths import length_scale, temperature_of
 from measureapp.pipeline.noise import describe_noise
 from measureapp.pipeline.surface import SurfaceBeside
@@ -81,6 +82,7 @@ def assemble(
     watch: Stopwatch,
     registration_cache: RegistrationCache | None = None,
     revision: Revision | None = None,
+    former: Measurement | None = None,
 ) -> Measurement:
     """Stitch the clouds of all views, compute the surface, evaluate the dimensions and store everything.
 
@@ -88,6 +90,7 @@ def assemble(
     ----------
     registration_cache : registration results prepared while the views were taken
     revision : measurement with the same clouds and its new view choices; None: the choices stored in the project, all else determined anew
+    former : the last results, whose stitched cloud and surface are kept where they would come out as they are
 
     Raises
     ------
@@ -98,22 +101,21 @@ def assemble(
     if validity is None:
         validity = validity_of(project, calibrated, views)
         on_event(ValidityKnown(validity))
-    views = without_contradictions(views, calibrated) if revision is None else views
     choices = project.view_choices() if revision is None else revision.choices
-    good = _require_usable(views, choices, validity)
-    with watch.stage("surroundings"):
-        part, surroundings = _without_surroundings(project, calibrated, good, choices)
-    with watch.stage("stitching"):
-        stitched = _stitch(project, calibrated, part, choices, PartOf(progress, 0.0, 0.5), registration_cache)
-        validity = replace(validity, axes=stitched.axis_doubt)
-    with watch.stage("checks"):
-        consistency = check_consistency(part, stitched)
-        stitched = add_refused(with_unexplained(stitched, consistency), views, choices)
-    on_event(StitchReady(stitched))
-    with SurfaceBeside(stitched) as surface:
+    made_from = stitched_made_from(project, calibrated, views, choices, _approaches(project, views))
+    joined = kept_stitched(former, made_from)
+    if joined is None:
+        views = without_contradictions(views, calibrated) if revision is None else views
+        joined = _stitched(project, calibrated, views, choices, validity, PartOf(progress, 0.0, 0.5), watch, registration_cache)
+    else:
+        on_event(ResultKept("stitched"))
+    good = _require_usable(joined.views, choices, validity)
+    validity = replace(validity, axes=joined.stitched.axis_doubt)
+    on_event(StitchReady(joined.stitched))
+    with SurfaceBeside(joined.stitched, joined.mesh) as surface:
         with watch.stage("inspection"):
             settings = project_settings(project, calibrated, good)
-            inspection = inspect_stitched(project, stitched, settings, PartOf(progress, 0.5, 0.7))
+            inspection = inspect_stitched(project, joined.stitched, settings, PartOf(progress, 0.5, 0.7))
         if inspection is not None:
             on_event(InspectionReady(inspection))
         with watch.stage("surface"):
@@ -124,17 +126,21 @@ def assemble(
         rig=project.rig().name,
         measured_at=datetime.now(UTC).isoformat(timespec="seconds"),
         calibration=calibrated,
-        views=tuple(views),
-        stitched=stitched,
+        views=tuple(joined.views),
+        stitched=joined.stitched,
         mesh=mesh,
         inspection=inspection,
-        settings=_with_surroundings(_settings(project) if revision is None else revision.former.settings, surroundings, choices),
+        settings=_with_surroundings(_settings(project) if revision is None else revision.former.settings, joined.surroundings),
         timings_s=dict(watch.seconds),
         validity=validity,
-        consistency=consistency,
+        consistency=joined.consistency,
+        stitched_from=made_from,
     )
     with watch.stage("saving"):
-        project.save_measurement(measurement, PartOf(progress, 0.9, 1.0), recomputed=revision is None)
+        if joined.mesh is not None:
+            project.update_inspection(measurement, recomputed=True)  # clouds and surface are stored
+        else:
+            project.save_measurement(measurement, PartOf(progress, 0.9, 1.0), recomputed=revision is None)
     progress.report(1.0, 1.0, "measured")
     return measurement
 
@@ -149,6 +155,30 @@ def _require_usable(views: Sequence[ViewResult], choices: ViewChoices, validity:
     return good
 
 
+def _stitched(
+    project: ProjectFolder,
+    calibrated: RigCalibration,
+    views: Sequence[ViewResult],
+    choices: ViewChoices,
+    validity: Validity,
+    progress: Progress,
+    watch: Stopwatch,
+    registration_cache: RegistrationCache | None,
+) -> StitchedViews:
+    """Stitch the clouds of the usable views and check them with the error model; raises RegistrationError."""
+    good = _require_usable(views, choices, validity)
+    with watch.stage("surroundings"):
+        part, surroundings = _without_surroundings(project, calibrated, good, choices)
+    with watch.stage("stitching"):
+        stitched = _stitch(project, calibrated, part, choices, progress, registration_cache)
+    with watch.stage("checks"):
+        consistency = check_consistency(part, stitched)
+        stitched = add_refused(with_unexplained(stitched, consistency), views, choices)
+    return StitchedViews(
+        views, stitched, consistency, surroundings=SURROUNDINGS_KEPT if choices.keep_surroundings else surroundings.sentence
+    )
+
+
 def _without_surroundings(
     project: ProjectFolder, calibrated: RigCalibration, views: Sequence[ViewResult], choices: ViewChoices
 ) -> tuple[Sequence[ViewResult], Surroundings]:
@@ -160,10 +190,9 @@ def _without_surroundings(
     return exclude_surroundings(views, read_mesh(project.nominal, "nominal"), pose, calibrated, project.rig())
 
 
-def _with_surroundings(settings: Mapping[str, Any], surroundings: Surroundings, choices: ViewChoices) -> dict[str, Any]:
-    """Return the settings of a measurement with what was excluded as surroundings, or that they were kept."""
+def _with_surroundings(settings: Mapping[str, Any], said: str) -> dict[str, Any]:
+    """Return the settings of a measurement with what is said of surroundings, if anything is."""
     others = {name: value for name, value in settings.items() if name != SURROUNDINGS}
-    said = SURROUNDINGS_KEPT if choices.keep_surroundings else surroundings.sentence
     return {**others, SURROUNDINGS: said} if said else others
 
 

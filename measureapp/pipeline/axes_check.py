@@ -25,6 +25,7 @@ CLEARLY = 0.01  # of the depth: more than axes and calibration err by
 CONTRADICTING, AGREEING = 0.01, 0.002  # share of points in front of other views' surfaces: none where axes are right, but for outliers
 MOST_LEFT_OUT = 1 / 3  # of the views: more are no single mistakes
 EXPLAINS = 0.3  # of the contradictions may be left by a cause that is named
+CONTRADICTED = "its axes contradict the images"
 Readbacks = Sequence[AxisReadback]
 CAUSES: Mapping[str, Callable[[Readbacks], list[AxisReadback]]] = {
     "the table turned the other way: check the sign of its angle": lambda found: [replace(one, table_rad=-one.table_rad) for one in found],
@@ -113,11 +114,18 @@ def without_contradictions(views: Sequence[ViewResult], calibration: RigCalibrat
     out = [usable[index] for index in range(len(usable)) if index not in kept]
     if cause or len(out) > MOST_LEFT_OUT * len(usable):
         raise _disagreement(now, cause)
-    reason = f"its axes contradict the images: its points lie {now.typical_mm:.0f} mm in front of what other views see there"
+    reason = f"{CONTRADICTED}: its points lie {now.typical_mm:.0f} mm in front of what other views see there"
     return tuple(
         replace(view, quality=replace(view.quality, accepted=False, reason=reason)) if index in out else view
         for index, view in enumerate(views)
     )
+
+
+def before_axes_check(view: ViewResult) -> ViewResult:
+    """Return a view as it was before `without_contradictions` refused it, which another calibration may not do."""
+    if not view.quality.reason.startswith(CONTRADICTED):
+        return view
+    return replace(view, quality=replace(view.quality, accepted=True, reason=""))
 
 
 def contradictions(seen: Sequence[_Seen], reads: Readbacks, calibration: RigCalibration) -> Contradictions:

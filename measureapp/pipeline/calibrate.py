@@ -13,6 +13,7 @@ from measureapp.calibrate.draft.draft import Known, Setup
 from measureapp.calibrate.draft.verdict import Verdict, evaluate
 from measureapp.calibrate.kinds.table import KINDS
 from measureapp.calibrate.rig.joint_solution import RigSolution
+from measureapp.calibration_session.detection import DETECTION_THREADS
 from measureapp.calibration_session.observing import Position, RefusedImage, observe, solve_observed
 from measureapp.data.board import BoardDescription, BoardView
 from measureapp.data.calibration import CameraArrayCalibration, Provenance
@@ -37,8 +38,10 @@ def calibrate_from_views(views: Sequence[BoardView], board: BoardDescription, ri
     return solve_views(views, board, rig, progress).solution
 
 
-def solve_views(views: Sequence[BoardView], board: BoardDescription, rig: RigDescription, progress: Progress) -> SolvedViews:
-    """Detect the board in all images, calibrate the cameras from them, then hand-eye, guide and axis.
+def solve_views(
+    views: Sequence[BoardView], board: BoardDescription, rig: RigDescription, progress: Progress, threads: int = DETECTION_THREADS
+) -> SolvedViews:
+    """Detect the board in all images, ``threads`` at a time, calibrate the cameras from them, then hand-eye, guide and axis.
 
     Raises
     ------
@@ -52,7 +55,7 @@ def solve_views(views: Sequence[BoardView], board: BoardDescription, rig: RigDes
     setup = replace(Setup.on_rig(KINDS["rig"], board, names, Known(), rig), serials=serials)
     sizes_px = {camera.name: (camera.width_px, camera.height_px) for camera in rig.cameras}
     positions = [Position(view.viewpoint_id, lambda view=view: view.images, view.readback) for view in views]  # type: ignore[misc]
-    observed = observe(positions, board, None, PartOf(progress, 0.0, 0.5))
+    observed = observe(positions, board, None, PartOf(progress, 0.0, 0.5), threads)
     sizes = {name: sizes_px[name] for name in names}
     observed, solved = solve_observed(observed, setup, sizes, PartOf(progress, 0.5, 1.0))
     solution: RigSolution = solved.solution

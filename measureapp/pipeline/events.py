@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Literal
 
 from measureapp.acquire.events import AcquisitionEvent
 from measureapp.data.calibration import RigCalibration
@@ -43,6 +44,23 @@ class CloudsKept:
     count: int
     of: int  # viewpoints that are stored
     placed_anew: bool  # the axes are calibrated differently now, so that the clouds lie elsewhere on the part
+
+
+@dataclass(frozen=True, slots=True)
+class ResultKept:
+    """A result is the former one, which would come out again."""
+
+    what: Literal["calibration", "stitched"]  # the stitched cloud, and its surface
+
+
+@dataclass(frozen=True, slots=True)
+class MemoryShort:
+    """The board is searched for in fewer images at a time than usual, so that the memory suffices."""
+
+    threads: int
+    usual: int
+    needed_gib: float  # by as many as usual
+    available_gib: float
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,6 +114,8 @@ ProcessingEvent = (
     | CalibrationReady
     | ViewReady
     | CloudsKept
+    | ResultKept
+    | MemoryShort
     | ViewFailed
     | PartElsewhere
     | StitchReady

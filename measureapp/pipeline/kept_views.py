@@ -8,9 +8,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from measureapp.data.calibration import CameraArrayCalibration, RigCalibration
-from measureapp.data.measurement import ViewResult
+from measureapp.data.measurement import Measurement, ViewResult
 from measureapp.errors import StorageError
 from measureapp.fringe.settings import DecodeSettings
+from measureapp.pipeline.axes_check import before_axes_check
 from measureapp.project import raw_images
 from measureapp.project.calibration.camera_file import cameras_document
 from measureapp.project.documents import digest
@@ -25,23 +26,26 @@ class KeptViews:
     views: Mapping[str, ViewResult]
     unchanged: int  # of which the stored images would give the same cloud again
     placed_anew: bool  # one of these lies elsewhere on the part than it did
+    former: Measurement | None = None  # the last results, where all their views are kept
 
 
 def kept_views(project: ProjectFolder, calibration: RigCalibration, settings: DecodeSettings) -> KeptViews:
     """Return the views whose clouds would come out as they are, placed where the axes say now, and those whose images were dropped.
 
-    The images of a view are compared with their checksums first: where one is damaged, the view is not kept, and computing it says so.
+    The images of a view are compared with their checksums first, unless size and time of their files are those with which they were found
+    equal before: where one is damaged, the view is not kept, and computing it says so.
     Damaged results keep nothing, as `process` makes them anew; but where images were dropped they raise StorageError.
     """
-    removed = views_without_images(project)
-    former = {**_former(project), **removed}
+    removed, last = views_without_images(project), _former(project)
+    former = {**({} if last is None else {view.viewpoint_id: view for view in last.views}), **removed}
     unchanged = {
         name: _placed(view, calibration)
         for name, view in former.items()
         if view.made_from and view.made_from == made_from(project, name, calibration.cameras, settings) and _images_are_whole(project, name)
     }
     moved = any(not np.array_equal(view.part_from_camera.matrix, former[name].part_from_camera.matrix) for name, view in unchanged.items())
-    return KeptViews({**removed, **unchanged}, len(unchanged), moved)
+    views = {**removed, **unchanged}
+    return KeptViews(views, len(unchanged), moved, last if views.keys() == former.keys() else None)
 
 
 def views_without_images(project: ProjectFolder) -> dict[str, ViewResult]:
@@ -72,18 +76,17 @@ def made_from(project: ProjectFolder, viewpoint_id: str, cameras: CameraArrayCal
     return digest({"stack": stack.sha256, "cameras": document, "settings": settings.model_dump(mode="json"), "program": fingerprint()})
 
 
-def _former(project: ProjectFolder) -> dict[str, ViewResult]:
-    """Return the views of the last results; none where these cannot be read."""
+def _former(project: ProjectFolder) -> Measurement | None:
+    """Return the last results; None where there are none, or they cannot be read."""
     try:
-        measurement = project.measurement()
+        return project.measurement()
     except StorageError:
-        return {}
-    return {} if measurement is None else {view.viewpoint_id: view for view in measurement.views}
+        return None
 
 
 def _placed(view: ViewResult, calibration: RigCalibration) -> ViewResult:
     """Return a view as its stored images would give it again, at the place that the axes say."""
-    return replace(view, part_from_camera=calibration.part_from_camera(view.readback), timings_s={})
+    return replace(before_axes_check(view), part_from_camera=calibration.part_from_camera(view.readback), timings_s={})
 
 
 def _images_are_whole(project: ProjectFolder, viewpoint_id: str) -> bool:
@@ -92,4 +95,4 @@ def _images_are_whole(project: ProjectFolder, viewpoint_id: str) -> bool:
     if contents is None:
         return False
     names = [name for name, owner in contents.owner.items() if owner == viewpoint_id and name.startswith("stacks/")]
-    return all(project.journal.is_same(name, contents.files[name]) for name in names)
+    return all(project.journal.is_unchanged(name, contents.files[name]) for name in names)

@@ -20,7 +20,7 @@ from measureapp.fringe.checks.stack import check_stack
 from measureapp.fringe.decode import decode
 from measureapp.fringe.settings import DecodeSettings
 from measureapp.pipeline.events import CloudsKept, Event, ViewFailed, ViewReady
-from measureapp.pipeline.kept_views import kept_views, made_from
+from measureapp.pipeline.kept_views import KeptViews, kept_views, made_from
 from measureapp.pipeline.noise import decode_settings_of
 from measureapp.pipeline.stack_findings import blur_findings, stack_findings
 from measureapp.pipeline.watch import Stopwatch
@@ -38,16 +38,25 @@ LEAST_POINTS_SHARE, MOST_EPIPOLAR_PX = 0.3, 0.3  # points per decoded pixel, epi
 
 
 def compute_clouds(
-    project: ProjectFolder, calibration: RigCalibration, on_event: OnEvent, progress: Progress, watch: Stopwatch
+    project: ProjectFolder,
+    calibration: RigCalibration,
+    on_event: OnEvent,
+    progress: Progress,
+    watch: Stopwatch,
+    kept: KeptViews | None = None,
 ) -> tuple[ViewResult, ...]:
     """Compute the clouds of all stored viewpoints, except those that would come out as they are; these are placed where the axes say now.
 
     Clouds whose images were dropped stay as they were. Raises InputError when no viewpoint is stored.
+
+    Parameters
+    ----------
+    kept : the answer of `kept_views`; None: it is asked
     """
     settings, rectifier, memory = decode_settings_of(project), Rectifier(calibration.cameras), BufferPool()
     stored = require_stored(project)
     with watch.stage("clouds"):
-        kept = kept_views(project, calibration, settings)
+        kept = kept or kept_views(project, calibration, settings)
     views = list[ViewResult]()
     if kept.unchanged:
         on_event(CloudsKept(kept.unchanged, len(stored), kept.placed_anew))

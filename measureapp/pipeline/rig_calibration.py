@@ -13,6 +13,7 @@ from measureapp.acquire.motion import checked
 from measureapp.acquire.tasks.board import BoardTask
 from measureapp.calibrate.boards.find import find_board
 from measureapp.calibrate.rig.stitch_uncertainty import uncertainty_of
+from measureapp.calibration_session.detection import DETECTION_THREADS
 from measureapp.data.board import AnyBoard, BoardView
 from measureapp.data.plan import ScanPlan, Viewpoint
 from measureapp.data.rig import RigDescription
@@ -21,6 +22,7 @@ from measureapp.errors import CalibrationError, DeviceError, InputError
 from measureapp.pipeline.calibrate import SolvedViews, solve_views
 from measureapp.pipeline.connecting import connected
 from measureapp.pipeline.events import CalibrationReady, Event
+from measureapp.pipeline.kept_results import calibration_made_from
 from measureapp.pipeline.watch import Stopwatch
 from measureapp.planning.calibration_views import calibration_viewpoints
 from measureapp.planning.collision.build import PartSolid
@@ -169,10 +171,13 @@ def _of_images(on_event: OnEvent) -> OnEvent:
     return receive
 
 
-def solve_calibration(project: ProjectFolder, on_event: OnEvent, progress: Progress, watch: Stopwatch) -> SolvedViews:
+def solve_calibration(
+    project: ProjectFolder, on_event: OnEvent, progress: Progress, watch: Stopwatch, threads: int = DETECTION_THREADS
+) -> SolvedViews:
     """Calibrate the rig from the stored images of the board; raises CalibrationError when they do not suffice."""
     with watch.stage("calibration"):
-        solved = solve_views(project.board_views(), project.settings.board, project.rig(), progress)
-        project.save_calibration(solved.solution.calibration, uncertainty_of(solved.solution))
+        made_from = calibration_made_from(project)
+        solved = solve_views(project.board_views(), project.settings.board, project.rig(), progress, threads)
+        project.save_calibration(solved.solution.calibration, uncertainty_of(solved.solution), made_from)
     on_event(CalibrationReady(solved.solution.calibration))
     return solved

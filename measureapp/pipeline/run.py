@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from measureapp.acquire.control import RunControl
+from measureapp.calibration_session.detection import DETECTION_THREADS
 from measureapp.data.board import AnyBoard
 from measureapp.data.calibration import RigCalibration
 from measureapp.data.identification import Identification
@@ -23,8 +24,12 @@ from measureapp.errors import CalibrationError, InputError
 from measureapp.pipeline.assemble import assemble
 from measureapp.pipeline.connecting import connected
 from measureapp.pipeline.documents import outcome_document, write_reports
-from measureapp.pipeline.events import CalibrationReady, Event
+from measureapp.pipeline.events import CalibrationReady, Event, ResultKept
+from measureapp.pipeline.kept_results import kept_calibration
+from measureapp.pipeline.kept_views import kept_views
 from measureapp.pipeline.measure import compute_clouds
+from measureapp.pipeline.memory_need import detection_threads
+from measureapp.pipeline.noise import decode_settings_of
 from measureapp.pipeline.part_on_table import solid_of
 from measureapp.pipeline.part_program import nominal_of, store_part_program
 from measureapp.pipeline.preflight import Preflight, check_connected, check_plan
@@ -214,10 +219,14 @@ def process_project(project: ProjectFolder, on_event: OnEvent, progress: Progres
     if is_joined(project):
         return process_joined(project, on_event, progress, watch)
     with project.lock():
-        calibration = calibrate_stored(project, on_event, PartOf(progress, 0.0, 0.2), watch)
+        threads = detection_threads(project, on_event)
+        calibration = calibrate_stored(project, on_event, PartOf(progress, 0.0, 0.2), watch, threads)
         check_stored_images(project, calibration)
-        views = compute_clouds(project, calibration, on_event, PartOf(progress, 0.2, 0.7), watch)
-        return finish(project, assemble(project, calibration, views, on_event, PartOf(progress, 0.7, 1.0), watch), watch)
+        with watch.stage("clouds"):
+            kept = kept_views(project, calibration, decode_settings_of(project))
+        views = compute_clouds(project, calibration, on_event, PartOf(progress, 0.2, 0.7), watch, kept)
+        measurement = assemble(project, calibration, views, on_event, PartOf(progress, 0.7, 1.0), watch, former=kept.former)
+        return finish(project, measurement, watch)
 
 
 def process(project: ProjectFolder, on_event: OnEvent, progress: Progress) -> Measurement:
@@ -225,12 +234,25 @@ def process(project: ProjectFolder, on_event: OnEvent, progress: Progress) -> Me
     return process_project(project, on_event, progress).measurement
 
 
-def calibrate_stored(project: ProjectFolder, on_event: OnEvent, progress: Progress, watch: Stopwatch) -> RigCalibration:
-    """Return the calibration from the stored images of the board, solved anew; without such images the stored one. Raises CalibrationError."""
+def calibrate_stored(
+    project: ProjectFolder, on_event: OnEvent, progress: Progress, watch: Stopwatch, threads: int = DETECTION_THREADS
+) -> RigCalibration:
+    """Return the calibration from the stored images of the board, solved anew unless it would come out as it is; without such images the stored one.
+
+    Raises
+    ------
+    CalibrationError
+    """
     if is_recording(project):
         return calibrate_recording(project, on_event, progress, watch)
-    if project.board_views():
-        return solve_calibration(project, on_event, progress, watch).solution.calibration
+    if project.board_view_count():
+        with watch.stage("calibration"):
+            kept = kept_calibration(project)
+        if kept is not None:
+            on_event(ResultKept("calibration"))
+            on_event(CalibrationReady(kept))
+            return kept
+        return solve_calibration(project, on_event, progress, watch, threads).solution.calibration
     calibration = project.calibration()
     if calibration is None:
         raise CalibrationError(f"{project.path} has neither a calibration nor images of the board.", "Calibrate the rig first.")

@@ -136,7 +136,8 @@ def _thinned(measurement: Measurement, title: str, every: int) -> Measurement:
 def _thin_view(view: ViewResult, every: int) -> ViewResult:
     cloud = _thin_cloud(view.cloud, every)
     density = view.quality.density_per_mm2 * len(cloud) / max(len(view.cloud), 1)
-    return replace(view, cloud=cloud, quality=replace(view.quality, points=len(cloud), density_per_mm2=density))
+    quality = replace(view.quality, points=len(cloud), density_per_mm2=density)
+    return replace(view, cloud=cloud, quality=quality, made_from="")  # its images would give another cloud
 
 
 def _thin_cloud(cloud: PointCloud, every: int) -> PointCloud:

@@ -18,10 +18,10 @@ POLL_S = 0.1
 
 
 class SurfaceBeside:
-    """Computes the surface of a cloud on a thread of its own. A context manager: an error within it ends the computation."""
+    """Computes the surface of a cloud on a thread of its own, unless it is ``kept``. A context manager: an error within it ends the computation."""
 
-    def __init__(self, stitched: StitchedCloud) -> None:
-        self._stitched = stitched
+    def __init__(self, stitched: StitchedCloud, kept: Mesh | None = None) -> None:
+        self._stitched, self._kept = stitched, kept
         self._result: Future[Mesh] = Future()
         self._stop = threading.Event()
         self._thread = threading.Thread(target=self._compute, name="surface", daemon=True)
@@ -47,7 +47,8 @@ class SurfaceBeside:
 
     def _compute(self) -> None:
         try:
-            self._result.set_result(reconstruct_surface(self._stitched, progress=CallbackProgress(self._check)))
+            kept = self._kept
+            self._result.set_result(reconstruct_surface(self._stitched, progress=CallbackProgress(self._check)) if kept is None else kept)
         except BaseException as error:  # passed on to whoever waits
             self._result.set_exception(error)
 

@@ -161,9 +161,13 @@ class ProjectFolder:
         self.journal.check(*folder.glob("*/*"))
         return board_views.load_all(folder)
 
-    def save_calibration(self, calibration: RigCalibration, uncertainty: RigUncertainty | None = None) -> None:
-        """Store the calibration of the rig and, if known, its uncertainty; a former one is archived."""
-        store.save(self.path / "calibration", calibration, uncertainty)
+    def board_view_count(self) -> int:
+        """Return how many views of the board are stored; none is read."""
+        return len(board_views.list_stored(self.path / "calibration" / "views"))
+
+    def save_calibration(self, calibration: RigCalibration, uncertainty: RigUncertainty | None = None, made_from: str = "") -> None:
+        """Store the calibration of the rig and, if known, its uncertainty and what it was solved from; a former one is archived."""
+        store.save(self.path / "calibration", calibration, uncertainty, made_from)
 
     def calibration(self) -> RigCalibration | None:
         """Return the calibration of the rig, if there is one. Raises StorageError when it is damaged or was modified."""
@@ -339,12 +343,12 @@ class ProjectFolder:
 
         ``recomputed``: its clouds were computed just now, and not only stitched again.
         """
-        results.save(self.results, measurement, self._inputs(measurement, recomputed=recomputed))
+        results.save(self.results, measurement, self._inputs(measurement, recomputed=recomputed), self.journal.compared_images())
         filter_file.reapply_filters(self.results, measurement.stitched, progress)
 
-    def update_inspection(self, measurement: Measurement) -> None:
-        """Store a measurement of which only the inspection has changed."""
-        results.save_document(self.results, measurement, self._inputs(measurement, recomputed=False))
+    def update_inspection(self, measurement: Measurement, *, recomputed: bool = False) -> None:
+        """Store a measurement whose clouds and surface are those of the last one, ``recomputed`` or only inspected again."""
+        results.save_document(self.results, measurement, self._inputs(measurement, recomputed=recomputed), self.journal.compared_images())
 
     def _inputs(self, measurement: Measurement, *, recomputed: bool) -> dict[str, Any]:
         contents = self.journal.contents()
@@ -374,6 +378,7 @@ class ProjectFolder:
         contents = self.journal.contents()
         files = [self.path / name for name in (contents.files if contents else ()) if name.startswith("results/")]
         self.journal.check(*(path for path in files if path.name not in (filter_file.FILTERS, filter_file.FILTERED)))
+        self.journal.take_as_compared(results.read_compared(self.results))
         calibration = self.calibration()
         return None if calibration is None else results.load(self.results, calibration)
 

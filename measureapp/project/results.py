@@ -36,7 +36,7 @@ from measureapp.project.documents import (
 )
 from measureapp.project.geometry.files import read_mesh, read_point_cloud, read_stitched, write_cloud, write_mesh
 from measureapp.project.journal.entries import Entry
-from measureapp.project.journal.state import RESULTS
+from measureapp.project.journal.state import RESULTS, Compared
 from measureapp.project.text_document import check_version
 
 DOCUMENT, STITCHED, MESH = "measurement.json", "stitched_cloud.ply", "mesh.ply"
@@ -48,12 +48,15 @@ def cloud_path(folder: Path, viewpoint_id: str) -> Path:
     return folder / "clouds" / f"{viewpoint_id}.ply"
 
 
-def save(folder: Path, measurement: Measurement, inputs: Mapping[str, Any] | None = None) -> None:
+def save(
+    folder: Path, measurement: Measurement, inputs: Mapping[str, Any] | None = None, compared: Mapping[str, Compared] | None = None
+) -> None:
     """Write a measurement; an earlier one is replaced when all files of the new one are written.
 
     Parameters
     ----------
     inputs : what it was computed from, see `inputs.current_inputs`
+    compared : the files of it that were found equal to the journal, so that they are not read to compare them again
     """
     with replacing_together(folder, Entry(RESULTS, {}, "", {"inputs": dict(inputs or {})}), stale=(MESH, "clouds/*.ply")) as staging:
         for view in measurement.views:
@@ -61,19 +64,32 @@ def save(folder: Path, measurement: Measurement, inputs: Mapping[str, Any] | Non
         write_cloud(staging / STITCHED, measurement.stitched)
         if measurement.mesh is not None:
             write_mesh(staging / MESH, measurement.mesh)
-        write_json(staging / DOCUMENT, _document(measurement, inputs))
+        write_json(staging / DOCUMENT, _document(measurement, inputs, compared))
 
 
-def save_document(folder: Path, measurement: Measurement, inputs: Mapping[str, Any] | None = None) -> None:
+def save_document(
+    folder: Path, measurement: Measurement, inputs: Mapping[str, Any] | None = None, compared: Mapping[str, Compared] | None = None
+) -> None:
     """Write a measurement without its clouds and mesh."""
     with replacing_together(folder, Entry(RESULTS, {}, "", {"inputs": dict(inputs or {})})) as staging:
-        write_json(staging / DOCUMENT, _document(measurement, inputs))
+        write_json(staging / DOCUMENT, _document(measurement, inputs, compared))
 
 
-def _document(measurement: Measurement, inputs: Mapping[str, Any] | None) -> dict[str, Any]:
+def read_compared(folder: Path) -> dict[str, Compared]:
+    """Return the files that were found equal to the journal when the results were computed; none where that cannot be read."""
+    try:
+        document = json.loads((folder / DOCUMENT).read_text(encoding="utf-8"))
+        return {str(name): (int(size), int(time), str(sha)) for name, (size, time, sha) in document.get("compared", {}).items()}
+    except (OSError, ValueError, TypeError, AttributeError, RecursionError):
+        return {}
+
+
+def _document(measurement: Measurement, inputs: Mapping[str, Any] | None, compared: Mapping[str, Compared] | None) -> dict[str, Any]:
     return {
         "schema_version": FORMAT,
         "inputs": dict(inputs or {}),
+        "compared": dict(compared or {}),
+        "stitched_from": measurement.stitched_from,
         **{name: getattr(measurement, name) for name in ("project", "part", "rig", "measured_at", "settings", "timings_s")},
         "views": [_view_document(view) for view in measurement.views],
         "placements": [placement_document(placement) for placement in measurement.stitched.placements],
@@ -94,8 +110,10 @@ def load(folder: Path, calibration: RigCalibration) -> Measurement | None:
     try:
         document = json.loads(path.read_text(encoding="utf-8"))
         check_version(path, document, FORMAT)
+        validity = validity_from(document.get("validity", {}))
         stitched = replace(
             read_stitched(folder / STITCHED),
+            axis_doubt=validity.axes,
             placements=tuple(placement_from(placement) for placement in document["placements"]),
             notes=document["notes"],
             loop_closure=loop_closure_from(document.get("ring")),
@@ -107,9 +125,10 @@ def load(folder: Path, calibration: RigCalibration) -> Measurement | None:
             stitched=stitched,
             mesh=read_mesh(folder / MESH, "part") if (folder / MESH).exists() else None,
             inspection=None if document["inspection"] is None else inspection_from(document["inspection"]),
-            validity=validity_from(document.get("validity", {})),
+            validity=validity,
             consistency=consistency_from(document.get("consistency", {})),
             setups=tuple(setup_from(setup) for setup in document.get("setups", ())),
+            stitched_from=document.get("stitched_from", ""),
         )
     except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError, InputError, FrameMismatch) as error:
         reason = error.message if isinstance(error, MeasureError) else f"{error}."

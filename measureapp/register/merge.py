@@ -12,6 +12,7 @@ from scipy.spatial import cKDTree
 
 from measureapp.arrays import BoolArray, FloatArray, IntArray
 from measureapp.data.cloud import PointCloud
+from measureapp.geometry.transform import RigidTransform
 from measureapp.progress import NoProgress, Progress
 from measureapp.register.clouds.filters import in_large_components
 from measureapp.register.grid.voxels import VoxelSums
@@ -49,11 +50,12 @@ def merge(
     origins_mm: Sequence[FloatArray],
     voxel_mm: float,
     *,
+    poses: Sequence[RigidTransform] | None = None,
     views: Sequence[int] | None = None,
     island_mm2: float = 0.0,
     progress: Progress | None = None,
 ) -> MergedPoints:
-    """Merge clouds of one frame on a voxel grid; points of surfaces facing different ways are never averaged.
+    """Merge clouds in one frame on a voxel grid; points of surfaces facing different ways are never averaged.
 
     Points are collected in columns of the grid along the largest component of their normals, so that noise normal to the surface is
     averaged over the whole layer and not cut by the grid. The weight of a point is cos²(viewing angle)/σ². Sparse points and isolated
@@ -61,8 +63,9 @@ def merge(
 
     Parameters
     ----------
-    origins_mm : camera position of each cloud, in the clouds' frame
+    origins_mm : camera position of each cloud, in the frame in which they are merged
     voxel_mm : grid step; about the point spacing, far below the thinnest wall
+    poses : of clouds that are in frames of their own: they are placed when it is their turn, which saves the memory of all of them
     views : number of each cloud in ``view``; None: 0, 1, 2 …
     island_mm2 : isolated patches smaller than this are removed
     """
@@ -70,12 +73,13 @@ def merge(
     numbers = list(views) if views is not None else list(range(len(clouds)))
     sums = VoxelSums(WIDTH)
     parts: list[tuple[IntArray, FloatArray]] = []
-    placed = list(zip(clouds, origins_mm, strict=True))
+    places: Sequence[RigidTransform | None] = poses or [None] * len(clouds)
+    placed = list(zip(clouds, places, origins_mm, strict=True))
     at_once = os.cpu_count() or 1  # limits the memory for sums waiting to be added
     with ThreadPoolExecutor(at_once) as pool:
         for start in range(0, len(placed), at_once):
             progress.report(start, len(placed), "merging")
-            for keys, rows in pool.map(lambda one: _sum_cloud(one[0], one[1], voxel_mm), placed[start : start + at_once]):
+            for keys, rows in pool.map(lambda one: _sum_cloud(one[0], one[1], one[2], voxel_mm), placed[start : start + at_once]):
                 sums.add(keys, rows)
                 parts.append((keys, rows[:, WEIGHT].astype(np.float32)))
     keys, rows = sums.sorted()
@@ -86,10 +90,10 @@ def merge(
     return merged
 
 
-def _sum_cloud(cloud: PointCloud, origin_mm: FloatArray, voxel_mm: float) -> tuple[IntArray, FloatArray]:
-    """Return the sorted voxel keys of one cloud and the sums of their rows."""
+def _sum_cloud(cloud: PointCloud, pose: RigidTransform | None, origin_mm: FloatArray, voxel_mm: float) -> tuple[IntArray, FloatArray]:
+    """Return the sorted voxel keys of one cloud, at its place, and the sums of their rows."""
     single = VoxelSums(WIDTH)
-    single.add(*_weight_points(cloud, np.asarray(origin_mm), voxel_mm))
+    single.add(*_weight_points(cloud if pose is None else cloud.seen_from(pose), np.asarray(origin_mm), voxel_mm))
     return single.sorted()
 
 

@@ -126,9 +126,10 @@ def _merge_views(
     poses = [placements[i].part_from_camera for i in used]
     voxel = settings.merge_voxel_mm or spacing_mm
     merged = merge(
-        map_in_parallel(lambda i: clouds[i].seen_from(placements[i].part_from_camera), used),
+        [clouds[i] for i in used],
         [pose.translation_mm for pose in poses],
         voxel,
+        poses=poses,
         views=used,
         island_mm2=settings.island_mm2,
         progress=progress,

@@ -1352,6 +1352,10 @@
       <translation>标定已接受。</translation>
     </message>
     <message>
+      <source>The calibration is kept: it would come out as it is.</source>
+      <translation>保留标定：重新计算的结果不会改变。</translation>
+    </message>
+    <message>
       <source>The calibration of the last session is in use again.</source>
       <translation>重新使用上次会话的标定。</translation>
     </message>
@@ -1494,6 +1498,10 @@
     <message>
       <source>The scan started.</source>
       <translation>扫描已开始。</translation>
+    </message>
+    <message>
+      <source>The stitched cloud is kept: it would come out as it is.</source>
+      <translation>保留拼接点云：重新计算的结果不会改变。</translation>
     </message>
     <message>
       <source>The stored results are those of the program before.</source>
@@ -1750,6 +1758,10 @@
     <message>
       <source>{name}, version {version}</source>
       <translation>{name}，版本 {version}</translation>
+    </message>
+    <message>
+      <source>{threads} thread in place of {usual} detects the board: these would need about {needed} GiB of memory, and {available} GiB are available.</source>
+      <translation>由 {threads} 个线程代替 {usual} 个检测标定板：后者约需 {needed} GiB 内存，可用内存为 {available} GiB。</translation>
     </message>
     <message>
       <source>{title} is still running.</source>
@@ -3396,6 +3408,10 @@
   <context>
     <name>core.campaign</name>
     <message>
+      <source>A task needs about {v1} of memory, and {v2} are available.</source>
+      <translation>一个任务约需 {v1} 内存，可用内存为 {v2}。</translation>
+    </message>
+    <message>
       <source>A task needs {v1} GiB, a machine has {v2} GiB.</source>
       <translation>一个任务需要 {v1} GiB，而一台机器有 {v2} GiB。</translation>
     </message>
@@ -3410,6 +3426,10 @@
     <message>
       <source>Check the shared storage, then start the job again.</source>
       <translation>请检查共享存储，然后重新开始任务。</translation>
+    </message>
+    <message>
+      <source>Close other programs, raise the memory limit of the container, or use a computer with more memory.</source>
+      <translation>请关闭其他程序、提高容器的内存限制，或使用内存更大的计算机。</translation>
     </message>
     <message>
       <source>Dask distributed is not installed.</source>
@@ -3550,6 +3570,10 @@
     <message>
       <source>{v1} of {v2} jobs, {v3} of {v4} tasks</source>
       <translation>{v2} 个作业中的 {v1} 个，{v4} 个任务中的 {v3} 个</translation>
+    </message>
+    <message>
+      <source>{v1} of {v2} processors: a task needs {v3}, {v4} are available</source>
+      <translation>使用 {v2} 个处理器中的 {v1} 个：一个任务需要 {v3}，可用 {v4}</translation>
     </message>
     <message>
       <source>{v1}: no project lies at {v2}.</source>
@@ -5051,6 +5075,10 @@
     <message>
       <source>Plan the scan first: a template is a start for scans.</source>
       <translation>请先规划扫描：模板是扫描的起点。</translation>
+    </message>
+    <message>
+      <source>Processing {v1} needs about {v2} of memory ({v3}), and {v4} are available.</source>
+      <translation>处理 {v1} 约需 {v2} 内存（{v3}），可用内存为 {v4}。</translation>
     </message>
     <message>
       <source>Put the board of the calibration on the table, facing the head, and light it.</source>

@@ -7,7 +7,7 @@ import sys
 
 import pytest
 
-from measureapp.campaign.cluster import check_cluster, threads_of_linear_algebra
+from measureapp.campaign.cluster import check_cluster, local_workers, threads_of_linear_algebra
 from measureapp.errors import InputError, StorageError
 from measureapp.project.inputs import fingerprint
 
@@ -62,3 +62,13 @@ def test_a_cluster_that_is_not_there_is_named(tmp_path):
     done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=120)  # Dask keeps a thread of its own
     assert done.returncode == 2
     assert "No cluster answers at tcp://127.0.0.1:1. Start it with `dask scheduler`" in done.stderr
+
+
+@pytest.mark.parametrize(("needed", "expected"), [(1.0, 4), (2.0, 3), (3.4, 2), (6.9, 1)])
+def test_as_many_workers_as_memory_holds_at_most_one_per_processor(needed, expected):
+    assert local_workers(4, round(needed * 2**30), 7 * 2**30) == expected
+
+
+def test_where_memory_does_not_hold_one_task_nothing_starts():
+    with pytest.raises(InputError, match=r"needs about 8\.0 GiB of memory, and 7\.0 GiB are available"):
+        local_workers(4, 8 * 2**30, 7 * 2**30)

@@ -15,7 +15,7 @@ from measureapp.data.cloud import CloudQuality
 from measureapp.data.measurement import ViewResult
 from measureapp.data.mesh import Mesh
 from measureapp.data.rig import RigDescription
-from measureapp.data.surroundings import ABOVE_TABLE_MM, SURROUNDINGS, SURROUNDINGS_KEPT, Surroundings
+from measureapp.data.surroundings import ABOVE_TABLE_MM, SURROUNDINGS, Surroundings
 from measureapp.data.view_choices import ViewChoices
 from measureapp.geometry.transform import RigidTransform
 from measureapp.pipeline.assemble import _with_surroundings, _without_surroundings
@@ -158,6 +158,5 @@ def test_the_user_may_keep_the_surroundings_and_is_told_either_way(
     kept, nothing = _without_surroundings(project, calibration, views, ViewChoices(keep_surroundings=True))
     assert kept is views
     former = {"patterns": "three-close", SURROUNDINGS: "of a former choice"}
-    assert _with_surroundings(former, found, ViewChoices()) == {"patterns": "three-close", SURROUNDINGS: found.sentence}
-    assert _with_surroundings(former, nothing, ViewChoices(keep_surroundings=True))[SURROUNDINGS] == SURROUNDINGS_KEPT
-    assert _with_surroundings(former, nothing, ViewChoices()) == {"patterns": "three-close"}
+    assert _with_surroundings(former, found.sentence) == {"patterns": "three-close", SURROUNDINGS: found.sentence}
+    assert _with_surroundings(former, nothing.sentence) == {"patterns": "three-close"}

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from collections.abc import Callable
 
     from measureapp.acquire.events import AcquisitionEvent, ImageTaken, RunEnded
-    from measureapp.pipeline.events import Event, ExposuresChosen, ProcessingEvent, ValidityKnown
+    from measureapp.pipeline.events import CloudsKept, Event, ExposuresChosen, MemoryShort, ProcessingEvent, ResultKept, ValidityKnown
 
 
 ENTERED: Mapping[str, tuple[ViewpointStatus, str]] = {  # state of a run's viewpoint -> state and note shown
@@ -127,12 +127,8 @@ class RunEvents(QObject):
             case e.CalibrationReady():
                 session.set_calibration(event.calibration)
                 session.tell("The rig is calibrated.")
-            case e.CloudsKept():
-                session.tell(
-                    tr("{count} of {of} clouds kept, placed anew.", count=event.count, of=event.of)
-                    if event.placed_anew
-                    else tr("{count} of {of} clouds kept as they were.", count=event.count, of=event.of)
-                )
+            case e.CloudsKept() | e.ResultKept() | e.MemoryShort():
+                session.tell(_course(event))
             case e.ViewReady():
                 session.add_view(event.view)
             case e.ViewFailed():
@@ -198,3 +194,27 @@ class RunEvents(QObject):
             self._session.tell("All images are taken.", "The clouds are computed and stitched.")
             if event.message:
                 self._session.tell(event.message, "", "warning")
+
+
+def _course(event: CloudsKept | ResultKept | MemoryShort) -> str:
+    """Return in words what is not computed again, or not at once."""
+    from measureapp.pipeline import events as e
+
+    match event:
+        case e.CloudsKept(count, of, placed_anew):
+            if placed_anew:
+                return tr("{count} of {of} clouds kept, placed anew.", count=count, of=of)
+            return tr("{count} of {of} clouds kept as they were.", count=count, of=of)
+        case e.ResultKept(what):
+            if what == "calibration":
+                return tr("The calibration is kept: it would come out as it is.")
+            return tr("The stitched cloud is kept: it would come out as it is.")
+        case e.MemoryShort(threads, usual, needed, available):
+            return tr(
+                "{threads} thread in place of {usual} detects the board: these would need about {needed} GiB of memory, and {available} GiB "
+                "are available.",
+                threads=threads,
+                usual=usual,
+                needed=f"{needed:.1f}",
+                available=f"{available:.1f}",
+            )

@@ -27,18 +27,22 @@ if TYPE_CHECKING:
 
 CAMERAS, RIG, FORMER, HISTORY = "cameras.json", "rig.json", "former", "history.jsonl"
 FORMAT = 2  # of the rig; version 1 has no error motions of the axes
+MADE_FROM = "made_from"  # beside the numbers, which its value changes none of
 STORED, ARCHIVED = "calibration stored", "calibration archived"
 RIG_UNCERTAINTY = "rig_uncertainty.npz"  # uncertainty of the calibration, if stored
 
 
-def save(folder: Path, calibration: RigCalibration, uncertainty: RigUncertainty | None = None) -> None:
-    """Store a calibration and, if known, its uncertainty, all at once; one made from other images is archived first. Raises StorageError."""
+def save(folder: Path, calibration: RigCalibration, uncertainty: RigUncertainty | None = None, made_from: str = "") -> None:
+    """Store a calibration and, if known, its uncertainty, all at once; one made from other images is archived first. Raises StorageError.
+
+    ``made_from`` is a hash of everything that it was solved from; empty where it is not to be recognised.
+    """
     _archive(folder, calibration)
     cameras, rig = cameras_document(calibration.cameras), rig_calibration_document(calibration)
     entry = Entry(STORED, {}, "", {"id": calibration_id(calibration)})
     with replacing_together(folder, entry, stale=(RIG_UNCERTAINTY,)) as staging:
         write_cameras(staging / CAMERAS, calibration.cameras)
-        write_json(staging / RIG, {**rig, "checksum": _checksum(cameras, rig)})
+        write_json(staging / RIG, {**rig, MADE_FROM: made_from, "checksum": _checksum(cameras, rig)})
         if uncertainty is not None:
             write_rig_uncertainty(staging / RIG_UNCERTAINTY, uncertainty)
 
@@ -57,7 +61,7 @@ def load(folder: Path) -> RigCalibration | None:
     try:
         document = json.loads(path.read_text(encoding="utf-8"))
         check_version(path, document, 1 if document.get("schema_version") == 1 else FORMAT)
-        stored = document.pop("checksum", None)
+        stored, _ = document.pop("checksum", None), document.pop(MADE_FROM, None)
         calibration = rig_calibration_from(document, read_cameras(folder / CAMERAS))
         found = _checksum(json.loads((folder / CAMERAS).read_text(encoding="utf-8")), document)
     except (OSError, KeyError, TypeError, ValueError, AttributeError, RecursionError, FrameMismatch) as error:
@@ -67,6 +71,14 @@ def load(folder: Path) -> RigCalibration | None:
             f"The calibration in {folder} was modified after it was stored.", "Restore both of its files from a backup, or calibrate again."
         )
     return calibration
+
+
+def made_from(folder: Path) -> str:
+    """Return the hash of what the calibration in use was solved from; empty where it is not known."""
+    try:
+        return str(json.loads((folder / RIG).read_text(encoding="utf-8")).get(MADE_FROM, ""))
+    except (OSError, ValueError, AttributeError, RecursionError):
+        return ""
 
 
 def record(folder: Path, line: CheckRecord) -> None:

@@ -342,8 +342,9 @@ def _ply_triangles(path: Path, ply: Ply) -> IntArray:
     return np.column_stack([index[first], index[first + step + 1], index[first + step + 2]])
 
 
-def _xyz_columns(points_mm: FloatArray, kind: type[np.floating[Any]] = np.float32) -> dict[str, Any]:
-    return {name: points_mm[:, i].astype(kind) for i, name in enumerate("xyz")}
+def _xyz_columns(points_mm: FloatArray) -> dict[str, Any]:
+    """Return coordinates as they were computed, to the last bit: what is computed from them again is then the same."""
+    return {name: np.asarray(points_mm[:, i], np.float64) for i, name in enumerate("xyz")}
 
 
 def _comments(cloud: PointCloud | StitchedCloud) -> list[str]:
@@ -354,8 +355,7 @@ def _comments(cloud: PointCloud | StitchedCloud) -> list[str]:
 
 
 def _cloud_columns(cloud: PointCloud | StitchedCloud) -> dict[str, Any]:
-    # A view's points are kept as they were computed, to the last bit: what is stitched from them again is then the same.
-    columns: dict[str, Any] = _xyz_columns(cloud.points_mm, np.float64 if isinstance(cloud, PointCloud) else np.float32)
+    columns: dict[str, Any] = _xyz_columns(cloud.points_mm)
     columns |= {f"n{name}": cloud.normals[:, i] for i, name in enumerate("xyz")}
     columns |= {"sigma": cloud.sigma_mm, "grey": cloud.grey}
     byte = np.clip(np.rint(np.asarray(cloud.grey) * 255), 0, 255).astype(np.uint8)

@@ -16,6 +16,8 @@ STORED, DROPPED, RESULTS = "viewpoint stored", "viewpoint dropped", "results sto
 ACCEPT = "Restore it from a backup. If you changed it on purpose, accept it (measureapp verify PROJECT --accept {name})."
 AGAIN = "Restore it from a backup, or take the viewpoint again: measureapp discard PROJECT {viewpoint}, then measureapp scan … --resume."
 COMPUTE = "Compute it again: measureapp process PROJECT."
+IMAGES = ("stacks/", "calibration/views/")
+Compared = tuple[int, int, str]  # size, time of the last change in ns, and SHA-256 of a file that was found equal to the journal
 
 
 @dataclass(slots=True)
@@ -59,6 +61,7 @@ class Journal:
         self._contents = Contents()
         self._reading = Lock()
         self._checked: dict[Path, tuple[int, int]] = {}  # file -> size and time of its last change
+        self._compared: dict[str, Compared] = {}
 
     def contents(self) -> Contents | None:
         """Return files and viewpoints; None without a journal.
@@ -125,9 +128,32 @@ class Journal:
         path = self.project / name
         waiting = self.project / known.part if known.part else path
         try:
-            return disk.state_of(waiting if waiting.exists() else path, len(known.head) // 2).same_content(known)
+            found = (waiting if waiting.exists() else path).stat()
+            same = disk.state_of(waiting if waiting.exists() else path, len(known.head) // 2).same_content(known)
         except OSError:
             return False
+        if same:
+            self._compared[name] = (found.st_size, found.st_mtime_ns, known.sha256)
+        return same
+
+    def is_unchanged(self, name: str, known: FileState) -> bool:
+        """Whether a file has the content ``known``; not compared again where size and time are those with which it was once found equal."""
+        try:
+            found = (self.project / name).stat()
+        except OSError:
+            return self.is_same(name, known)
+        return self._compared.get(name) == (found.st_size, found.st_mtime_ns, known.sha256) or self.is_same(name, known)
+
+    def compared_images(self) -> dict[str, Compared]:
+        """Return the files of part and board that were found equal to the journal, and are still as they were then stored."""
+        files = self._contents.files
+        return {
+            name: one for name, one in self._compared.items() if name.startswith(IMAGES) and name in files and files[name].sha256 == one[2]
+        }
+
+    def take_as_compared(self, files: Mapping[str, Compared]) -> None:
+        """Take files as found equal earlier, as long as size and time of their last change are what they were then."""
+        self._compared = {**files, **self._compared}
 
 
 def remedy(name: str, viewpoint: str) -> str:

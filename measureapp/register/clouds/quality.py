@@ -141,18 +141,29 @@ def _quadric_residual_variance(points_mm: FloatArray, normal: FloatArray) -> flo
     across = np.linalg.svd(normal[None])[2][1:]
     away = points_mm - points_mm.mean(axis=0)
     u, v, height = away @ across[0], away @ across[1], away @ normal
-    cell = np.unique(np.floor(np.column_stack([u, v]) / WAVE_CELL_MM).astype(int), axis=0, return_inverse=True)[1].ravel()
-    order = np.argsort(cell, kind="stable")
-    parts = [part for part in np.split(order, np.flatnonzero(np.diff(cell[order])) + 1) if len(part) >= LEAST_IN_WAVE_CELL]
-    if len(parts) < LEAST_WAVE_CELLS:
+    cell = np.floor(np.column_stack([u, v]) / WAVE_CELL_MM).astype(np.int64)
+    cell -= cell.min(axis=0)
+    number = cell[:, 0] * (int(cell[:, 1].max()) + 1) + cell[:, 1]
+    order = np.lexsort((height, number))
+    first = np.flatnonzero(np.diff(number[order], prepend=-1))
+    count = np.diff(first, append=len(order))
+    level = _middles(height[order], first, count)
+    away_from_level = np.abs(height[order] - np.repeat(level, count))
+    scatter = MAD_TO_SIGMA * _middles(away_from_level[np.lexsort((away_from_level, number[order]))], first, count)
+    full = count >= LEAST_IN_WAVE_CELL
+    if np.count_nonzero(full) < LEAST_WAVE_CELLS:
         return None
-    middle = np.array([[u[part].mean(), v[part].mean(), np.median(height[part])] for part in parts])
-    scatter = np.array([MAD_TO_SIGMA * np.median(np.abs(height[part] - at)) for part, at in zip(parts, middle[:, 2], strict=True)])
-    of_noise = float(np.mean(np.pi / 2 * np.median(scatter) ** 2 / np.array([len(part) for part in parts])))
+    middle = np.column_stack([np.add.reduceat(u[order], first) / count, np.add.reduceat(v[order], first) / count, level])[full]
+    of_noise = float(np.mean(np.pi / 2 * np.median(scatter[full]) ** 2 / count[full]))
     x, y, z = middle.T
     terms = np.column_stack([np.ones(len(x)), x, y, x * x, x * y, y * y])
     left = z - terms @ np.linalg.lstsq(terms, z)[0]
     return float(left @ left / (len(left) - terms.shape[1])) - of_noise
+
+
+def _middles(values: FloatArray, first: IntArray, count: IntArray) -> FloatArray:
+    """Return the medians of groups of ``values``, which are sorted within their groups: from ``first`` on, ``count`` of them."""
+    return np.asarray((values[first + (count - 1) // 2] + values[first + count // 2]) / 2)
 
 
 def _plane_noise(near: FloatArray, inside: FloatArray) -> float:

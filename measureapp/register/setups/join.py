@@ -220,9 +220,10 @@ def _merge(setups: Sequence[SetUpCloud], joint: Joint, settings: StitchSettings,
     spacing = max(float(one.stitched.notes["spacing_mm"]) for one in setups)
     voxel = max(float(one.stitched.notes["merge_voxel_mm"]) for one in setups)
     merged = merge(
-        [clouds[number].seen_from(placements[number].part_from_camera) for number in used],
+        [clouds[number] for number in used],
         [placements[number].part_from_camera.translation_mm for number in used],
         voxel,
+        poses=[placements[number].part_from_camera for number in used],
         views=used,
         island_mm2=settings.island_mm2,
         progress=progress,

@@ -9,13 +9,13 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-import psutil  # type: ignore[import-untyped]
 from scipy.spatial import cKDTree
 
 from measureapp.arrays import BoolArray, FloatArray, IntArray
 from measureapp.data.cloud import StitchedCloud
 from measureapp.data.mesh import Mesh
 from measureapp.errors import RegistrationError
+from measureapp.memory import available_bytes
 from measureapp.progress import NoProgress, PartOf, Progress
 from measureapp.register.clouds.quality import point_spacing_mm
 from measureapp.register.surface.poisson import run_poisson
@@ -69,11 +69,6 @@ def reconstruct_surface(
     vertices, triangles, distance = _trim(vertices, triangles, distance, settings.trimmed_spacings * spacing)
     progress.report(1, 1, "surface complete")
     return Mesh(vertices, triangles, cloud.frame, distance <= MEASURED_SPACINGS * spacing)
-
-
-def available_bytes() -> int:
-    """Return the memory available to programs on this computer, the file cache included."""
-    return int(psutil.virtual_memory().available)
 
 
 def _subsample(count: int, most: int) -> IntArray | slice:

@@ -16,9 +16,10 @@ from measureapp.arrays import FloatArray, IntArray
 from measureapp.data.cloud import StitchedCloud
 from measureapp.data.mesh import Mesh
 from measureapp.errors import RegistrationError
+from measureapp.memory import available_bytes
 from measureapp.progress import NoProgress, Progress
 from measureapp.register.clouds.quality import point_spacing_mm
-from measureapp.register.surface.closed import LEAST_POINTS, available_bytes
+from measureapp.register.surface.closed import LEAST_POINTS
 
 LONGEST_SPACINGS = 4.0  # a gap wider than this is a hole
 STEEPEST_DEG = 75.0  # greatest angle to the mean normal of a point that counts as visible along it

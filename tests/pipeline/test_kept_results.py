@@ -1,0 +1,218 @@
+"""Each input of a project changed by itself: exactly what depends on it is computed again, and what is kept equals what would be computed."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from demo_fixture import Demo, linked_copy
+
+from measureapp.data.board import BoardView
+from measureapp.data.decode_limits import DecodeLimits
+from measureapp.data.measurement import Measurement
+from measureapp.data.view_choices import ViewChoices
+from measureapp.geometry.transform import RigidTransform, rotation_about
+from measureapp.pipeline import assemble, measure, rig_calibration, run, surface
+from measureapp.pipeline.axes_check import before_axes_check, without_contradictions
+from measureapp.pipeline.events import Event, ResultKept
+from measureapp.pipeline.kept_results import kept_calibration
+from measureapp.pipeline.run import process_project
+from measureapp.progress import NoProgress
+from measureapp.project.folder import ProjectFolder
+from measureapp.project.fringes.decode_limits_file import save_decode_limits
+from measureapp.project.journal import disk
+
+OF_CLOUD = ("points_mm", "normals", "sigma_mm", "grey", "view", "sampled_view")
+OF_MESH = ("vertices_mm", "triangles", "measured")
+OF_VIEW = ("points_mm", "normals", "sigma_mm", "grey", "pixel", "cameras")
+COMPUTED = {
+    "calibration": (rig_calibration, "solve_views"),
+    "clouds": (measure, "compute_stored"),
+    "stitched cloud": (assemble, "stitch"),
+    "surface": (surface, "reconstruct_surface"),
+    "inspection": (assemble, "inspect_stitched"),
+}
+ALL_BUT_CALIBRATION = {"clouds", "stitched cloud", "surface", "inspection"}
+Change = Callable[[ProjectFolder], None]
+
+
+@pytest.fixture
+def project(demo: Demo, tmp_path: Path) -> ProjectFolder:
+    return ProjectFolder.open(linked_copy(demo.folder, tmp_path / "p"))
+
+
+@pytest.fixture
+def processed(monkeypatch: pytest.MonkeyPatch) -> Callable[[ProjectFolder], tuple[Measurement, set[str], list[Event]]]:
+    """Processes a project without its report; tells what was computed and the events, too."""
+
+    def process(project: ProjectFolder) -> tuple[Measurement, set[str], list[Event]]:
+        computed, events = set[str](), list[Event]()
+        monkeypatch.setattr(run, "write_reports", lambda *_: {})
+        for name, (module, function) in COMPUTED.items():
+            whole = getattr(module, function)
+
+            def noted(*given: Any, name: str = name, whole: Any = whole, **named: Any) -> Any:
+                computed.add(name)
+                return whole(*given, **named)
+
+            monkeypatch.setattr(module, function, noted)
+        return process_project(project, events.append, NoProgress()).measurement, computed, events
+
+    return process
+
+
+def assert_equal(one: Measurement, other: Measurement) -> None:
+    """Compare all numbers of clouds, surface and dimensions bit by bit."""
+    pairs = [(one.stitched, other.stitched, OF_CLOUD), (one.mesh, other.mesh, OF_MESH)]
+    pairs += [(mine.cloud, theirs.cloud, OF_VIEW) for mine, theirs in zip(one.views, other.views, strict=True)]
+    for mine, theirs, names in pairs:
+        for name in names:
+            assert getattr(mine, name).tobytes() == getattr(theirs, name).tobytes(), name
+    for mine, theirs in zip(one.stitched.placements, other.stitched.placements, strict=True):
+        assert mine.part_from_camera.matrix.tobytes() == theirs.part_from_camera.matrix.tobytes()
+        assert replace(mine, part_from_camera=theirs.part_from_camera, kinematic=theirs.kinematic).verdict == theirs.verdict
+    assert one.inspection is not None and other.inspection is not None
+    assert one.inspection.dimensions == other.inspection.dimensions
+    assert one.consistency == other.consistency
+    assert one.validity.axes == other.validity.axes
+
+
+def test_without_any_change_all_is_kept_but_the_inspection_and_equals_what_is_computed_from_the_images(
+    project: ProjectFolder, tmp_path: Path, processed: Any
+) -> None:
+    bare = ProjectFolder.open(linked_copy(project.path, tmp_path / "bare"))
+    shutil.rmtree(bare.results)
+    kept, computed, events = processed(project)
+    assert computed == {"inspection"}
+    assert [event.what for event in events if isinstance(event, ResultKept)] == ["calibration", "stitched"]
+    scratch, computed, _ = processed(bare)
+    assert computed == ALL_BUT_CALIBRATION
+    assert_equal(kept, scratch)
+    stored = project.measurement()
+    assert stored is not None
+    assert_equal(stored, scratch)
+    assert stored.stitched_from == scratch.stitched_from != ""
+
+
+@pytest.mark.slow
+def test_a_calibration_that_is_kept_equals_the_one_solved_from_the_images(project: ProjectFolder, processed: Any) -> None:
+    kept = kept_calibration(project)
+    assert kept is not None
+    files = {name: (project.path / "calibration" / name).read_bytes() for name in ("cameras.json", "rig.json", "rig_uncertainty.npz")}
+    for name in files:
+        (project.path / "calibration" / name).unlink()
+    rig_calibration.solve_calibration(project, lambda _: None, NoProgress(), run.Stopwatch())
+    assert {name: (project.path / "calibration" / name).read_bytes() for name in files} == files
+
+
+def another_tolerance(project: ProjectFolder) -> None:
+    text = project.program_text(has_nominal=True)
+    assert "nominal = 180\n" in text
+    project.save_program(text.replace("nominal = 180\n", "nominal = 180\ntolerance = 0.9\n"))
+
+
+def a_refused_view(project: ProjectFolder) -> None:
+    project.save_view_choices(ViewChoices(refused=("view03",)))
+
+
+def another_hand_eye(project: ProjectFolder) -> None:
+    """As from another session: there are no images of the board in the project that would replace it."""
+    calibration, uncertainty = project.require_calibration(), project.rig_uncertainty()
+    hand_eye = calibration.hand_eye
+    turn = RigidTransform.from_parts(rotation_about([0, 1, 0], 1e-5), np.array([0.001, 0.002, -0.003]), "camera", "camera")
+    shutil.rmtree(project.path / "calibration" / "views")
+    moved = replace(calibration, hand_eye=replace(hand_eye, flange_from_camera=hand_eye.flange_from_camera @ turn))
+    project.save_calibration(moved, uncertainty)
+
+
+def other_limits(project: ProjectFolder) -> None:
+    save_decode_limits(project.path, DecodeLimits(min_modulation=12.0))
+
+
+@pytest.mark.parametrize(
+    ("change", "expected"),
+    [
+        (another_tolerance, {"inspection"}),
+        (a_refused_view, {"stitched cloud", "surface", "inspection"}),
+        (another_hand_eye, {"stitched cloud", "surface", "inspection"}),
+        (other_limits, ALL_BUT_CALIBRATION),
+    ],
+)
+def test_a_changed_input_has_exactly_that_computed_again_which_depends_on_it(
+    project: ProjectFolder, processed: Any, change: Change, expected: set[str]
+) -> None:
+    with project.lock():
+        change(project)
+    measurement, computed, _ = processed(project)
+    assert computed == expected
+    assert project.stale_results() == ()
+    stored = project.measurement()
+    assert stored is not None
+    assert_equal(stored, measurement)
+    _, computed, _ = processed(project)
+    assert computed == {"inspection"}
+
+
+def test_another_image_of_the_board_another_program_and_damage_keep_no_calibration(
+    project: ProjectFolder, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert kept_calibration(project) is not None
+    with monkeypatch.context() as patch:
+        patch.setattr("measureapp.pipeline.kept_results.fingerprint", lambda: "another program")
+        assert kept_calibration(project) is None
+    image = sorted((project.path / "calibration" / "views").glob("*/*.png"))[0]
+    content = image.read_bytes()
+    image.unlink()  # a link until now
+    image.write_bytes(content[:-20] + bytes(20))
+    assert kept_calibration(project) is None
+    image.write_bytes(content)
+    assert kept_calibration(project) is not None
+    unknown = image.with_name("fourth.png")
+    unknown.write_bytes(content)
+    assert kept_calibration(project) is None
+    unknown.unlink()
+    view = project.board_views()[0]
+    darker = {name: np.maximum(pixels, 1) - 1 for name, pixels in view.images.items()}
+    with project.lock():
+        project.save_board_view(BoardView(view.viewpoint_id, darker, view.readback, view.conditions))
+    assert kept_calibration(project) is None
+
+
+def test_files_of_the_same_size_and_time_are_not_read_again_and_all_others_are(
+    project: ProjectFolder, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    name = "stacks/view02/left.npy"
+    contents = project.journal.contents()
+    assert contents is not None
+    known, path = contents.files[name], project.path / name
+    read, whole = list[Path](), disk.state_of
+    monkeypatch.setattr(disk, "state_of", lambda place, head=0: (read.append(place), whole(place, head))[1])
+    assert project.journal.is_unchanged(name, known) and project.journal.is_unchanged(name, known)
+    assert read == [path]
+    compared = project.journal.compared_images()
+    again = ProjectFolder.open(project.path)
+    again.journal.contents()
+    again.journal.take_as_compared(compared)
+    assert again.journal.is_unchanged(name, known) and read == [path]
+    content = bytearray(path.read_bytes())
+    content[-1] ^= 1
+    path.unlink()  # a link until now
+    path.write_bytes(content)
+    assert not again.journal.is_unchanged(name, known)
+
+
+def test_a_view_that_a_wrong_calibration_refused_is_tried_again_with_another(project: ProjectFolder) -> None:
+    measurement = project.measurement()
+    assert measurement is not None
+    right, calibration = measurement.views, measurement.calibration
+    turned = replace(right[2], readback=replace(right[2].readback, table_rad=right[2].readback.table_rad + 0.8))
+    wrong = without_contradictions([*right[:2], turned, *right[3:]], calibration)
+    refused = [view for view in wrong if not view.quality.accepted]
+    assert [view.viewpoint_id for view in refused] == [right[2].viewpoint_id]
+    assert before_axes_check(refused[0]).quality == right[2].quality
+    assert before_axes_check(right[0]) is right[0]
