@@ -134,10 +134,18 @@ def other_limits(project: ProjectFolder) -> None:
     save_decode_limits(project.path, DecodeLimits(min_modulation=12.0))
 
 
+def another_nominal(project: ProjectFolder) -> None:
+    """Other bytes in its header: the clouds are told from their surroundings by it."""
+    assert project.nominal is not None
+    content = project.nominal.read_bytes()
+    project.nominal.write_bytes(b"revision B".ljust(80) + content[80:])
+
+
 @pytest.mark.parametrize(
     ("change", "expected"),
     [
         (another_tolerance, {"inspection"}),
+        (another_nominal, {"stitched cloud", "surface", "inspection"}),
         (a_refused_view, {"stitched cloud", "surface", "inspection"}),
         (another_hand_eye, {"stitched cloud", "surface", "inspection"}),
         (other_limits, ALL_BUT_CALIBRATION),
