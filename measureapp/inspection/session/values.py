@@ -50,21 +50,37 @@ def decide(
     settings: InspectionSettings,
     letters: Mapping[str, str],
 ) -> Dimension:
-    """Return the dimension with uncertainty, limits and verdict: all that follows from its value, nominal and tolerance."""
+    """Return the dimension with uncertainty, limits and verdict: all that follows from its value, nominal and tolerance.
+
+    Parameters
+    ----------
+    letters : letter of each datum of the program by its feature
+    """
+    made = _decide(described, evaluated, found, settings)
+    return replace(
+        made,
+        datum_letters=tuple(letters[name] for name in common_datums(described)),
+        frame=control_frame(described, {name: _shape_of(found[name]) for name in (*made.features, *made.datums)}, letters),
+    )
+
+
+def _decide(
+    described: DimensionProgram, evaluated: Evaluated, found: Mapping[str, FoundFeature], settings: InspectionSettings
+) -> Dimension:
     value = evaluated.value
     if value is None:
-        return _make_dimension(described, found, letters, None, None, Verdict.NOT_MEASURED, evaluated.reason)
+        return _make_dimension(described, found, None, None, Verdict.NOT_MEASURED, evaluated.reason)
     budget, assumptions = _complete_budget(
         value, described.unit, [found[name] for names in described.feature_sets for name in names], settings
     )
     uncertainty = COVERAGE_FACTOR * float(np.linalg.norm(list(budget.values())))
     if not (np.isfinite(value.value) and np.isfinite(uncertainty)):
-        return _make_dimension(described, found, letters, None, None, Verdict.NOT_MEASURED, "the points do not determine this value")
+        return _make_dimension(described, found, None, None, Verdict.NOT_MEASURED, "the points do not determine this value")
     how = "; ".join(filter(None, (value.how, *assumptions)))
     verdict = _verdict(described, value, uncertainty, settings)
     contradicted = verdict in (Verdict.PASS, Verdict.FAIL) and _is_contradicted(described, value, budget, settings)
     verdict = Verdict.NOT_PROVEN if contradicted else verdict
-    made = _make_dimension(described, found, letters, value.value, uncertainty, verdict, "", how, value.bonus)
+    made = _make_dimension(described, found, value.value, uncertainty, verdict, "", how, value.bonus)
     warning = CONTRADICTION if contradicted else _warn_of_narrow_tolerance(described, uncertainty) or value.warning
     return replace(made, warning=warning, budget={contribution: COVERAGE_FACTOR * sigma for contribution, sigma in budget.items()})
 
@@ -157,7 +173,6 @@ def _are_disjoint(described: DimensionProgram) -> bool:
 def _make_dimension(
     described: DimensionProgram,
     found: Mapping[str, FoundFeature],
-    letters: Mapping[str, str],
     value: float | None,
     uncertainty: float | None,
     verdict: Verdict,
@@ -181,12 +196,10 @@ def _make_dimension(
         features=features,
         kind=described.kind,
         datums=datums,
-        datum_letters=tuple(letters[name] for name in common_datums(described)),
         tolerance_source=described.tolerance or "",
         alignment=described.alignment or "",
         group=described.group,
         traceability=_describe_traceability(described, [found[name] for name in (*features, *datums)], how),
-        frame=control_frame(described, {name: _shape_of(found[name]) for name in (*features, *datums)}, letters),
     )
 
 
