@@ -118,7 +118,7 @@ class ProgrammingController(QObject):
             )
         measured = self._measured
         stale = changed_names(None if measured is None else measured.state.program, state.program)
-        shapes, letters = {one.name: str(one.shape) for one in inspection.features}, self.letters()
+        shapes, letters = {one.name: str(one.shape) for one in inspection.features}, letters_of(state.program)
         results = MeasuredProgram(state, inspection).results() if measured is None else measured.results()
         return tuple(
             DimensionRow(
@@ -132,13 +132,6 @@ class ProgrammingController(QObject):
             )
             for number, entry in zip(state.ids, state.program.dimensions, strict=True)
         )
-
-    def letters(self) -> dict[str, str]:
-        """Return the letter of each datum by its feature; without a program, those of the last results."""
-        if self.state is not None:
-            return letters_of(self.state.program)
-        found = () if self._session.inspection is None else self._session.inspection.dimensions
-        return {name: letter for one in found for name, letter in zip(one.datums, one.datum_letters, strict=False)}
 
     def _status(self, is_stale: bool, found: Dimension | None) -> Status:
         if is_stale or found is None:

@@ -6,7 +6,7 @@ from PySide6.QtCore import QObject, QPoint, Qt
 from PySide6.QtGui import QActionGroup
 from PySide6.QtWidgets import QMenu
 
-from measureapp.data.datum_letters import GIVEN
+from measureapp.data.datum_letters import GIVEN, letters_of
 from ui.controllers.programming import ProgrammingController
 from ui.look.language.words import tr
 from ui.look.wording import sentence_case
@@ -26,7 +26,8 @@ class DatumMenu(QObject):
         """Return the menu of a feature, its present letter ticked."""
         menu = QMenu(self._table)
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        letters = self._programming.letters()
+        state = self._programming.state
+        letters = {} if state is None else letters_of(state.program)
         mine, holders = letters.get(name, ""), {letter: feature for feature, letter in letters.items()}
         chosen = menu.addMenu(tr("Datum letter of {name}", name=sentence_case(name)))
         chosen.setEnabled(self._programming.can_change)

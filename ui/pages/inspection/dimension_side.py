@@ -9,7 +9,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QStackedWidget, QWidget
 
 from ui.controllers.controllers import Controllers
-from ui.controllers.program_rows import DimensionRow
+from ui.controllers.program_rows import DimensionRow, letters_shown
 from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.pages.inspection.alignment_panel import AlignmentPanel
@@ -137,7 +137,9 @@ class DimensionSide(QWidget):
     def show_rows(self) -> None:
         """Show the rows of the edited program; the worst is selected if none was."""
         if self._inspection is not None:
-            self.features.show_features(self._inspection.features, self._programming.letters())
+            state = self._programming.state
+            letters = letters_shown(None if state is None else state.program, self._inspection)
+            self.features.show_features(self._inspection.features, letters)
         rows = self._programming.rows()
         had_none = self.table.current_id() < 0
         self.table.set_rows(rows)
