@@ -4314,6 +4314,10 @@
       <translation>请选择另一对齐。</translation>
     </message>
     <message>
+      <source>Choose another letter, or remove what refers to it.</source>
+      <translation>请选择其他字母，或先删除引用它的条目。</translation>
+    </message>
+    <message>
       <source>Choose another shape, or another seed.</source>
       <translation>请选择另一形状，或另一种子。</translation>
     </message>
@@ -4712,6 +4716,10 @@
     <message>
       <source>{v1} is inclined by {v2}° to {v3}: their distance is undefined</source>
       <translation>{v1} 对 {v3} 倾斜 {v2}°：其距离没有定义</translation>
+    </message>
+    <message>
+      <source>{v1} is used as a datum, which needs a letter.</source>
+      <translation>{v1} 被用作基准，必须有字母。</translation>
     </message>
     <message>
       <source>{v1} is used by {v2}.</source>
@@ -8343,6 +8351,14 @@
       <translation>圆柱度</translation>
     </message>
     <message>
+      <source>Datum</source>
+      <translation>基准</translation>
+    </message>
+    <message>
+      <source>Datum letter of {name}</source>
+      <translation>{name} 的基准字母</translation>
+    </message>
+    <message>
       <source>Datums</source>
       <translation>基准</translation>
     </message>
@@ -9109,6 +9125,18 @@
     <message>
       <source>{kind}, width {millimetres}</source>
       <translation>{kind}，宽度 {millimetres}</translation>
+    </message>
+    <message>
+      <source>{letter}  changes places with {name}</source>
+      <translation>{letter}  与 {name} 互换</translation>
+    </message>
+    <message>
+      <source>{name} is datum {letter}.</source>
+      <translation>{name} 现为基准 {letter}。</translation>
+    </message>
+    <message>
+      <source>{name} is no datum.</source>
+      <translation>{name} 不再是基准。</translation>
     </message>
     <message>
       <source>{name}: residual {off}.</source>

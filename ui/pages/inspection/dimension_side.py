@@ -9,12 +9,13 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QStackedWidget, QWidget
 
 from ui.controllers.controllers import Controllers
-from ui.controllers.program_rows import DimensionRow
+from ui.controllers.program_rows import DimensionRow, letters_shown
 from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.pages.inspection.alignment_panel import AlignmentPanel
 from ui.pages.inspection.cell_edits import apply_edit
 from ui.pages.inspection.create_bar import CreateBar
+from ui.pages.inspection.datum_menu import DatumMenu
 from ui.pages.inspection.deviation_card import DeviationCard
 from ui.pages.inspection.deviation_display import DeviationDisplay
 from ui.pages.inspection.dimension_rows import Selection, decision_rule, features_of, rule_name
@@ -56,7 +57,7 @@ class DimensionSide(QWidget):
         self.alignment = AlignmentPanel(look, programming, controllers.creating)
         self.create.dimensionAdded.connect(self._await)
         self._awaited = ""  # name of the dimension that was added last
-        self.actions = RowActions(self.table, programming)
+        self.actions, self.datums = RowActions(self.table, programming), DatumMenu(self.features, programming)
         self.table.rowSelected.connect(self._tell)
         self.features.chosen.connect(self._tell)
         self.list.valueChanged.connect(self._show_list)
@@ -112,7 +113,6 @@ class DimensionSide(QWidget):
         if inspection is None:
             return
         self.show_rows()
-        self.features.show_features(inspection.features)
         self.alignment.show_inspection(inspection)
         self.unaligned.show_program()
         self.rule.setText(tr("Lengths in mm, U for k = 2, verdicts by {rule_name}.", rule_name=rule_name()))
@@ -136,6 +136,10 @@ class DimensionSide(QWidget):
 
     def show_rows(self) -> None:
         """Show the rows of the edited program; the worst is selected if none was."""
+        if self._inspection is not None:
+            state = self._programming.state
+            letters = letters_shown(None if state is None else state.program, self._inspection)
+            self.features.show_features(self._inspection.features, letters)
         rows = self._programming.rows()
         had_none = self.table.current_id() < 0
         self.table.set_rows(rows)
