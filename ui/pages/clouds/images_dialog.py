@@ -72,7 +72,7 @@ class ImagesDialog(ViewDialog):
         left = column(tools, self.map, self.frames, self.legend, self.panel, spacing=8)
         left.setStretch(1, 1)
         said = card(self.pixel, self.values, 0, margin=12, spacing=4)
-        said.setMinimumHeight(200)
+        said.setMinimumHeight(240)
         side = column(
             self.camera_place,
             said,

@@ -13,7 +13,7 @@ from tests.ui.look.language.displayed import chart_texts, displayed_texts, paint
 from ui.viewport.backend import missing_graphics
 
 PATIENCE_MS = 60_000
-MOST_CHOSEN = 3  # rows of a table, of which each changes the properties
+MOST_CHOSEN = 2  # rows of a table, of which each changes the properties
 
 
 @pytest.fixture
