@@ -93,10 +93,6 @@
   <context>
     <name>clouds</name>
     <message>
-      <source> and registration.</source>
-      <translation>以及配准接受。</translation>
-    </message>
-    <message>
       <source>, at least {least:g}</source>
       <translation>，至少 {least:g}</translation>
     </message>
@@ -113,8 +109,12 @@
       <translation>，饱和</translation>
     </message>
     <message>
-      <source>Accepted by cloud quality</source>
-      <translation>点云质量已接受</translation>
+      <source>Accepted by cloud quality and registration.</source>
+      <translation>点云质量与配准均已接受。</translation>
+    </message>
+    <message>
+      <source>Accepted by cloud quality.</source>
+      <translation>点云质量已接受。</translation>
     </message>
     <message>
       <source>Analysis failed</source>
@@ -154,10 +154,6 @@
     </message>
     <message>
       <source>Cloud</source>
-      <translation>点云</translation>
-    </message>
-    <message>
-      <source>Clouds</source>
       <translation>点云</translation>
     </message>
     <message>
@@ -545,10 +541,6 @@
       <translation>已使用</translation>
     </message>
     <message>
-      <source>Used by manual choice. </source>
-      <translation>因手动选择而使用。</translation>
-    </message>
-    <message>
       <source>Used by manual choice. {why}</source>
       <translation>因手动选择而使用。{why}</translation>
     </message>
@@ -623,6 +615,10 @@
     <message>
       <source>{quantity} decoded from all unsaturated exposures, {quantity_2} from the brightest unsaturated one alone (rule of the paper).</source>
       <translation>由全部未饱和曝光解码 {quantity}，仅由最亮的未饱和曝光解码 {quantity_2}（论文规则）。</translation>
+    </message>
+    <message>
+      <source>{view}   sigma {sigma}</source>
+      <translation>{view}   sigma {sigma}</translation>
     </message>
     <message>
       <source>{words}, kinematic positions.</source>
@@ -1700,6 +1696,10 @@
       <translation>保留 {count}/{of} 个点云，并重新定位。</translation>
     </message>
     <message>
+      <source>{count} of {total}</source>
+      <translation>{count} / {total}</translation>
+    </message>
+    <message>
       <source>{count} the scan.</source>
       <translation>{count}扫描。</translation>
     </message>
@@ -1957,6 +1957,10 @@
   <context>
     <name>core.calibrate</name>
     <message>
+      <source> Used from other robot poses, robot and hand–eye add {v1} (k = 2).</source>
+      <translation> 在其他机器人位姿下使用时，机器人与手眼关系增加 {v1} (k = 2)。</translation>
+    </message>
+    <message>
       <source>A camera is called {v1}.</source>
       <translation>有相机名为 {v1}。</translation>
     </message>
@@ -1973,8 +1977,16 @@
       <translation>{v1} 在半转下对称，因此 {v2} 不能使用。</translation>
     </message>
     <message>
+      <source>About {v1} times as many observations, as different from each other, would make it good.</source>
+      <translation>约需 {v1} 倍数量、彼此差异同样大的观测，结果才会良好。</translation>
+    </message>
+    <message>
       <source>According to its angles the table turned by {v1}°, but the board turned by {v2}°.</source>
       <translation>按其角度转台转动了 {v1}°，但标定板转动了 {v2}°。</translation>
+    </message>
+    <message>
+      <source>Add a position near {v1}{v2}: there is none between {v3}{v4} and {v5}{v6}</source>
+      <translation>在 {v1}{v2} 附近增加一个位置：{v3}{v4} 与 {v5}{v6} 之间没有位置</translation>
     </message>
     <message>
       <source>Add observations from other distances, tilts and positions.</source>
@@ -2011,6 +2023,14 @@
     <message>
       <source>Add views with the board tilted in different directions.</source>
       <translation>请添加标定板向不同方向倾斜的视图。</translation>
+    </message>
+    <message>
+      <source>Adds {v1} (k = 2), at worst {v2}, to a length of {v3} mm in this volume</source>
+      <translation>在此体积内给 {v3} mm 的长度增加 {v1} (k = 2)，最差 {v2}</translation>
+    </message>
+    <message>
+      <source>Adds {v1} (k = 2), at worst {v2}, to a length of {v3} mm measured by camera {v4} and the projector</source>
+      <translation>给由相机 {v4} 和投影仪测得的 {v3} mm 长度增加 {v1} (k = 2)，最差 {v2}</translation>
     </message>
     <message>
       <source>All motions turn about nearly the same axis of the flange ({v1}; {v2}° from parallel): the camera's position along that axis is not observable.</source>
@@ -2087,6 +2107,10 @@
     <message>
       <source>Cameras</source>
       <translation>相机</translation>
+    </message>
+    <message>
+      <source>Cameras {v1} and {v2}</source>
+      <translation>相机 {v1} 和 {v2}</translation>
     </message>
     <message>
       <source>Cameras, hand–eye, linear guide and table axis in one automatic run</source>
@@ -2309,6 +2333,18 @@
       <translation>请将导轨移得更远</translation>
     </message>
     <message>
+      <source>Moves a point by {v1} (k = 2) between views {v2} mm of the guide apart</source>
+      <translation>导轨上相距 {v2} mm 的视图之间，使点移动 {v1} (k = 2)</translation>
+    </message>
+    <message>
+      <source>Moves a point {v1} mm from the axis by {v2} (k = 2) between views half a turn apart</source>
+      <translation>相差半圈的视图之间，使距轴线 {v1} mm 的点移动 {v2} (k = 2)</translation>
+    </message>
+    <message>
+      <source>Moves {v1} by up to {v2} (k = 2) across its line of sight</source>
+      <translation>使{v1}在垂直于视线方向上最多移动 {v2} (k = 2)</translation>
+    </message>
+    <message>
       <source>Name a result of the same kind of calibration.</source>
       <translation>请指定同类标定的结果。</translation>
     </message>
@@ -2329,8 +2365,16 @@
       <translation>没有相机看到标定板。</translation>
     </message>
     <message>
+      <source>No observation shows the {v1} yet.</source>
+      <translation>还没有观测显示{v1}。</translation>
+    </message>
+    <message>
       <source>No pose of the robot is further than {v1} mm from its base.</source>
       <translation>没有机器人位姿距其基座超过 {v1} mm。</translation>
+    </message>
+    <message>
+      <source>Not observable: {v1}.</source>
+      <translation>无法观测：{v1}。</translation>
     </message>
     <message>
       <source>Nothing may move while the fringes of one view are taken. White should be bright, but not clipped.</source>
@@ -2347,6 +2391,10 @@
     <message>
       <source>Only {v1} points of the working volume {v2} mm in front of the cameras are seen by two of them.</source>
       <translation>相机前 {v2} mm 的工作空间中只有 {v1} 个点被两台相机看到。</translation>
+    </message>
+    <message>
+      <source>Places a point {v1} mm in front of the cameras to {v2} (k = 2) relative to the flange</source>
+      <translation>将相机前方 {v1} mm 处的点相对法兰定位到 {v2} (k = 2)</translation>
     </message>
     <message>
       <source>Pose of the head on the robot's flange</source>
@@ -2397,6 +2445,18 @@
       <translation>显示标定板</translation>
     </message>
     <message>
+      <source>Show the board in {v1} more {v2}, sharp and whole</source>
+      <translation>再在 {v1} 个{v2}展示标定板，要清晰且完整</translation>
+    </message>
+    <message>
+      <source>Show the board where cameras {v1} and {v2} both see it, {v3}</source>
+      <translation>在相机 {v1} 和 {v2} 都能看到的地方展示标定板，{v3}</translation>
+    </message>
+    <message>
+      <source>Show the board {v1} of the {v2}</source>
+      <translation>在{v2}的{v1}展示标定板</translation>
+    </message>
+    <message>
       <source>Show the fixed board from the first robot pose</source>
       <translation>从第一个机器人位姿显示固定的标定板</translation>
     </message>
@@ -2433,6 +2493,10 @@
       <translation>请使用有 {v1} 的标定板。</translation>
     </message>
     <message>
+      <source>Take a pose in which the board's {v1} edge is farther from the {v2}, the board tilted by 20° to 45°</source>
+      <translation>取一个位姿，使标定板的{v1}边离{v2}更远，标定板倾斜 20° 至 45°</translation>
+    </message>
+    <message>
       <source>Take a sharper image, or move closer so that the squares appear larger.</source>
       <translation>请拍摄更清晰的图像，或靠近使方格更大。</translation>
     </message>
@@ -2453,12 +2517,28 @@
       <translation>请在以下位置拍摄标定板</translation>
     </message>
     <message>
+      <source>Take the board at {v1} more table positions, each turned by 15° to 30°</source>
+      <translation>再在 {v1} 个转台位置拍摄标定板，每次转动 15° 至 30°</translation>
+    </message>
+    <message>
       <source>Take the board from</source>
       <translation>请从以下方向拍摄标定板</translation>
     </message>
     <message>
+      <source>Take the fixed board from {v1} positions of the guide or more, {v2} mm apart</source>
+      <translation>在导轨的 {v1} 个或更多位置拍摄固定的标定板，间隔 {v2} mm</translation>
+    </message>
+    <message>
       <source>Take the views</source>
       <translation>请拍摄视图</translation>
+    </message>
+    <message>
+      <source>Take {v1} another tilt and place, to average the noise</source>
+      <translation>再拍{v1}不同的倾斜和位置，以平均噪声</translation>
+    </message>
+    <message>
+      <source>Take {v1} more robot {v2}: more average the robot's own errors</source>
+      <translation>再取 {v1} 个机器人{v2}：数量更多可平均机器人自身的误差</translation>
     </message>
     <message>
       <source>The board lies behind the camera: the board poses seem to be board_from_camera.</source>
@@ -2521,8 +2601,16 @@
       <translation>可见的标定板标记太少，或位于一条直线上。</translation>
     </message>
     <message>
+      <source>The motions are {v1}.</source>
+      <translation>运动为 {v1}。</translation>
+    </message>
+    <message>
       <source>The motions do not determine the rotation.</source>
       <translation>这些运动不能确定旋转。</translation>
+    </message>
+    <message>
+      <source>The new calibration moves {v1} by {v2}</source>
+      <translation>新标定使{v1}移动 {v2}</translation>
     </message>
     <message>
       <source>The observations do not determine the rig: {v1}.</source>
@@ -2657,6 +2745,10 @@
       <translation>请向多个方向倾斜标定板。</translation>
     </message>
     <message>
+      <source>Tilt the board more {v1} (its {v2} edge away from the {v3}), by 20° to 45°</source>
+      <translation>使标定板更多地{v1}倾斜（其{v2}边远离{v3}），20° 至 45°</translation>
+    </message>
+    <message>
       <source>Tilt, all directions</source>
       <translation>倾斜，所有方向</translation>
     </message>
@@ -2705,6 +2797,10 @@
       <translation>上下转动</translation>
     </message>
     <message>
+      <source>Up to {v1} mm is good, up to {v2} mm usable: {v3}.</source>
+      <translation>{v1} mm 以内良好，{v2} mm 以内可用：{v3}。</translation>
+    </message>
+    <message>
       <source>Use the calibration of the cameras that took the images.</source>
       <translation>请使用拍摄这些图像的相机的标定。</translation>
     </message>
@@ -2717,8 +2813,32 @@
       <translation>请更多地从左侧和右侧观察标定板：相机左右只摆动了</translation>
     </message>
     <message>
+      <source>Views of one part fit together to {v1} (k = 2), at worst {v2}, before registration</source>
+      <translation>配准之前，同一工件的视图彼此吻合到 {v1} (k = 2)，最差 {v2}</translation>
+    </message>
+    <message>
+      <source>Views shared by {v1} and {v2}</source>
+      <translation>{v1} 与 {v2} 共有的视图</translation>
+    </message>
+    <message>
       <source>Whole rig</source>
       <translation>整个测量系统</translation>
+    </message>
+    <message>
+      <source>a point {v1} mm from the axis, between views half a turn apart,</source>
+      <translation>距轴线 {v1} mm 的点（相差半圈的视图之间）</translation>
+    </message>
+    <message>
+      <source>a point {v1} mm in front of the camera</source>
+      <translation>相机前方 {v1} mm 处的点</translation>
+    </message>
+    <message>
+      <source>a point {v1} mm in front of the cameras</source>
+      <translation>各相机前方 {v1} mm 处的点</translation>
+    </message>
+    <message>
+      <source>a point, between views {v1} mm of the guide apart,</source>
+      <translation>点（导轨上相距 {v1} mm 的视图之间）</translation>
     </message>
     <message>
       <source>axis direction</source>
@@ -2741,8 +2861,8 @@
       <translation>法兰上的相机，旋转</translation>
     </message>
     <message>
-      <source>camera {v1}</source>
-      <translation>相机 {v1}</translation>
+      <source>farther away from the {v1}</source>
+      <translation>离{v1}更远</translation>
     </message>
     <message>
       <source>guide direction</source>
@@ -2793,6 +2913,14 @@
       <translation>最大似然</translation>
     </message>
     <message>
+      <source>nearer to the {v1}</source>
+      <translation>离{v1}更近</translation>
+    </message>
+    <message>
+      <source>observation {v1}</source>
+      <translation>观测 {v1}</translation>
+    </message>
+    <message>
       <source>of a measurement uncertainty of 0.05 mm, 0.02 mm is hardly noticeable and 0.05 mm is all of it</source>
       <translation>测量不确定度为 0.05 mm 时，0.02 mm 几乎察觉不到，而 0.05 mm 即为全部</translation>
     </message>
@@ -2809,6 +2937,10 @@
       <translation>再一次</translation>
     </message>
     <message>
+      <source>once {v1} nearer to the {v2} and once {v3} farther away</source>
+      <translation>一次离{v2}近 {v1}，一次远 {v3}</translation>
+    </message>
+    <message>
       <source>one more view with</source>
       <translation>再拍一个视图，包含</translation>
     </message>
@@ -2817,8 +2949,16 @@
       <translation>投影仪的点补充两台相机的点，应同样确定</translation>
     </message>
     <message>
+      <source>points measured by camera {v1} and the projector, relative to each other (rms)</source>
+      <translation>相机 {v1} 与投影仪测得的点的相对位置 (rms)</translation>
+    </message>
+    <message>
       <source>points of the volume relative to each other (rms)</source>
       <translation>空间各点的相对位置（均方根）</translation>
+    </message>
+    <message>
+      <source>points {v1} mm in front of the camera (rms, across the line of sight)</source>
+      <translation>相机前方 {v1} mm 处的点 (rms，垂直于视线)</translation>
     </message>
     <message>
       <source>projector's image</source>
@@ -2839,6 +2979,10 @@
     <message>
       <source>straight line through the positions</source>
       <translation>过各位置的直线</translation>
+    </message>
+    <message>
+      <source>the combined expanded uncertainty of {v1} (k = 2)</source>
+      <translation>合成扩展不确定度 {v1} (k = 2)</translation>
     </message>
     <message>
       <source>the hand-eye transform</source>
@@ -2893,8 +3037,20 @@
       <translation>{v1} 不是一种标定。</translation>
     </message>
     <message>
+      <source>{v1} more times</source>
+      <translation>再 {v1} 次</translation>
+    </message>
+    <message>
+      <source>{v1} more views, each with</source>
+      <translation> {v1} 个视图，每个都取</translation>
+    </message>
+    <message>
       <source>{v1} observations of the board over {v2}° of the table do not determine the rig.</source>
       <translation>在转台 {v2}° 范围内 {v1} 次标定板观测不能确定测量系统。</translation>
+    </message>
+    <message>
+      <source>{v1} of {v2} observations were rejected: examine the reasons and replace them.</source>
+      <translation>{v2} 个观测中有 {v1} 个被剔除：请查看原因并替换它们。</translation>
     </message>
     <message>
       <source>{v1} poses do not determine the hand-eye transform.</source>
@@ -2923,6 +3079,38 @@
     <message>
       <source>{v1} {v2} could not be used; {v3}: {v4}.</source>
       <translation>{v1} 个{v2}无法使用；{v3}：{v4}。</translation>
+    </message>
+    <message>
+      <source>{v1} {v2} more {v3} {v4}, between those there are</source>
+      <translation>{v1} {v2} 个 {v3}{v4}，取在已有位置之间</translation>
+    </message>
+    <message>
+      <source>{v1} {v2}°, {v3}° are wanted</source>
+      <translation>{v1}：{v2}°，需要 {v3}°</translation>
+    </message>
+    <message>
+      <source>{v1}, more than {v2}: something changed in between, or one of the stated uncertainties is too small.</source>
+      <translation>{v1}，大于 {v2}：期间发生了变化，或某个给出的不确定度过小。</translation>
+    </message>
+    <message>
+      <source>{v1}, within {v2}.</source>
+      <translation>{v1}，在 {v2} 以内。</translation>
+    </message>
+    <message>
+      <source>{v1}, within {v2}; but its values differ by {v3} times their combined standard deviations: the cameras were knocked, refocused or warmed up in between.</source>
+      <translation>{v1}，在 {v2} 以内；但其数值之差为合成标准差的 {v3} 倍：期间相机被碰动、重新调焦或升温。</translation>
+    </message>
+    <message>
+      <source>{v1}. Only usable for another reason: {v2}</source>
+      <translation>{v1}。仅因其他原因可用：{v2}</translation>
+    </message>
+    <message>
+      <source>{v1}: corner {v2} rejected, it {v3}.</source>
+      <translation>{v1}：角点 {v2} 被剔除，它{v3}。</translation>
+    </message>
+    <message>
+      <source>{v1}: {v2} more {v3} beyond {v4}{v5}</source>
+      <translation>{v1}：再取 {v2} 个{v3}，超出 {v4}{v5}</translation>
     </message>
   </context>
   <context>
@@ -3609,6 +3797,26 @@
       <source>Transform it to the guide frame.</source>
       <translation>请将其变换到导轨坐标系。</translation>
     </message>
+    <message>
+      <source>error motions of the guide: {v1}</source>
+      <translation>导轨的运动误差：{v1}</translation>
+    </message>
+    <message>
+      <source>error motions of the table: {v1}</source>
+      <translation>转台的运动误差：{v1}</translation>
+    </message>
+    <message>
+      <source>radial ± {v1}, axial ± {v2}, tilt ± {v3}″</source>
+      <translation>径向 ± {v1}，轴向 ± {v2}，倾斜 ± {v3}″</translation>
+    </message>
+    <message>
+      <source>straightness ± {v1}, pitch, yaw and roll ± {v2}″</source>
+      <translation>直线度 ± {v1}，俯仰、偏摆和滚转 ± {v2}″</translation>
+    </message>
+    <message>
+      <source>they move the board by {v1} rms between the views of the calibration; positions are corrected for them</source>
+      <translation>在标定的各视图之间它们使标定板移动 {v1} rms；位置已作修正</translation>
+    </message>
   </context>
   <context>
     <name>core.devices</name>
@@ -4172,8 +4380,28 @@
       <translation>请使用原始图像：无伽马、降噪、自动增益或有损压缩。</translation>
     </message>
     <message>
+      <source>border of a period</source>
+      <translation>周期边界</translation>
+    </message>
+    <message>
+      <source>complementary Gray code</source>
+      <translation>互补格雷码</translation>
+    </message>
+    <message>
       <source>decoding {v1}</source>
       <translation>正在解码 {v1}</translation>
+    </message>
+    <message>
+      <source>edge of the range</source>
+      <translation>范围边缘</translation>
+    </message>
+    <message>
+      <source>heterodyne of {v1} pitches</source>
+      <translation>{v1} 节距外差</translation>
+    </message>
+    <message>
+      <source>quarter of a period</source>
+      <translation>四分之一周期</translation>
     </message>
     <message>
       <source>{v1} Gray planes number {v2} periods of {v3} px: {v4} of {v5} {v6}.</source>
@@ -4182,6 +4410,10 @@
     <message>
       <source>{v1} are saturated, black, or too small everywhere.</source>
       <translation>{v1} 到处饱和、全黑或过小。</translation>
+    </message>
+    <message>
+      <source>{v1} bits</source>
+      <translation>{v1} 位</translation>
     </message>
     <message>
       <source>{v1} does not fit the other steps of its group.</source>
@@ -4246,6 +4478,10 @@
     <message>
       <source>{v1} shows the same pattern as {v2}.</source>
       <translation>{v1} 显示与 {v2} 相同的图案。</translation>
+    </message>
+    <message>
+      <source>{v1} → {v2} periods</source>
+      <translation>{v1} → {v2} 个周期</translation>
     </message>
   </context>
   <context>
@@ -4937,10 +5173,6 @@
       <translation>请选择另一文件夹，或先删除该文件夹。</translation>
     </message>
     <message>
-      <source>Choose one of {v1}.</source>
-      <translation>请选择 {v1} 之一。</translation>
-    </message>
-    <message>
       <source>Choose the views in the project of their set-up, then compute this one again: measureapp process PROJECT.</source>
       <translation>请在其装夹的项目中选择视图，然后重新计算此项目：measureapp process PROJECT。</translation>
     </message>
@@ -5201,16 +5433,8 @@
       <translation>各次装夹没有可用于合并的名义模型。</translation>
     </message>
     <message>
-      <source>The view has no camera {v1}.</source>
-      <translation>该视图没有相机 {v1}。</translation>
-    </message>
-    <message>
       <source>There are no images of the board.</source>
       <translation>没有标定板图像。</translation>
-    </message>
-    <message>
-      <source>There is no pattern set {v1}.</source>
-      <translation>没有图案集 {v1}。</translation>
     </message>
     <message>
       <source>There is no sample project {v1}.</source>
@@ -5460,6 +5684,14 @@
   <context>
     <name>core.planning</name>
     <message>
+      <source> And {v1} more.</source>
+      <translation> 还有 {v1} 条。</translation>
+    </message>
+    <message>
+      <source>; and {v1} more</source>
+      <translation>；还有 {v1} 条</translation>
+    </message>
+    <message>
       <source>A plan needs at least one viewpoint.</source>
       <translation>计划至少需要一个视点。</translation>
     </message>
@@ -5492,6 +5724,14 @@
       <translation>请更改这些视点；未作任何移动。</translation>
     </message>
     <message>
+      <source>Change this viewpoint or the order of the plan, or state a park pose that the robot reaches from both; nothing was moved.</source>
+      <translation>请更改此视点或计划的顺序，或给出机器人从两处都能到达的停放位姿；什么也没有移动。</translation>
+    </message>
+    <message>
+      <source>Change this viewpoint; nothing was moved.</source>
+      <translation>请更改此视点；什么也没有移动。</translation>
+    </message>
+    <message>
       <source>Check the pose of the part on the table and the rig's limits.</source>
       <translation>请检查工件在转台上的位姿和测量系统的限位。</translation>
     </message>
@@ -5510,6 +5750,10 @@
     <message>
       <source>Choose one of them to change its pose or table angle.</source>
       <translation>请选择其中之一以更改其位姿或转台角度。</translation>
+    </message>
+    <message>
+      <source>Choose one of {v1}.</source>
+      <translation>请选择 {v1} 之一。</translation>
     </message>
     <message>
       <source>Choose {v1}…{v2}°.</source>
@@ -5546,6 +5790,10 @@
     <message>
       <source>Move it to the centre of the table; if it may overhang, state largest_part_mm in [cell] of the rig description.</source>
       <translation>请将其移到转台中心；若可悬出，请在测量系统描述的 [cell] 中给出 largest_part_mm。</translation>
+    </message>
+    <message>
+      <source>Name the model of this arm in the rig description (model_file), and check tool0 in the controller; nothing was moved.</source>
+      <translation>请在测量装置描述中给出此机械臂的型号 (model_file)，并检查控制器中的 tool0；什么也没有移动。</translation>
     </message>
     <message>
       <source>Nothing was changed.</source>
@@ -5592,6 +5840,18 @@
       <translation>无论关节角如何，物体 {v1} 都接触：工作站模型有误。</translation>
     </message>
     <message>
+      <source>The kinematic model does not have the pose read back, so collisions cannot be checked. {v1}</source>
+      <translation>运动学模型与读回的位姿不符，因此无法检查碰撞。{v1}</translation>
+    </message>
+    <message>
+      <source>The kinematic model states no bodies of the links: thick capsules along them were checked for collisions instead.</source>
+      <translation>运动学模型未给出连杆实体：改用沿连杆的粗胶囊体检查碰撞。</translation>
+    </message>
+    <message>
+      <source>The move from place {v1} to {v2} is not free: {v3}</source>
+      <translation>从位置 {v1} 到 {v2} 的移动不畅通：{v3}</translation>
+    </message>
+    <message>
       <source>The name {v1} is taken.</source>
       <translation>名称 {v1} 已被使用。</translation>
     </message>
@@ -5606,6 +5866,10 @@
     <message>
       <source>The nominal is {v1} mm long, too small to be measured.</source>
       <translation>名义模型长 {v1} mm，太小而无法测量。</translation>
+    </message>
+    <message>
+      <source>The part is not known: it was not checked for collisions.</source>
+      <translation>工件未知：未检查其碰撞。</translation>
     </message>
     <message>
       <source>The part is too large for {v1}: turning with the table it needs {v2} mm, and parts may have up to {v3} mm.</source>
@@ -5636,8 +5900,32 @@
       <translation>计划有碰撞。{v1}</translation>
     </message>
     <message>
+      <source>The pose read back is {v1} mm off the one of {v2} for the same joints: collisions cannot be checked.</source>
+      <translation>相同关节角下，读回的位姿与 {v2} 的位姿相差 {v1} mm：无法检查碰撞。</translation>
+    </message>
+    <message>
+      <source>The rig description states no speed of {v1}: the time assumes usual ones.</source>
+      <translation>测量装置描述未给出{v1}的速度：时间按常用速度估计。</translation>
+    </message>
+    <message>
+      <source>The rig names no kinematic model of its robot: only the head was checked for collisions, on straight ways, not the robot's arm.</source>
+      <translation>测量装置未给出其机器人的运动学模型：只在直线路径上检查了测量头的碰撞，未检查机械臂。</translation>
+    </message>
+    <message>
+      <source>The viewpoints form {v1} groups without {v2} of common area: registration cannot connect them.</source>
+      <translation>这些视点分成 {v1} 组，公共区域不足 {v2}：配准无法将它们连接起来。</translation>
+    </message>
+    <message>
       <source>Their product may be {v1} at most.</source>
       <translation>其乘积最多为 {v1}。</translation>
+    </message>
+    <message>
+      <source>There is no free way to {v1}: on the direct one, {v2} {v3}.</source>
+      <translation>没有通往 {v1} 的畅通路径：在直接路径上，{v2}，{v3}。</translation>
+    </message>
+    <message>
+      <source>There is no pattern set {v1}.</source>
+      <translation>没有图案集 {v1}。</translation>
     </message>
     <message>
       <source>This is impossible: {v1}.</source>
@@ -5652,20 +5940,128 @@
       <translation>请为此工件编写计划。</translation>
     </message>
     <message>
+      <source>after {v1} % of the {v2}'s move</source>
+      <translation>在{v2}移动的 {v1} % 之后</translation>
+    </message>
+    <message>
+      <source>arm of unknown shape</source>
+      <translation>形状未知的机械臂</translation>
+    </message>
+    <message>
+      <source>by the park pose</source>
+      <translation>经由停放位姿</translation>
+    </message>
+    <message>
+      <source>camera {v1}</source>
+      <translation>相机 {v1}</translation>
+    </message>
+    <message>
+      <source>drawn back by {v1} mm</source>
+      <translation>退回 {v1} mm</translation>
+    </message>
+    <message>
+      <source>exactly that many, with the best coverage; none: as many as needed</source>
+      <translation>恰好这么多，覆盖率最佳；无：按需要的数量</translation>
+    </message>
+    <message>
+      <source>flange {v1} mm from the shoulder is outside {v2}…{v3} mm</source>
+      <translation>法兰距肩部 {v1} mm，超出 {v2}…{v3} mm</translation>
+    </message>
+    <message>
+      <source>guide at {v1} mm is outside {v2}…{v3} mm</source>
+      <translation>导轨位于 {v1} mm，超出 {v2}…{v3} mm</translation>
+    </message>
+    <message>
+      <source>head ({v1})</source>
+      <translation>测量头 ({v1})</translation>
+    </message>
+    <message>
+      <source>in the order {v1}</source>
+      <translation>按 {v1} 的顺序</translation>
+    </message>
+    <message>
+      <source>keep-out box {v1}</source>
+      <translation>禁入区 {v1}</translation>
+    </message>
+    <message>
+      <source>linear guide</source>
+      <translation>直线导轨</translation>
+    </message>
+    <message>
+      <source>of the surface</source>
+      <translation>占表面的比例</translation>
+    </message>
+    <message>
+      <source>of what some feasible viewpoint measures</source>
+      <translation>占某个可行视点所能测量部分的比例</translation>
+    </message>
+    <message>
       <source>reach and collisions</source>
       <translation>可达性与碰撞</translation>
+    </message>
+    <message>
+      <source>required of a point, coverage is then of information 1/σ²; none: it is measured</source>
+      <translation>对点的要求，此时覆盖率按信息量 1/σ² 计；无：测得即可</translation>
+    </message>
+    <message>
+      <source>robot's base</source>
+      <translation>机器人底座</translation>
+    </message>
+    <message>
+      <source>robot's link {v1}</source>
+      <translation>机器人连杆 {v1}</translation>
+    </message>
+    <message>
+      <source>rotary table</source>
+      <translation>转台</translation>
+    </message>
+    <message>
+      <source>share of its area that a viewpoint has in common with others</source>
+      <translation>一个视点与其他视点共有的面积比例</translation>
+    </message>
+    <message>
+      <source>table at {v1}° is outside {v2}…{v3}°</source>
+      <translation>转台位于 {v1}°，超出 {v2}…{v3}°</translation>
+    </message>
+    <message>
+      <source>that see each place where candidates allow: overlap joins the clouds</source>
+      <translation>在候选视点允许之处看到每个位置的视点数：重叠使点云相连</translation>
+    </message>
+    <message>
+      <source>the {v1} would collide with the {v2}</source>
+      <translation>{v1}将与{v2}碰撞</translation>
+    </message>
+    <message>
+      <source>the {v1} would come within {v2} mm of the {v3} (at least {v4} mm)</source>
+      <translation>{v1}将接近{v3}至 {v2} mm（至少需 {v4} mm）</translation>
+    </message>
+    <message>
+      <source>the {v1} would enter the {v2}</source>
+      <translation>{v1}将进入{v2}</translation>
     </message>
     <message>
       <source>viewpoints for pockets</source>
       <translation>凹腔的视点</translation>
     </message>
     <message>
+      <source>view{v1}</source>
+      <translation>view{v1}</translation>
+    </message>
+    <message>
       <source>what cannot be seen</source>
       <translation>看不到的部分</translation>
     </message>
     <message>
+      <source>{v1} and {v2}</source>
+      <translation>{v1} 和 {v2}</translation>
+    </message>
+    <message>
       <source>{v1} cannot be a name.</source>
       <translation>{v1} 不能用作名称。</translation>
+    </message>
+    <message>
+      <source>{v1} cannot be approached: {v2}.</source>
+      <translation>无法接近 {v1}：{v2}。</translation>
     </message>
     <message>
       <source>{v1} cannot measure any of the part: none of {v2} feasible viewpoints sees it.</source>
@@ -5704,8 +6100,16 @@
       <translation>要求了 {v1} 个视点。</translation>
     </message>
     <message>
+      <source>{v1} viewpoints were requested; no more than {v2} add anything.</source>
+      <translation>要求 {v1} 个视点；多于 {v2} 个不再增加任何内容。</translation>
+    </message>
+    <message>
       <source>{v1} viewpoints, exchanges</source>
       <translation>{v1} 个视点，交换</translation>
+    </message>
+    <message>
+      <source>{v1}: every configuration is near a singularity, such as {v2}</source>
+      <translation>{v1}：每种构型都接近奇异，例如 {v2}</translation>
     </message>
   </context>
   <context>
@@ -7440,6 +7844,18 @@
   <context>
     <name>core.reconstruct</name>
     <message>
+      <source> The orthogonal fringes give no {v1} there: {v2}.</source>
+      <translation> 正交条纹在那里没有给出{v1}：{v2}。</translation>
+    </message>
+    <message>
+      <source> and </source>
+      <translation> 和 </translation>
+    </message>
+    <message>
+      <source> {v1} were not matched: {v2}.</source>
+      <translation> {v1} 未匹配：{v2}。</translation>
+    </message>
+    <message>
       <source>A camera of the pair looks along the baseline.</source>
       <translation>相机对中有一台沿基线方向观察。</translation>
     </message>
@@ -7450,6 +7866,22 @@
     <message>
       <source>Add the images of a second camera.</source>
       <translation>请添加第二台相机的图像。</translation>
+    </message>
+    <message>
+      <source>Another camera sees a projector line there that differs from {lit} by more than {sigmas:g} standard deviations plus {px:g} px: reflections, or a camera that moved. Check the epipolar residual of the viewpoint.</source>
+      <translation>另一台相机在那里看到的投影仪条纹线与{lit}相差超过 {sigmas:g} 倍标准差加 {px:g} px：反射，或某台相机移动了。请检查该视点的极线残差。</translation>
+    </message>
+    <message>
+      <source>At a depth discontinuity, where blur mixes in the light from beyond the border of its surface. Add a viewpoint from which it is not at a border.</source>
+      <translation>位于深度不连续处，模糊混入了其表面边界之外的光。请增加一个使它不在边界上的视点。</translation>
+    </message>
+    <message>
+      <source>At a depth discontinuity, where the pixel covers two surfaces at once. Another viewpoint sees them apart.</source>
+      <translation>位于深度不连续处，该像素同时覆盖两个表面。从另一个视点可将它们分开。</translation>
+    </message>
+    <message>
+      <source>Beside a saturated pixel that spills over. Add a shorter exposure.</source>
+      <translation>在溢出的饱和像素旁边。请增加更短的曝光。</translation>
     </message>
     <message>
       <source>Camera {v1} and the projector give no points: {v2} pixels are {v3}.</source>
@@ -7484,12 +7916,40 @@
       <translation>相机 {v1} 与 {v2} 沿其基线方向观察。</translation>
     </message>
     <message>
+      <source>Change the sign of shift_sign, reverse the order of the phase-shifted images, or check whether the projector is mounted upside down.</source>
+      <translation>请更改 shift_sign 的符号、颠倒相移图像的顺序，或检查投影仪是否倒装。</translation>
+    </message>
+    <message>
+      <source>Check shift_sign and the pitches, and that the calibration belongs to this camera and projector.</source>
+      <translation>请检查 shift_sign 和节距，以及标定是否属于此相机和投影仪。</translation>
+    </message>
+    <message>
       <source>Check shift_sign, the pitches and that the calibration belongs to these images.</source>
       <translation>请检查 shift_sign、间距，以及标定是否属于这些图像。</translation>
     </message>
     <message>
-      <source>Check the calibration.</source>
-      <translation>请检查标定。</translation>
+      <source>Check that the calibration belongs to these images and their order.</source>
+      <translation>请检查标定是否属于这些图像及其顺序。</translation>
+    </message>
+    <message>
+      <source>Check that the calibration belongs to these images, and that the cameras see the same part.</source>
+      <translation>请检查标定是否属于这些图像，以及各相机是否看到同一工件。</translation>
+    </message>
+    <message>
+      <source>Check the fringe direction of the pattern set, and whether images are rotated by 90°.</source>
+      <translation>请检查图案集的条纹方向，以及图像是否旋转了 90°。</translation>
+    </message>
+    <message>
+      <source>Check the pitches and projector_px of the pattern set, or calibrate the projector again.</source>
+      <translation>请检查图案集的节距和 projector_px，或重新标定投影仪。</translation>
+    </message>
+    <message>
+      <source>Check the pitches of the pattern set, and that the calibration belongs to this projector and its resolution.</source>
+      <translation>请检查图案集的节距，以及标定是否属于此投影仪及其分辨率。</translation>
+    </message>
+    <message>
+      <source>Check whether the images of {v1} are rotated by 180° or mirrored, and whether the calibration belongs to them.</source>
+      <translation>请检查 {v1} 的图像是否旋转了 180° 或镜像，以及标定是否属于它们。</translation>
     </message>
     <message>
       <source>Choose the grid of the images.</source>
@@ -7500,6 +7960,14 @@
       <translation>请解码同一图案集的图像。</translation>
     </message>
     <message>
+      <source>Either shift_sign is wrong, or the projector (or the reference camera) is mounted upside down. Change shift_sign, or calibrate the projector: its calibration distinguishes the two.</source>
+      <translation>要么 shift_sign 错误，要么投影仪（或参考相机）倒装。请更改 shift_sign，或标定投影仪：其标定可区分二者。</translation>
+    </message>
+    <message>
+      <source>Exchange them, for instance in the manifest: </source>
+      <translation>请交换它们，例如在清单中： </translation>
+    </message>
+    <message>
       <source>Exclude one of the cameras.</source>
       <translation>请排除其中一台相机。</translation>
     </message>
@@ -7508,20 +7976,100 @@
       <translation>请排除其一。</translation>
     </message>
     <message>
+      <source>Fewer than {neighbours} of 24 places around it lie on the same surface: it is at a depth discontinuity or isolated.</source>
+      <translation>在其周围 24 处中，同一表面上的少于 {neighbours} 处：它位于深度不连续处或是孤立的。</translation>
+    </message>
+    <message>
       <source>Fringes of this direction cannot match the cameras {v1}: {v2}.</source>
       <translation>此方向的条纹不能匹配相机 {v1}：{v2}。</translation>
+    </message>
+    <message>
+      <source>Further from the plane through its neighbours than {outlier:g} standard deviations.</source>
+      <translation>距其邻点平面的距离大于 {outlier:g} 倍标准差。</translation>
     </message>
     <message>
       <source>Give cameras.json a projector, or use two cameras.</source>
       <translation>请给 cameras.json 一个投影仪，或使用两台相机。</translation>
     </message>
     <message>
+      <source>Grazing incidence on another camera of the point: more than {partner:g}° off the normal.</source>
+      <translation>在该点的另一台相机上为掠入射：偏离法线超过 {partner:g}°。</translation>
+    </message>
+    <message>
+      <source>Grazing incidence: the camera sees the surface more than {incidence:g}° off its normal. Turn the part towards the sensor.</source>
+      <translation>掠入射：相机看到的表面偏离其法线超过 {incidence:g}°。请将工件转向测量头。</translation>
+    </message>
+    <message>
+      <source>Isolated patch: its connected component has fewer than {min_pixels} pixels.</source>
+      <translation>孤立碎片：其连通区域少于 {min_pixels} 个像素。</translation>
+    </message>
+    <message>
+      <source>It has a point.</source>
+      <translation>它有一个点。</translation>
+    </message>
+    <message>
       <source>Its images have {v1} rows and {v2} columns.</source>
       <translation>其图像有 {v1} 行 {v2} 列。</translation>
     </message>
     <message>
+      <source>Measured by an earlier camera already: the point is in that camera's image.</source>
+      <translation>已由前面的相机测得：该点在那台相机的图像中。</translation>
+    </message>
+    <message>
+      <source>Name one of: </source>
+      <translation>请从中选择： </translation>
+    </message>
+    <message>
+      <source>No other camera has the {lit} on the epipolar line: it is occluded from them, or outside their images. Add a viewpoint.</source>
+      <translation>没有其他相机在极线上看到{lit}：它被遮挡，或在其图像之外。请增加一个视点。</translation>
+    </message>
+    <message>
+      <source>Not reached by the projector's light: modulation {modulation:.1f} grey levels. Turn the part or add a viewpoint.</source>
+      <translation>投影仪的光没有照到：调制度 {modulation:.1f} 灰度级。请转动工件或增加一个视点。</translation>
+    </message>
+    <message>
+      <source>One of {v1} has moved since its calibration: check the mountings and calibrate again.</source>
+      <translation>{v1} 之一在标定后移动了：请检查安装并重新标定。</translation>
+    </message>
+    <message>
+      <source>Only one camera sees the {lit}, which gives no depth. Add a second camera, or calibrate the projector.</source>
+      <translation>只有一台相机看到{lit}，无法得到深度。请增加第二台相机，或标定投影仪。</translation>
+    </message>
+    <message>
+      <source>Only {v1} of the phases of {v2} have a match on their epipolar line in {v3}, in front of both cameras.</source>
+      <translation>{v2} 的相位中只有 {v1} 在 {v3} 的极线上、两台相机前方有匹配。</translation>
+    </message>
+    <message>
+      <source>Only {v1} of the phases of {v2} intersect their projector column in front of the camera.</source>
+      <translation>{v2} 的相位中只有 {v1} 在相机前方与其投影仪列相交。</translation>
+    </message>
+    <message>
+      <source>Orthogonal fringes of {v1} in {v2}</source>
+      <translation>{v2} 中 {v1} 的正交条纹</translation>
+    </message>
+    <message>
+      <source>Points of {v1} and {v2} in {v3}</source>
+      <translation>{v3} 中 {v1} 和 {v2} 的点</translation>
+    </message>
+    <message>
       <source>Project fringes of the other direction, or both.</source>
       <translation>请投射另一方向或两个方向的条纹。</translation>
+    </message>
+    <message>
+      <source>Saturated in every exposure: {grey:.0f} of {saturation:.0f} grey levels. Add a shorter exposure.</source>
+      <translation>在每次曝光中都饱和：{saturation:.0f} 灰度级中的 {grey:.0f}。请增加更短的曝光。</translation>
+    </message>
+    <message>
+      <source>The calibrated projector deviates by {v1} columns from the points of two cameras.</source>
+      <translation>已标定的投影仪与两台相机的点相差 {v1} 列。</translation>
+    </message>
+    <message>
+      <source>The fringe orders of the pitches contradict each other, at modulation {modulation:.1f} grey levels. Use patterns with more pitches, or a longer exposure.</source>
+      <translation>各节距的条纹级次相互矛盾，调制度 {modulation:.1f} 灰度级。请使用节距更多的图案，或更长的曝光。</translation>
+    </message>
+    <message>
+      <source>The fringes in the images of {v1} are orthogonal to those of the calibrated projector.</source>
+      <translation>{v1} 图像中的条纹与已标定投影仪的条纹正交。</translation>
     </message>
     <message>
       <source>The image has {v1} columns; at least {v2} are needed.</source>
@@ -7532,12 +8080,88 @@
       <translation>相机 {v1} 的图像有 {v2} 列；至少需要 {v3} 列。</translation>
     </message>
     <message>
+      <source>The images of {v1} appear to be exchanged.</source>
+      <translation>{v1} 的图像似乎被交换了。</translation>
+    </message>
+    <message>
+      <source>The images of {v1} contradict the calibration: matched points have phase residuals of {v2} px.</source>
+      <translation>{v1} 的图像与标定矛盾：匹配点的相位残差为 {v2} px。</translation>
+    </message>
+    <message>
+      <source>The phase decreases from left to right in the images of {v1}.</source>
+      <translation>在 {v1} 的图像中，相位从左到右减小。</translation>
+    </message>
+    <message>
+      <source>The phase lies outside the projector's image: light arrives by a reflection, or the order is wrong.</source>
+      <translation>相位位于投影仪图像之外：光经反射到达，或级次错误。</translation>
+    </message>
+    <message>
       <source>The phase maps of the cameras are of different pitches.</source>
       <translation>各相机的相位图间距不同。</translation>
     </message>
     <message>
+      <source>The phase of {v1} increases against the columns of the calibrated projector.</source>
+      <translation>{v1} 的相位逆着已标定投影仪的列方向增大。</translation>
+    </message>
+    <message>
+      <source>The phase of {v1} increases in the opposite direction to that of the other cameras and the projector.</source>
+      <translation>{v1} 的相位增大方向与其他相机和投影仪相反。</translation>
+    </message>
+    <message>
+      <source>The phase of {v1} increases in the opposite direction to that of the other cameras.</source>
+      <translation>{v1} 的相位增大方向与其他相机相反。</translation>
+    </message>
+    <message>
+      <source>The phases reach projector column {v1}, but the calibrated projector has {v2} columns.</source>
+      <translation>相位达到投影仪第 {v1} 列，而已标定的投影仪只有 {v2} 列。</translation>
+    </message>
+    <message>
+      <source>The predicted standard deviation exceeds {max_sigma:.2g} mm and three times the median of the view: phase noise {sigma:.4f} rad. Add a longer exposure.</source>
+      <translation>预测的标准差超过 {max_sigma:.2g} mm 及该视图中值的三倍：相位噪声 {sigma:.4f} rad。请增加更长的曝光。</translation>
+    </message>
+    <message>
+      <source>The predicted standard deviation exceeds {max_sigma:.2g} mm: phase noise {sigma:.4f} rad. Add a longer exposure.</source>
+      <translation>预测的标准差超过 {max_sigma:.2g} mm：相位噪声 {sigma:.4f} rad。请增加更长的曝光。</translation>
+    </message>
+    <message>
+      <source>The projector columns of the phases are {v1} times those of the calibrated projector.</source>
+      <translation>相位的投影仪列是已标定投影仪的 {v1} 倍。</translation>
+    </message>
+    <message>
+      <source>The projector illuminates the surface more than {partner:g}° off its normal.</source>
+      <translation>投影仪照射表面的方向偏离其法线超过 {partner:g}°。</translation>
+    </message>
+    <message>
+      <source>The projector or a camera has moved: calibrate the projector again, and do not use its points until then.</source>
+      <translation>投影仪或某台相机移动了：请重新标定投影仪，在此之前不要使用其点。</translation>
+    </message>
+    <message>
       <source>The region has no pixel of camera {v1}.</source>
       <translation>该区域没有相机 {v1} 的像素。</translation>
+    </message>
+    <message>
+      <source>The view has no camera {v1}.</source>
+      <translation>该视图没有相机 {v1}。</translation>
+    </message>
+    <message>
+      <source>The viewing ray does not meet the {lit} in front of the camera and inside the projector's image: a wrong fringe order, light from a reflection, or the calibration of another projector.</source>
+      <translation>视线在相机前方、投影仪图像之内没有与{lit}相交：条纹级次错误、来自反射的光，或是另一台投影仪的标定。</translation>
+    </message>
+    <message>
+      <source>The viewing ray is nearly parallel to the surface that the {lit} illuminates, so that the depth is undetermined. Move the projector or the camera apart, or add fringes of the other direction.</source>
+      <translation>视线几乎平行于{lit}照射的表面，因此深度无法确定。请将投影仪与相机分开，或增加另一方向的条纹。</translation>
+    </message>
+    <message>
+      <source>The {lit} belong to no point of the viewing ray, by more than {sigmas:g} standard deviations plus {px:g} px: reflections, or a projector or camera that moved.</source>
+      <translation>{lit}不属于视线上的任何点，相差超过 {sigmas:g} 倍标准差加 {px:g} px：反射，或投影仪或相机移动了。</translation>
+    </message>
+    <message>
+      <source>The {lit} occurs at several places of an epipolar line, or hardly changes along it: a wrong fringe order, or fringes along the line.</source>
+      <translation>{lit}在一条极线上多处出现，或沿极线几乎不变：条纹级次错误，或条纹与极线平行。</translation>
+    </message>
+    <message>
+      <source>Too little of the light follows the pattern: modulation {modulation:.1f} at {grey:.0f} grey levels. Add a longer exposure, shade ambient light, or dull a shiny surface.</source>
+      <translation>跟随图案的光太少：在 {grey:.0f} 灰度级时调制度 {modulation:.1f}。请增加更长的曝光、遮挡环境光，或使反光表面变暗。</translation>
     </message>
     <message>
       <source>Use images of the whole sensor.</source>
@@ -7560,15 +8184,71 @@
       <translation>正在匹配 {v1}</translation>
     </message>
     <message>
+      <source>projector </source>
+      <translation>投影仪 </translation>
+    </message>
+    <message>
       <source>{v1} calibrated camera has images; points need two.</source>
       <translation>{v1} 台已标定相机有图像；点需要两台。</translation>
+    </message>
+    <message>
+      <source>{v1} have a systematic residual of {v2} px, about {v3} mm of depth; phase noise explains {v4} px.</source>
+      <translation>{v1}有 {v2} px 的系统残差，约合 {v3} mm 深度；相位噪声可解释 {v4} px。</translation>
     </message>
   </context>
   <context>
     <name>core.register</name>
     <message>
+      <source>A cloud of {v1} points has no point with {v2} neighbours.</source>
+      <translation>{v1} 个点的点云中没有一个点有 {v2} 个邻点。</translation>
+    </message>
+    <message>
+      <source>A cloud of {v1} points has no surface.</source>
+      <translation>{v1} 个点的点云没有表面。</translation>
+    </message>
+    <message>
+      <source>At least one cloud needs {v1} points.</source>
+      <translation>至少一个点云需要 {v1} 个点。</translation>
+    </message>
+    <message>
+      <source>Check the calibration.</source>
+      <translation>请检查标定。</translation>
+    </message>
+    <message>
+      <source>Exclude it or measure it again.</source>
+      <translation>请排除它或重新测量。</translation>
+    </message>
+    <message>
       <source>Give each axis from the smaller to the larger value.</source>
       <translation>请从小到大给出每个轴的值。</translation>
+    </message>
+    <message>
+      <source>Give one pose per cloud.</source>
+      <translation>请为每个点云给出一个位姿。</translation>
+    </message>
+    <message>
+      <source>Give six rows and columns per view.</source>
+      <translation>请为每个视图给出六行六列。</translation>
+    </message>
+    <message>
+      <source>Give the direction of the side to keep.</source>
+      <translation>请给出要保留一侧的方向。</translation>
+    </message>
+    <message>
+      <source>If they are in {v1}, use `--unit {v2}`; otherwise export the clouds in millimetres.</source>
+      <translation>如果单位是 {v1}，请使用 `--unit {v2}`；否则请以毫米导出点云。</translation>
+    </message>
+    <message>
+      <source>No cloud has enough points for registration.</source>
+      <translation>没有点云有足够的点用于配准。</translation>
+    </message>
+    <message>
+      <source>No view can be used: each contradicts its kinematic position.</source>
+      <translation>没有可用的视图：每个都与其运动学位置矛盾。</translation>
+    </message>
+    <message>
+      <source>Placed by their poses, the clouds lie {v1} times their own size apart; read as {v2}, they overlap.</source>
+      <translation>按其位姿放置时，点云相距其自身大小的 {v1} 倍；按 {v2} 读取则相互重叠。</translation>
     </message>
     <message>
       <source>Separate the numbers by commas.</source>
@@ -7579,6 +8259,10 @@
       <translation>盒子为空：某下限超过其上限。</translation>
     </message>
     <message>
+      <source>The covariance of {v1} poses has shape {v2}.</source>
+      <translation>{v1} 个位姿的协方差的形状为 {v2}。</translation>
+    </message>
+    <message>
       <source>The filter {v1} needs {v2} numbers.</source>
       <translation>过滤器 {v1} 需要 {v2} 个数字。</translation>
     </message>
@@ -7587,12 +8271,24 @@
       <translation>过滤器 {v1} 去除了所有点。</translation>
     </message>
     <message>
+      <source>The plane normal is 0 0 0.</source>
+      <translation>平面法向为 0 0 0。</translation>
+    </message>
+    <message>
+      <source>There are {v1} clouds but {v2} poses.</source>
+      <translation>有 {v1} 个点云，但有 {v2} 个位姿。</translation>
+    </message>
+    <message>
       <source>There are {v1} filters already.</source>
       <translation>已有 {v1} 个过滤器。</translation>
     </message>
     <message>
       <source>Undo some, or apply fewer and stricter ones.</source>
       <translation>请撤销一些，或使用更少、更严格的。</translation>
+    </message>
+    <message>
+      <source>Use a larger cloud or fewer neighbours.</source>
+      <translation>请使用更大的点云或更少的邻点。</translation>
     </message>
     <message>
       <source>Widen it. Nothing was changed.</source>
@@ -7615,6 +8311,26 @@
       <translation>联合配准</translation>
     </message>
     <message>
+      <source>noise of {v1} mm</source>
+      <translation>噪声 {v1} mm</translation>
+    </message>
+    <message>
+      <source>only {v1} of the visible surface has points</source>
+      <translation>可见表面只有 {v1} 有点</translation>
+    </message>
+    <message>
+      <source>only {v1} points</source>
+      <translation>只有 {v1} 个点</translation>
+    </message>
+    <message>
+      <source>only {v1} points per mm²</source>
+      <translation>每 mm² 只有 {v1} 个点</translation>
+    </message>
+    <message>
+      <source>only {v1} points: excluded</source>
+      <translation>只有 {v1} 个点：已排除</translation>
+    </message>
+    <message>
       <source>preparing set-ups</source>
       <translation>正在准备各次装夹</translation>
     </message>
@@ -7631,6 +8347,10 @@
       <translation>正在去除长三角形</translation>
     </message>
     <message>
+      <source>rotation about {v1} through {v2} mm</source>
+      <translation>绕 {v1} 过 {v2} mm 的旋转</translation>
+    </message>
+    <message>
       <source>searching neighbours</source>
       <translation>正在搜索邻点</translation>
     </message>
@@ -7639,12 +8359,24 @@
       <translation>表面已完成</translation>
     </message>
     <message>
+      <source>surface distortion of {v1} mm</source>
+      <translation>表面畸变 {v1} mm</translation>
+    </message>
+    <message>
+      <source>translation along {v1}</source>
+      <translation>沿 {v1} 的平移</translation>
+    </message>
+    <message>
       <source>triangulating the points</source>
       <translation>正在将点三角化</translation>
     </message>
     <message>
       <source>trimming the surface</source>
       <translation>正在修整表面</translation>
+    </message>
+    <message>
+      <source>{v1} outliers</source>
+      <translation>{v1} 离群点</translation>
     </message>
   </context>
   <context>
@@ -8040,6 +8772,10 @@
       <translation>尚无图像。</translation>
     </message>
     <message>
+      <source>No. {place}</source>
+      <translation>编号 {place}</translation>
+    </message>
+    <message>
       <source>Phase</source>
       <translation>相位</translation>
     </message>
@@ -8147,6 +8883,10 @@
       <source>{words}, {count} pixels{ends}</source>
       <translation>{words}，{count} 个像素{ends}</translation>
     </message>
+    <message>
+      <source>{words}, {width} × {height} px</source>
+      <translation>{words}，{width} × {height} px</translation>
+    </message>
   </context>
   <context>
     <name>inspection</name>
@@ -8157,10 +8897,6 @@
     <message>
       <source> {lost} points lie farther than {search_mm} from the nominal.</source>
       <translation> {lost} 个点距名义模型超过 {search_mm}。</translation>
-    </message>
-    <message>
-      <source>, each confirmed by its neighbours.</source>
-      <translation>，均由其邻点证实。</translation>
     </message>
     <message>
       <source>, form {form_error_mm}</source>
@@ -8595,6 +9331,10 @@
       <translation>最小值</translation>
     </message>
     <message>
+      <source>Minimum {value}</source>
+      <translation>最小 {value}</translation>
+    </message>
+    <message>
       <source>Move down</source>
       <translation>下移</translation>
     </message>
@@ -8899,10 +9639,6 @@
       <translation>将颜色、范围和公差带随检测程序保存：在此处和报告中再次使用</translation>
     </message>
     <message>
-      <source>Surface</source>
-      <translation>表面</translation>
-    </message>
-    <message>
       <source>Surface deviation</source>
       <translation>表面偏差</translation>
     </message>
@@ -9027,8 +9763,16 @@
       <translation>个特征</translation>
     </message>
     <message>
+      <source>fixes {fixed}</source>
+      <translation>约束{fixed}</translation>
+    </message>
+    <message>
       <source>line</source>
       <translation>直线</translation>
+    </message>
+    <message>
+      <source>maximum {value}</source>
+      <translation>最大 {value}</translation>
     </message>
     <message>
       <source>none: no verdict</source>
@@ -9115,6 +9859,14 @@
       <translation>{count} 无公差</translation>
     </message>
     <message>
+      <source>{dimensions} deleted.</source>
+      <translation>已删除{dimensions}。</translation>
+    </message>
+    <message>
+      <source>{dimensions} duplicated.</source>
+      <translation>已复制{dimensions}。</translation>
+    </message>
+    <message>
       <source>{filled}: {filled_2} of the surface</source>
       <translation>{filled}：表面的 {filled_2}</translation>
     </message>
@@ -9129,6 +9881,10 @@
     <message>
       <source>{letter}  changes places with {name}</source>
       <translation>{letter}  与 {name} 互换</translation>
+    </message>
+    <message>
+      <source>{listed}, each confirmed by its neighbours.</source>
+      <translation>{listed}，均由其邻点证实。</translation>
     </message>
     <message>
       <source>{name} is datum {letter}.</source>
@@ -9238,6 +9994,10 @@
       <translation>全部 {count} 个合格。</translation>
     </message>
     <message>
+      <source>Ambiguous</source>
+      <translation>多义</translation>
+    </message>
+    <message>
       <source>Baud rate</source>
       <translation>波特率</translation>
     </message>
@@ -9254,6 +10014,14 @@
       <translation>测头的外形盒</translation>
     </message>
     <message>
+      <source>Calibration</source>
+      <translation>标定</translation>
+    </message>
+    <message>
+      <source>Calibration images</source>
+      <translation>标定图像</translation>
+    </message>
+    <message>
       <source>Camera in the head</source>
       <translation>测头中的相机</translation>
     </message>
@@ -9262,12 +10030,20 @@
       <translation>Cantarell</translation>
     </message>
     <message>
+      <source>Checks</source>
+      <translation>检查</translation>
+    </message>
+    <message>
       <source>Choose one of: {expected}</source>
       <translation>请选择其一：{expected}</translation>
     </message>
     <message>
       <source>Clearance</source>
       <translation>间隙</translation>
+    </message>
+    <message>
+      <source>Clouds</source>
+      <translation>点云</translation>
     </message>
     <message>
       <source>Complem. Gray, 8 steps</source>
@@ -9280,6 +10056,10 @@
     <message>
       <source>Complementary Gray</source>
       <translation>互补格雷码</translation>
+    </message>
+    <message>
+      <source>Contradicted</source>
+      <translation>矛盾</translation>
     </message>
     <message>
       <source>Delay between packets</source>
@@ -9314,6 +10094,10 @@
       <translation>不合格</translation>
     </message>
     <message>
+      <source>Flat</source>
+      <translation>平板</translation>
+    </message>
+    <message>
       <source>Flying point</source>
       <translation>飞点</translation>
     </message>
@@ -9324,6 +10108,10 @@
     <message>
       <source>Fusion</source>
       <translation>融合</translation>
+    </message>
+    <message>
+      <source>Gear</source>
+      <translation>齿轮</translation>
     </message>
     <message>
       <source>Give at least {limits}.</source>
@@ -9338,6 +10126,10 @@
       <translation>掠入射</translation>
     </message>
     <message>
+      <source>Gypsum</source>
+      <translation>石膏</translation>
+    </message>
+    <message>
       <source>Head on the flange</source>
       <translation>法兰上的测头</translation>
     </message>
@@ -9350,12 +10142,36 @@
       <translation>分层</translation>
     </message>
     <message>
+      <source>Impeller</source>
+      <translation>叶轮</translation>
+    </message>
+    <message>
+      <source>Inspection</source>
+      <translation>检测</translation>
+    </message>
+    <message>
       <source>Inter</source>
       <translation>Inter</translation>
     </message>
     <message>
+      <source>Inverse camera in the bundle adjustment of all cameras</source>
+      <translation>在所有相机的光束法平差中作为逆相机</translation>
+    </message>
+    <message>
       <source>Isolated patch</source>
       <translation>孤立碎片</translation>
+    </message>
+    <message>
+      <source>Joining</source>
+      <translation>拼合</translation>
+    </message>
+    <message>
+      <source>Joint calibration of the rig</source>
+      <translation>测量装置联合标定</translation>
+    </message>
+    <message>
+      <source>Joint refinement</source>
+      <translation>联合优化</translation>
     </message>
     <message>
       <source>Keep-out boxes</source>
@@ -9418,6 +10234,10 @@
       <translation>对另一相机过斜</translation>
     </message>
     <message>
+      <source>Outlier</source>
+      <translation>离群点</translation>
+    </message>
+    <message>
       <source>PASS</source>
       <translation>合格</translation>
     </message>
@@ -9454,12 +10274,28 @@
       <translation>参考相机</translation>
     </message>
     <message>
+      <source>Report</source>
+      <translation>报告</translation>
+    </message>
+    <message>
       <source>Roboto</source>
       <translation>Roboto</translation>
     </message>
     <message>
       <source>SF Pro Text</source>
       <translation>SF Pro Text</translation>
+    </message>
+    <message>
+      <source>Sample: {name}</source>
+      <translation>示例：{name}</translation>
+    </message>
+    <message>
+      <source>Saving</source>
+      <translation>保存</translation>
+    </message>
+    <message>
+      <source>Scan with storing and clouds</source>
+      <translation>扫描（含存储和点云）</translation>
     </message>
     <message>
       <source>Segoe UI</source>
@@ -9474,8 +10310,24 @@
       <translation>稳定时间</translation>
     </message>
     <message>
+      <source>Sphere plate</source>
+      <translation>球板</translation>
+    </message>
+    <message>
+      <source>Stitching</source>
+      <translation>拼接</translation>
+    </message>
+    <message>
+      <source>Surface</source>
+      <translation>表面</translation>
+    </message>
+    <message>
       <source>Synchronisation</source>
       <translation>同步</translation>
+    </message>
+    <message>
+      <source>Systematic</source>
+      <translation>系统</translation>
     </message>
     <message>
       <source>The dimension passes.</source>
@@ -9526,8 +10378,20 @@
       <translation>三宽，从 32 px 起</translation>
     </message>
     <message>
+      <source>Total</source>
+      <translation>总计</translation>
+    </message>
+    <message>
+      <source>Uncertain</source>
+      <translation>不确定</translation>
+    </message>
+    <message>
       <source>Uncertainty of the scale</source>
       <translation>比例的不确定度</translation>
+    </message>
+    <message>
+      <source>Unmatched</source>
+      <translation>未匹配</translation>
     </message>
     <message>
       <source>Upper corner</source>
@@ -9542,8 +10406,20 @@
       <translation>数值错误，</translation>
     </message>
     <message>
+      <source>Weighted least squares</source>
+      <translation>加权最小二乘</translation>
+    </message>
+    <message>
+      <source>Zhang, then bundle adjustment of all cameras</source>
+      <translation>Zhang 法，然后对所有相机作光束法平差</translation>
+    </message>
+    <message>
       <source>at a rim</source>
       <translation>边缘处</translation>
+    </message>
+    <message>
+      <source>board</source>
+      <translation>标定板</translation>
     </message>
     <message>
       <source>dimension</source>
@@ -9558,6 +10434,10 @@
       <translation>另一相机掠射</translation>
     </message>
     <message>
+      <source>guide</source>
+      <translation>导轨</translation>
+    </message>
+    <message>
       <source>just now</source>
       <translation>刚刚</translation>
     </message>
@@ -9566,12 +10446,24 @@
       <translation>无公差</translation>
     </message>
     <message>
+      <source>part</source>
+      <translation>工件</translation>
+    </message>
+    <message>
       <source>partner grazing</source>
       <translation>对方掠射</translation>
     </message>
     <message>
+      <source>robot</source>
+      <translation>机器人</translation>
+    </message>
+    <message>
       <source>seen by another</source>
       <translation>由另一相机看到</translation>
+    </message>
+    <message>
+      <source>table</source>
+      <translation>转台</translation>
     </message>
     <message>
       <source>{days} days ago</source>
@@ -9946,10 +10838,6 @@ The first run of this part counts.</source>
       <translation>重复</translation>
     </message>
     <message>
-      <source>Report</source>
-      <translation>报告</translation>
-    </message>
-    <message>
       <source>Report filed: {name}</source>
       <translation>报告已归档：{name}</translation>
     </message>
@@ -10134,10 +11022,6 @@ The first run of this part counts.</source>
       <translation>重新装夹</translation>
     </message>
     <message>
-      <source>part</source>
-      <translation>个工件</translation>
-    </message>
-    <message>
       <source>part program</source>
       <translation>个工件程序</translation>
     </message>
@@ -10147,7 +11031,11 @@ The first run of this part counts.</source>
     </message>
     <message>
       <source>parts</source>
-      <translation>个工件</translation>
+      <translation>工件</translation>
+    </message>
+    <message>
+      <source>today {time}</source>
+      <translation>今天 {time}</translation>
     </message>
     <message>
       <source>{count} not released by the engineer: not offered here.</source>
@@ -10509,6 +11397,10 @@ The first run of this part counts.</source>
       <translation>PNG、JPEG 或 SVG</translation>
     </message>
     <message>
+      <source>Pair {pair}</source>
+      <translation>对 {pair}</translation>
+    </message>
+    <message>
       <source>Per viewpoint</source>
       <translation>每个视点</translation>
     </message>
@@ -10531,6 +11423,10 @@ The first run of this part counts.</source>
     <message>
       <source>Position on the part</source>
       <translation>工件上的位置</translation>
+    </message>
+    <message>
+      <source>Position {axis}</source>
+      <translation>位置 {axis}</translation>
     </message>
     <message>
       <source>Positions of views are corrected for it; what the poses of the calibration did not show of it is in U</source>
@@ -10599,6 +11495,10 @@ The first run of this part counts.</source>
     <message>
       <source>Root sum of squares, as for independent solutions. They are solved together, so a part of it cancels.</source>
       <translation>平方和的根，按各解独立计算。它们一并求解，因此一部分相互抵消。</translation>
+    </message>
+    <message>
+      <source>Rotation {axis}</source>
+      <translation>旋转 {axis}</translation>
     </message>
     <message>
       <source>Saves a copy to a folder of your choice.</source>
@@ -10964,8 +11864,8 @@ The first run of this part counts.</source>
       <translation>工件的量度</translation>
     </message>
     <message>
-      <source>More often</source>
-      <translation>更多次</translation>
+      <source>More often {percent}</source>
+      <translation>多次 {percent}</translation>
     </message>
     <message>
       <source>Move</source>
@@ -11000,10 +11900,6 @@ The first run of this part counts.</source>
       <translation>没有扫描计划。</translation>
     </message>
     <message>
-      <source>Not measured</source>
-      <translation>未测量</translation>
-    </message>
-    <message>
       <source>Not measured {percent}</source>
       <translation>未测量 {percent}</translation>
     </message>
@@ -11020,8 +11916,8 @@ The first run of this part counts.</source>
       <translation>视点数量</translation>
     </message>
     <message>
-      <source>Once</source>
-      <translation>一次</translation>
+      <source>Once {percent}</source>
+      <translation>一次 {percent}</translation>
     </message>
     <message>
       <source>Open a plan…</source>
@@ -11212,8 +12108,8 @@ The first run of this part counts.</source>
       <translation>此视点</translation>
     </message>
     <message>
-      <source>Twice</source>
-      <translation>两次</translation>
+      <source>Twice {percent}</source>
+      <translation>两次 {percent}</translation>
     </message>
     <message>
       <source>Undo: {undotext}</source>
@@ -11433,6 +12329,10 @@ The first run of this part counts.</source>
     <message>
       <source>Measurements of one part</source>
       <translation>同一工件的测量</translation>
+    </message>
+    <message>
+      <source>Not measured</source>
+      <translation>未测量</translation>
     </message>
     <message>
       <source>Not tested</source>
@@ -12297,6 +13197,10 @@ in danger use the emergency stop.</source>
       <translation>{id}：+ {share}，{seconds}。</translation>
     </message>
     <message>
+      <source>{most} decoded</source>
+      <translation>{most} 已解码</translation>
+    </message>
+    <message>
       <source>{share} is missing: {words}.</source>
       <translation>缺少 {share}：{words}。</translation>
     </message>
@@ -12457,10 +13361,6 @@ in danger use the emergency stop.</source>
       <translation>所有视图在同一坐标系中。用鼠标左键旋转工件；单击一点可查看其来源。</translation>
     </message>
     <message>
-      <source>Calibration</source>
-      <translation>标定</translation>
-    </message>
-    <message>
       <source>Cameras, projector, robot, linear guide and rotary table, real or virtual. Connect them here, and move them by hand.</source>
       <translation>相机、投影仪、机器人、直线导轨和转台，真实或虚拟。在此连接并手动移动。</translation>
     </message>
@@ -12563,10 +13463,6 @@ in danger use the emergency stop.</source>
     <message>
       <source>Inspect a cloud or mesh…</source>
       <translation>检测点云或网格…</translation>
-    </message>
-    <message>
-      <source>Inspection</source>
-      <translation>检测</translation>
     </message>
     <message>
       <source>MeasureApp cannot use {name}. Drop a project folder, a cloud, a mesh, a nominal, a rig, a plan or a program.</source>
@@ -13363,10 +14259,6 @@ There is no page about “{name}”.</source>
       <translation>全</translation>
     </message>
     <message>
-      <source>Gear</source>
-      <translation>齿轮</translation>
-    </message>
-    <message>
       <source>Give window and panels their first sizes at the next start</source>
       <translation>下次启动时恢复窗口和面板的初始大小</translation>
     </message>
@@ -13401,10 +14293,6 @@ There is no page about “{name}”.</source>
     <message>
       <source>Ideal</source>
       <translation>理想</translation>
-    </message>
-    <message>
-      <source>Impeller</source>
-      <translation>叶轮</translation>
     </message>
     <message>
       <source>In the folder</source>
@@ -13693,10 +14581,6 @@ There is no page about “{name}”.</source>
     <message>
       <source>Skipped</source>
       <translation>已跳过</translation>
-    </message>
-    <message>
-      <source>Sphere plate</source>
-      <translation>球板</translation>
     </message>
     <message>
       <source>Square</source>
@@ -14330,6 +15214,10 @@ Click to see all messages.</source>
     <message>
       <source>position,angle_deg</source>
       <translation>position,angle_deg</translation>
+    </message>
+    <message>
+      <source>residual {residual}</source>
+      <translation>残差 {residual}</translation>
     </message>
     <message>
       <source>shows fringes</source>

@@ -11,6 +11,7 @@ import pytest
 from PySide6.QtGui import QFont
 from PySide6.QtWidgets import QApplication
 
+from tests.fringe_project import fringe_project
 from tests.ui.cut_texts import cut_texts
 from ui.session import DriverRow
 
@@ -83,6 +84,23 @@ def test_no_text_is_cut_with_words_that_are_longer_by_two_fifths(longer, filled,
 def test_no_text_of_a_dialog_is_cut_with_longer_words(longer, filled, qtbot):
     filled.session.tell("The rig is not connected.", "Press Connect on the page Rig, then try again.", "warning")
     assert "\n".join(walk_dialogs(filled, qtbot)) == ""
+
+
+@pytest.mark.parametrize("kind", ["fringes", "state"])
+def test_no_text_of_the_images_of_a_view_is_cut_with_longer_words(longer, application, filled, qtbot, tmp_path, kind):
+    application.session.open_project("demo-gypsum", "gypsum", fringe_project(tmp_path / "p", "view-01").path)
+    clouds = filled.pages["clouds"]
+    filled.show_page("clouds")
+    dialog = clouds.images_dialog
+    dialog.open_view("view-01", "left", (5, 5))
+    qtbot.waitUntil(lambda: dialog.view is not None and not dialog.progress.isVisible(), timeout=60_000)
+    dialog.resize(dialog.minimumSize())
+    dialog.line.setChecked(True)
+    dialog.kind.setValue(kind)
+    qtbot.wait(50)
+    found = not_allowed(cut_texts(dialog))
+    dialog.close()
+    assert found == []
 
 
 @pytest.mark.parametrize("kind", WIZARDS)

@@ -106,7 +106,7 @@ def test_the_values_of_the_chosen_pixel_are_one_click_away(qtbot, clouds, monkey
     clouds.holes.click()
     dialog = settled(qtbot, clouds)
     monkeypatch.setattr(
-        clouds.images_dialog, "_load", lambda: asked.append((clouds.images_dialog.viewpoint_id, clouds.images_dialog._wanted))
+        clouds.images_dialog, "load", lambda: asked.append((clouds.images_dialog.viewpoint_id, clouds.images_dialog._wanted))
     )
     click(qtbot, dialog.picture, dialog.picture.place_of(20, 30).toPoint())
     dialog.values.click()

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from ui.charts.chart import Chart
 from ui.look.language.words import translated
 from ui.look.look import Look
-from ui.look.wording import millimetres
+from ui.look.wording import millimetres, with_unit
 
 if TYPE_CHECKING:
     from ui.charts.plotting import Plot
@@ -57,7 +57,7 @@ class BarChart(Chart):
     def _make_plot(self) -> Plot:
         from ui.charts.plotting import NumberAxis, Plot
 
-        plot = Plot(NumberAxis("bottom", f"{self._quantity} [{self._unit}]", most=self._most), NumberAxis("left", ""))
+        plot = Plot(NumberAxis("bottom", with_unit(self._quantity, self._unit), most=self._most), NumberAxis("left", ""))
         plot.invertY(True)
         plot.getViewBox().sigResized.connect(self._leave_room)  # also when the names need more room
         return plot

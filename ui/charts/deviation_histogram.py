@@ -11,7 +11,7 @@ from PySide6.QtGui import QColor
 from ui.charts.chart import Chart
 from ui.look.language.words import tr, translated
 from ui.look.look import Look
-from ui.look.wording import counted, quantity
+from ui.look.wording import counted, quantity, with_unit
 from ui.viewport.overlay.legend import Legend
 
 if TYPE_CHECKING:
@@ -45,7 +45,7 @@ class DeviationHistogram(Chart):
         from ui.charts.plotting import NumberAxis, Plot
 
         assert self._legend is not None
-        plot = Plot(NumberAxis("bottom", f"{self._legend.quantity} [{self._legend.unit}]"), NumberAxis("left", "Points"))
+        plot = Plot(NumberAxis("bottom", with_unit(self._legend.quantity, self._legend.unit)), NumberAxis("left", "Points"))
         plot.leave_edges()  # the heights are told by comparison; the figures stand beside
         return plot
 

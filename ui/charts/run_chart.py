@@ -11,7 +11,7 @@ from PySide6.QtCore import Qt
 from ui.charts.chart import Chart
 from ui.look.language.words import tr
 from ui.look.look import Look
-from ui.look.wording import quantity
+from ui.look.wording import quantity, with_unit
 
 if TYPE_CHECKING:
     from ui.charts.plotting import Plot
@@ -79,7 +79,7 @@ class RunChart(Chart):
             return
         low, high = float(shown.min()), float(shown.max())
         reach = (high - low) or ALIKE
-        plot.axes[1].say(f"{run.quantity} [{run.unit}]" if run.unit else run.quantity, theme)
+        plot.axes[1].say(with_unit(run.quantity, run.unit), theme)
         for limit in run.limits:
             if limit is not None:
                 plot.addItem(pg.InfiniteLine(limit, 0, pen=pg.mkPen(theme.colour("verdict_fail"), width=1.5)))

@@ -10,13 +10,13 @@ import numpy as np
 from PySide6.QtCore import QObject, Signal, Slot
 
 from ui.controllers.jobs import JobRunner
+from ui.controllers.view_work import ViewWorkController
 from ui.look.language.words import tr
 from ui.session import Session
 
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from measureapp.errors import MeasureError
     from measureapp.pipeline.why import ExplainedView
     from measureapp.pipeline.why_pictures import LegendEntry
     from ui.workers.job import Job
@@ -31,6 +31,11 @@ class Explanation:
     view: ExplainedView
     shares: Mapping[str, Mapping[str, float]]
 
+    @property
+    def viewpoint_id(self) -> str:
+        """Viewpoint of the images."""
+        return self.view.viewpoint_id
+
 
 @dataclass(frozen=True, eq=False)
 class DrawnImage:
@@ -43,47 +48,14 @@ class DrawnImage:
     legend: tuple[LegendEntry, ...]
 
 
-class HolesController(QObject):
-    """Analyses views of the open project; the last one is cached."""
+class HolesController(ViewWorkController[Explanation]):
+    """Analyses views of the open project, and draws the last one; another calibration makes it void."""
 
-    progressed = Signal(float, str)
-    explained = Signal(object)  # Explanation
     drawn = Signal(object)  # DrawnImage
-    stopped = Signal(str)  # reason of the failure; empty when cancelled
 
     def __init__(self, session: Session, runner: JobRunner, parent: QObject | None = None) -> None:
-        super().__init__(parent)
-        self._session, self._runner = session, runner
-        self._last: Explanation | None = None
-        self._job: Job | None = None
-        runner.progressed.connect(self.progressed)
-        for changed in (session.projectChanged, session.calibrationChanged):
-            changed.connect(self._forget)
-
-    @property
-    def can_explain(self) -> bool:
-        """Whether there is a project with images on disk."""
-        folder = self._session.folder
-        return folder is not None and (folder / "project.json").exists()
-
-    @Slot(str)
-    def explain(self, viewpoint_id: str) -> None:
-        """Analyse a view, or return the cached one."""
-        folder = self._session.folder
-        self.cancel()
-        if self._last is not None and self._last.view.viewpoint_id == viewpoint_id:
-            self.explained.emit(self._last)
-        elif folder is not None and self.can_explain:
-            self._job = self._runner.run(
-                tr("Analysing {viewpoint_id}", viewpoint_id=viewpoint_id),
-                lambda job: explain(folder, viewpoint_id, job),
-                self._keep,
-                on_failed=self._tell_failure,
-                quiet=True,
-            )
-            self._job.cancelled.connect(self._tell_cancelled)
-        else:
-            self.stopped.emit("The images of this view are not on disk. Open the project that contains them.")
+        super().__init__(session, runner, "Analysing {viewpoint_id}", explain, parent)
+        session.calibrationChanged.connect(self._forget)
 
     @Slot(str, str)
     def draw(self, camera: str, kind: Kind) -> None:
@@ -92,35 +64,10 @@ class HolesController(QObject):
         if last is not None:
             self._runner.run("Drawing", lambda _job: render_image(last.view, camera, kind), self._tell_drawn, quiet=True)
 
-    @Slot()
-    def cancel(self) -> None:
-        """Cancel analysis and rendering."""
-        self._runner.cancel()
-
-    @Slot()
-    def _forget(self) -> None:
-        self.cancel()
-        self._last = None
-
-    @Slot(object)
-    def _keep(self, found: Explanation) -> None:
-        self._last, self._job = found, None
-        self.explained.emit(found)
-
     @Slot(object)
     def _tell_drawn(self, image: DrawnImage) -> None:
         if self._last is not None and image.view is self._last.view:
             self.drawn.emit(image)
-
-    @Slot(object)
-    def _tell_failure(self, error: MeasureError) -> None:
-        if self.sender() is self._job:
-            self.stopped.emit(str(error))
-
-    @Slot()
-    def _tell_cancelled(self) -> None:
-        if self.sender() is self._job:  # another view may be requested already
-            self.stopped.emit("")
 
 
 def explain(folder: Path, viewpoint_id: str, job: Job) -> Explanation:

@@ -107,7 +107,7 @@ def reasons_of(verdict: Verdict) -> tuple[str, ...]:
 
 def facts_of(snapshot: Snapshot, solved: Solved) -> tuple[tuple[str, str], ...]:
     """Return how the result was found, in a few figures."""
-    facts = [("Views used", f"{len(solved.used)} of {len(snapshot.observations)}")]
+    facts = [("Views used", tr("{count} of {total}", count=len(solved.used), total=len(snapshot.observations)))]
     cameras, lenses = solved.camera_solution, snapshot.setup.lenses
     if cameras is not None and not snapshot.setup.calibrates_cameras:
         (lens,) = lenses

@@ -65,4 +65,4 @@ class FrameBar(QWidget):
     def _write(self) -> None:
         time, image = self.value()
         self._words["Exposure"].setText(exposure(self._times[time]) if self._times else "")
-        self._words["Image"].setText(f"{image + 1} of {self._sliders['Image'].maximum() + 1}")
+        self._words["Image"].setText(tr("{count} of {total}", count=image + 1, total=self._sliders["Image"].maximum() + 1))

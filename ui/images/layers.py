@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ui.look.language.words import translated
+from ui.look.language.words import tr, translated
 from ui.look.wording import exposure, percent, point_reason, quantity
 
 if TYPE_CHECKING:
@@ -109,7 +109,7 @@ def _masked(values: np.ndarray, mask: np.ndarray) -> np.ndarray:
 def _exposures(phase_map: PhaseMap) -> Layer:
     index = phase_map.exposure_index
     times = phase_map.exposures_us or tuple(range(int(index.max(initial=0)) + 1))
-    words = [exposure(round(time)) for time in phase_map.exposures_us] or [f"No. {time + 1}" for time in times]
+    words = [exposure(round(time)) for time in phase_map.exposures_us] or [tr("No. {place}", place=time + 1) for time in times]
     values = _masked(index, index >= 0)
     return Layer("Exposure", "", values, 0, categories=_categories(values, words, _ramp(len(words))))
 

@@ -13,6 +13,7 @@ from ui.charts.chart import Chart
 from ui.images.layers import SATURATED, Layer
 from ui.look.language.words import tr
 from ui.look.look import Look
+from ui.look.wording import with_unit
 
 if TYPE_CHECKING:
     from pyqtgraph.GraphicsScene.mouseEvents import MouseClickEvent
@@ -60,7 +61,7 @@ class MapView(Chart):
 
     def _show(self, words: str, shape: tuple[int, ...]) -> None:
         new, self._shape = shape != self._shape, (shape[0], shape[1])
-        self.redraw(f"{words}, {shape[1]} × {shape[0]} px")
+        self.redraw(tr("{words}, {width} × {height} px", words=words, width=shape[1], height=shape[0]))
         if new:
             self.show_all()
 
@@ -180,7 +181,7 @@ class MapView(Chart):
             if "scale" not in self._items:
                 self._items["scale"] = ColourScale(plot, self._items["image"])
             scale = self._items["scale"]
-            scale.show(layer.colours, layer.span, f"{layer.quantity} [{layer.unit}]")
+            scale.show(layer.colours, layer.span, with_unit(layer.quantity, layer.unit))
             scale.dress(self._look.theme)
         elif "scale" in self._items:
             self._items["scale"].leave()

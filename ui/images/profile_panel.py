@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 from PySide6.QtCore import Signal
+from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QSpinBox, QWidget
 
 from ui.images.profile import Pixel, Profile, profile
@@ -13,6 +14,7 @@ from ui.look.look import Look
 from ui.widgets.basic import Button, column, label, row
 
 ENDS = ("From row", later("column"), "to row", later("column"))
+GAP, ROUND_WORDS = 8, 72  # px, between two parts; a button more than its words
 NAMES = ("Row of the first end", "Column of the first end", "Row of the second end", "Column of the second end")
 
 
@@ -27,14 +29,23 @@ class ProfilePanel(QWidget):
         self.profile: Profile | None = None
         self.fields = tuple(self._field(name) for name in NAMES)
         self.upper, self.lower = ProfileChart(look), ProfileChart(look)
-        save = Button("Save table…", look, "export", "quiet", "The values of all maps along the line, as CSV")
-        save.clicked.connect(self.saveAsked)
+        self._save = Button("Save table…", look, "export", "quiet", "The values of all maps along the line, as CSV")
+        self._save.clicked.connect(self.saveAsked)
+        self._save.allow_compact()
         parts = [part for words, field in zip(ENDS, self.fields, strict=True) for part in (label(words, "soft"), field)]
         self.captions = tuple(label("", "caption") for _ in range(2))
         charts = row(*(column(*pair, spacing=0) for pair in zip(self.captions, (self.upper, self.lower), strict=True)), spacing=8)
-        layout = column(row(*parts, 0, save, spacing=8), charts, spacing=4)
+        layout = column(row(*parts, 0, self._save, spacing=GAP), charts, spacing=4)
         layout.setStretch(1, 1)
+        self._parts: tuple[QWidget, ...] = tuple(parts)
         self.setLayout(layout)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Show the button without words before they would be cut."""
+        super().resizeEvent(event)
+        others = sum(part.sizeHint().width() + GAP for part in self._parts)
+        words = self._save.fontMetrics().horizontalAdvance(self._save.accessibleName()) + ROUND_WORDS
+        self._save.set_compact(others + words > self.width())
 
     def value(self) -> tuple[Pixel, Pixel]:
         """Return the ends of the line."""

@@ -46,6 +46,11 @@ def millimetres(value: float | None, digits: int = 3, *, signed: bool = False) -
     return quantity(value, "mm", digits, signed=signed)
 
 
+def with_unit(words: str, unit: str) -> str:
+    """Name a quantity with its unit, as axes do: ``Deviation [mm]``."""
+    return tr("{words} [{unit}]", words=words, unit=unit) if unit else translated(words)
+
+
 def percent(value: float | None, digits: int = 1, *, signed: bool = False) -> str:
     """Format a fraction in per cent."""
     return NOTHING if value is None else quantity(100.0 * value, "%", digits, signed=signed)
@@ -135,7 +140,7 @@ def sentence(text: str) -> str:
 
 def part_words(part: str) -> str:
     """Return the display name of a part: the name of a sample, or of a mesh file without folder and extension."""
-    return sentence_case(PurePath(part).stem)
+    return translated(sentence_case(PurePath(part).stem))
 
 
 def sentence_case(text: str) -> str:

@@ -197,7 +197,7 @@ class CalibrationPage(Page):
         camera = cameras.projector if found.name == PROJECTOR_ROW else cameras.cameras.get(found.name.removeprefix("Camera "))
         deviations = tuple(starmap(deviation_words, camera.standard_deviations.items())) if camera else ()
         of_pairs = camera is not None and found.name != PROJECTOR_ROW
-        pairs = tuple((f"{pair} pair", f"{rms:.3f} px") for pair, rms in cameras.pair_rms_px.items()) if of_pairs else ()
+        pairs = tuple((tr("Pair {pair}", pair=pair), quantity(rms, "px")) for pair, rms in cameras.pair_rms_px.items()) if of_pairs else ()
         criterion = translated(found.criterion)
         source = cameras.provenance if calibration is None else calibration.provenance
         if found.name == PROJECTOR_ROW and cameras.projector is not None:
@@ -239,5 +239,7 @@ def deviation_words(name: str, value: float) -> tuple[str, str]:
     words, _, unit = name.rpartition("_")
     if unit in {"mm", "rad"}:
         in_unit = quantity(value, "mm", 4) if unit == "mm" else quantity(degrees(value), "°", 4)
-        return sentence_case(words.replace("_", " ") if unit == "rad" else f"position {words}"), f"± {in_unit}"
+        return (
+            tr("Rotation {axis}", axis=words.rpartition("_")[2]) if unit == "rad" else tr("Position {axis}", axis=words)
+        ), f"± {in_unit}"
     return name, f"± {quantity(value, 'px', 3)}" if name in {"fx", "fy", "cx", "cy"} else f"± {quantity(value, '', 6)}"

@@ -148,7 +148,7 @@ class Tour(QObject):
             if last
             else tr("Next: {lower}", lower=STEPS[self._place + 1].heading.lower())
         )
-        count = "" if self._place < 0 else f"{self._place + 1} of {len(STEPS)}"
+        count = "" if self._place < 0 else tr("{count} of {total}", count=self._place + 1, total=len(STEPS))
         self.bar.say(count, step.heading, step.text, next_words=words, can_go_back=self._place > 0, last=last)
 
     def _follow_role(self) -> None:

@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from ui.look.language.words import translated
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 
 TextRole = Literal["body", "title", "heading", "strong", "soft", "small", "caption", "figure", "field", "problem"]
@@ -124,8 +124,7 @@ class Button(QPushButton):
     def set_compact(self, compact: bool) -> None:
         """Show the icon without text, with the text in the tooltip."""
         self.setText("" if compact else f"\u2009{translated(self._words)}")
-        tip = translated(self._tip)
-        self.setToolTip(f"{translated(self._words)}: {tip[:1].lower()}{tip[1:]}" if compact else tip)
+        self.setToolTip(tr("{words}: {tip:lower}", words=self._words, tip=self._tip) if compact else translated(self._tip))
 
     def set_icon(self, name: str) -> None:
         """Set the icon."""

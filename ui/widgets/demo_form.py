@@ -48,7 +48,7 @@ class DemoForm(QWidget):
         self._patterns, self._pattern_line = QComboBox(), label("", "small", wrap=True)
         for name, (title, line) in PATTERN_WORDS.items():
             self._patterns.addItem(translated(title), name)
-            self._patterns.setItemData(self._patterns.count() - 1, line, Qt.ItemDataRole.ToolTipRole)
+            self._patterns.setItemData(self._patterns.count() - 1, translated(line), Qt.ItemDataRole.ToolTipRole)
         self._patterns.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         self._patterns.setMinimumContentsLength(16)
         self._viewpoints, self._seed = QSpinBox(), QSpinBox()

@@ -205,7 +205,7 @@ class CollectPage(QWidget):
     def _caption(self, view: CollectedView, camera: str) -> str:
         reason = view.reasons.get(camera, "") or (view.reason if view.verdict == "fail" else "")
         residual = view.residuals_px.get(camera)
-        figure = f"residual {quantity(residual, 'px', 3)}" if residual is not None else ""
+        figure = tr("residual {residual}", residual=quantity(residual, "px", 3)) if residual is not None else ""
         if camera not in view.corners_px:
             return reason or "No board found"
         corners = several(len(view.corners_px[camera]), "corner")
@@ -226,4 +226,4 @@ class CollectPage(QWidget):
 def gauge_words(gauge: Gauge) -> str:
     """Return how much there is, and of how much while that is not enough: ``12 of 15``, ``24°``."""
     value, target = (quantity(number, gauge.unit, 0) for number in (gauge.value, gauge.target))
-    return value if gauge.reached else f"{value} of {target}"
+    return value if gauge.reached else tr("{count} of {total}", count=value, total=target)

@@ -84,7 +84,7 @@ class SetupPage(QWidget):
         both.setStretch(1, 1)
         tips = card(
             label("Good views", "heading"),
-            *(label(f"•  {translated(tip)}", "body", wrap=True) for tip in (*self._kind.words.hints, KEPT_TIP)),
+            *(label(tr("•  {tip}", tip=tip), "body", wrap=True) for tip in (*self._kind.words.hints, KEPT_TIP)),
             margin=20,
         )
         layout = column(label(self._kind.words.purpose, "body", wrap=True), self.kept, both, tips, 0, spacing=12)

@@ -35,7 +35,9 @@ class Encounter:
         """Describe it, as part of a sentence."""
         if self.distance_mm > 0.0:
             return f"the {self.first} would come within {self.distance_mm:.0f} mm of the {self.second} (at least {self.kept_mm:g} mm)"
-        return f"the {self.first} would {'enter' if self.enters else 'collide with'} the {self.second}"
+        if self.enters:
+            return f"the {self.first} would enter the {self.second}"
+        return f"the {self.first} would collide with the {self.second}"
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -27,7 +27,7 @@ from ui.look.wording import THIN
 
 AT_ONCE = 150  # widgets between two turns of the event loop; about 20 ms
 GIVEN = "given"  # property of boxes whose items are names that people gave, or values
-FIRST_ITEM = 1_000  # items of a combo box are kept apart from its other texts
+FIRST_ITEM, FIRST_TIP = 1_000, 100_000  # items of a combo box and their tooltips are kept apart from its other texts
 ORIGINS: WeakKeyDictionary[QObject, dict[int, tuple[str, Origin]]] = WeakKeyDictionary()
 Getter = Callable[[], str]
 Setter = Callable[[str], object]
@@ -86,6 +86,8 @@ def _renew_items(box: QComboBox) -> None:
     with QSignalBlocker(box):
         for place in range(box.count()):
             box.setItemText(place, _renewed(box, FIRST_ITEM + place, box.itemText(place)))
+            if tip := box.itemData(place, Qt.ItemDataRole.ToolTipRole):
+                box.setItemData(place, _renewed(box, FIRST_TIP + place, tip), Qt.ItemDataRole.ToolTipRole)
 
 
 def _renewed(one: QObject, place: int, text: str) -> str:

@@ -12,6 +12,7 @@ from measureapp.resources import resource
 ROOT = resource("languages").parent.parent
 WORDS = re.compile(r"[A-Za-z]{2}")
 PLACEHOLDER = re.compile(r"\{\w+[^{}]*\}")
+SENTENCE = re.compile(r"(^|[^\w.-])[a-zµ]{3,}")  # rather than the name of a view
 CODE = re.compile(r"""px;|vec3\(|%\(|color: |->|"do": """)  # style sheets, shaders and formats of the log
 NAMES = re.compile(r"[\w./\\*#:+-]*")  # of files, keys and settings
 MESSAGES = {  # calls of the core whose texts reach the window
@@ -23,8 +24,30 @@ TOLD = {
     ("calibrate", "guidance"),
     ("calibrate", "draft"),
     ("inspection", "verdict.py"),
-}  # rooms whose constants the window displays
-UNTRANSLATED = {"setObjectName", "setProperty", "getattr", "hasattr", "resource", "compile", "setStyleSheet", "QKeySequence", "ValueError"}
+    ("data", "axis_motions.py"),
+    ("fringe", "patterns", "check.py"),
+    ("planning", "collision"),
+    ("planning", "reach.py"),
+    ("planning", "travel.py"),
+    ("planning", "generate.py"),
+    ("register", "clouds"),
+    ("register", "pairs"),
+    ("register", "stitch.py"),
+    ("reconstruct", "why.py"),
+    ("reconstruct", "diagnosis"),
+}  # rooms and files whose sentences the window displays
+UNTRANSLATED = {
+    "TypeVar",
+    "setObjectName",
+    "setProperty",
+    "getattr",
+    "hasattr",
+    "resource",
+    "compile",
+    "setStyleSheet",
+    "QKeySequence",
+    "ValueError",
+}
 LOGS = {"debug", "info", "warning", "exception", "error"}
 
 
@@ -49,8 +72,8 @@ def core_texts() -> dict[str, str]:
             if place[0] in ("cli", "simulate", "peers"):
                 continue
             tree = ast.parse(path.read_text(encoding="utf-8"))
-            if place[:2] in TOLD:
-                found.update(dict.fromkeys(_texts(tree), place[0]))
+            if place[:2] in TOLD or place in TOLD:
+                found.update(dict.fromkeys((*_texts(tree), *_sentences(tree)), place[0]))
             for node in ast.walk(tree):
                 if isinstance(node, ast.Call) and _name(node.func) in MESSAGES:
                     for argument in (*node.args, *(one.value for one in node.keywords)):
@@ -70,6 +93,14 @@ def _texts(tree: ast.Module) -> Iterator[str]:
             yield node.value
             if isinstance(parent, ast.Call) and _name(parent.func) == "several" and len(parent.args) == 2:
                 yield node.value + "s"  # as `several` forms it
+
+
+def _sentences(tree: ast.Module) -> Iterator[str]:
+    """Yield the texts with values in them, as templates."""
+    parents = {child: node for node in ast.walk(tree) for child in ast.iter_child_nodes(node)}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.JoinedStr) and not isinstance(parents[node], ast.FormattedValue) and not _is_internal(node, parents):
+            yield from (text for text in _messages(node) if SENTENCE.search(PLACEHOLDER.sub("", text)))
 
 
 def _is_text(value: str) -> bool:

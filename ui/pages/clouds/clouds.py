@@ -192,7 +192,7 @@ class CloudsPage(ViewportPage):
         views, stitched = self.session.views, self.session.stitched
         self.show_filled(bool(views))
         for button in (self.holes, self.images):
-            button.setVisible(bool(views) and self.controllers.holes.can_explain)
+            button.setVisible(bool(views) and self.controllers.holes.can_find)
         self._show_undo()
         self._show_surroundings()
         filtered = self.session.filtered
@@ -233,7 +233,7 @@ class CloudsPage(ViewportPage):
             self.show_properties(replace(shown, decision=choice_for(placement)[0]) if can_choose else shown)
 
     def _with_action(self, properties: Properties) -> Properties:
-        return replace(properties, action=ACTION) if self.controllers.holes.can_explain else properties
+        return replace(properties, action=ACTION) if self.controllers.holes.can_find else properties
 
     def act(self) -> None:
         """Show the images of the selected view or point, and the reasons for its holes."""
@@ -296,7 +296,7 @@ class CloudsPage(ViewportPage):
         if trace is not None:
             self._traced_place = point.position_mm
             self.controllers.drawing.run("Tracing the point", lambda _job: trace(), self._show_traced, quiet=True)
-        words = f"{point.viewpoint_id}   sigma {millimetres(point.sigma_mm)}".replace("\u00a0", " ")
+        words = tr("{view}   sigma {sigma}", view=point.viewpoint_id, sigma=millimetres(point.sigma_mm)).replace("\u00a0", " ")
         theme = self.look.theme
         self._point = Label(words, point.position_mm, rgb(theme, "text"), rgb(theme, "surface"))
         self._show_marks()

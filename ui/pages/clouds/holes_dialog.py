@@ -5,14 +5,15 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt, Signal, Slot
-from PySide6.QtGui import QCloseEvent, QColor
-from PySide6.QtWidgets import QDialog, QHeaderView, QProgressBar, QWidget
+from PySide6.QtGui import QColor
+from PySide6.QtWidgets import QHeaderView, QWidget
 
 from ui.controllers.holes import DrawnImage, Explanation, HolesController
 from ui.images.map_view import MapView
 from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.look.wording import counted, exposure, percent, point_reason, quantity, sentence_case
+from ui.pages.clouds.view_dialog import ViewDialog
 from ui.widgets.basic import Button, card, column, label, row
 from ui.widgets.data_table import Cell, DataTable, number
 from ui.widgets.segments import Segments
@@ -35,35 +36,27 @@ WAITING = "The view is recomputed from its stored images."
 PATIENCE = "The pixels can be inspected as soon as this is complete."
 
 
-class HolesDialog(QDialog):
-    """A non-modal window beside the main window."""
+class HolesDialog(ViewDialog):
+    """Shows the state of every pixel of a view."""
 
     imagesAsked = Signal(str, str, object)  # viewpoint, camera, pixel (row, column) or None
 
     def __init__(self, look: Look, holes: HolesController, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.look, self.holes = look, holes
+        super().__init__(look, holes, WAITING, "Recompute", parent)
+        self.holes = holes
         self.setMinimumSize(960, 560)
         self.resize(1240, 680)
-        self.viewpoint_id = ""
         self._explanation: Explanation | None = None
         self._wanted: tuple[str, int, int] | None = None
         self._reasons: list[str] = []
         self._make_parts()
         self._lay_out()
-        holes.explained.connect(self._show)
         holes.drawn.connect(self._show_image)
-        holes.progressed.connect(self._show_progress)
-        holes.stopped.connect(self._show_stopped)
 
     def _make_parts(self) -> None:
         look = self.look
-        self.title, self.state = label("", "title"), label("", "soft")
         self.kind = Segments(KINDS)
         self.kind.valueChanged.connect(self._draw)
-        self.cameras = Segments({"": "Camera"})
-        self._camera_place = row(self.cameras)
-        self.cameras.hide()  # until the cameras of the view are known
         self.picture = MapView(look)
         self.picture.pixelChosen.connect(self._ask)
         self.place, self.stage = label("", "caption"), label("", "heading", wrap=True)
@@ -73,21 +66,11 @@ class HolesDialog(QDialog):
         self.table = DataTable(look, ["Colour", "Share"], numeric=(1,), stretch=0)
         self.table.horizontalHeader().setSectionResizeMode(1, QHeaderView.ResizeMode.ResizeToContents)
         self.table.cellClicked.connect(self._ask_for_reason)
-        self.progress, self.note = QProgressBar(), label("", "soft")
-        self.progress.setTextVisible(False)
-        self.progress.setRange(0, 1000)
-        self.cancel = Button("Cancel", look, "cancel")
-        self.cancel.clicked.connect(self.holes.cancel)
         self.values = Button("Values…", look, "images", "quiet", "Stored images, phase, modulation and σ at this pixel, and profiles")
         self.values.clicked.connect(lambda: self.imagesAsked.emit(self.viewpoint_id, self.cameras.value(), self.picture.cursor_pixel))
-        self.again = Button("Recompute", look, "again", "primary")
-        self.again.clicked.connect(self._explain)
 
     def _lay_out(self) -> None:
-        names = column(self.title, self.state, spacing=0)
-        top = row(names, 0, self.note, self.progress, self.cancel, self.again, spacing=12)
-        self.progress.setFixedWidth(160)
-        tools = row(self.kind, 0, self._camera_place, self.values)
+        tools = row(self.kind, 0, self.camera_place, self.values)
         said = card(self.place, self.stage, self.answer, self.figures, 0, margin=12, spacing=4)
         said.setMinimumHeight(176)
         side = column(said, self.heading, self.table, spacing=8)
@@ -98,9 +81,7 @@ class HolesDialog(QDialog):
         right.setFixedWidth(360)
         middle = row(column(tools, self.picture, spacing=8), right, spacing=16)
         middle.setStretch(0, 1)
-        layout = column(top, middle, margin=16, spacing=12)
-        layout.setStretch(1, 1)
-        self.setLayout(layout)
+        self.lay_out(middle, self.top())
 
     def open_view(self, viewpoint_id: str, camera: str = "", pixel: tuple[int, int] | None = None) -> None:
         """Show a view, and explain a pixel of one of its cameras if given."""
@@ -109,50 +90,38 @@ class HolesDialog(QDialog):
             self.viewpoint_id, self._explanation = viewpoint_id, None
             self.picture.clear()
             self.table.set_rows([])
-        self.setWindowTitle(tr("Images and holes – {viewpoint_id}", viewpoint_id=viewpoint_id))
-        self.title.setText(tr("Images and holes: {viewpoint_id}", viewpoint_id=viewpoint_id))
-        self.show()
-        self.raise_()
-        self._explain()
+        self.begin(
+            tr("Images and holes – {viewpoint_id}", viewpoint_id=viewpoint_id),
+            tr("Images and holes: {viewpoint_id}", viewpoint_id=viewpoint_id),
+        )
 
-    def closeEvent(self, event: QCloseEvent) -> None:
-        """Cancel computations for this window only."""
-        self.holes.cancel()
-        super().closeEvent(event)
+    def shown(self) -> Explanation | None:
+        """Return the explanation on display."""
+        return self._explanation
 
-    def _explain(self) -> None:
+    def steering(self) -> tuple[QWidget, ...]:
+        """Return the choice of colours, and the way to the values."""
+        return self.kind, self.values
+
+    def load(self) -> None:
+        """Analyse the view, or show what is known."""
         self._tell("", "", ASK if self._explanation is not None else PATIENCE, "")
-        self._show_running(True)
-        self.state.setText(translated(WAITING))
-        self.holes.explain(self.viewpoint_id)
-
-    def _show_running(self, running: bool) -> None:
-        for part in (self.progress, self.note, self.cancel):
-            part.setVisible(running)
-        self.again.setVisible(not running and self._explanation is None)
-        for part in (self.kind, self.cameras, self.values):
-            part.setEnabled(self._explanation is not None)
-
-    @Slot(float, str)
-    def _show_progress(self, share: float, note: str) -> None:
-        self.progress.setValue(round(1000 * share))
-        self.note.setText(translated(sentence_case(note)))
+        super().load()
 
     @Slot(str)
-    def _show_stopped(self, reason: str) -> None:
-        self._show_running(False)
+    def show_stopped(self, reason: str) -> None:
+        """Say why the view was not analysed."""
+        self.show_running(False)
         self.state.setText(tr("This view has not been analysed yet."))
         self._tell("", "Analysis failed" if reason else "Cancelled", reason or "Nothing was changed. Recompute to continue.", "")
 
-    @Slot(object)
-    def _show(self, explanation: Explanation) -> None:
-        if explanation.view.viewpoint_id != self.viewpoint_id:
-            return
+    def show_found(self, explanation: Explanation) -> None:
+        """Show the reasons of the view."""
         new = explanation is not self._explanation
         self._explanation = explanation
         if new:
-            self._make_cameras(explanation.view.cameras)
-        self._show_running(False)
+            self.make_cameras(explanation.view.cameras)
+        self.show_running(False)
         self.state.setText(translated(summary(explanation)))
         if self._wanted is not None and self._wanted[0] in explanation.view.cameras:
             camera, line, across = self._wanted
@@ -165,14 +134,8 @@ class HolesDialog(QDialog):
         else:
             self._draw()
 
-    def _make_cameras(self, names: tuple[str, ...]) -> None:
-        self._camera_place.removeWidget(self.cameras)
-        self.cameras.deleteLater()
-        self.cameras = Segments({name: sentence_case(name) for name in names})
-        self.cameras.valueChanged.connect(self._change_camera)
-        self._camera_place.addWidget(self.cameras)
-
-    def _change_camera(self) -> None:
+    def change_camera(self) -> None:
+        """Show the picture of another camera."""
         self.picture.choose(None)
         self._tell("", "", ASK, "")
         self._draw()

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 from PySide6.QtCore import QTimer, Slot
-from PySide6.QtGui import QCloseEvent
-from PySide6.QtWidgets import QDialog, QProgressBar, QWidget
+from PySide6.QtWidgets import QWidget
 
 from measureapp.errors import MeasureError
 from ui.charts.bar_chart import Bar, BarChart
@@ -17,7 +16,8 @@ from ui.images.map_view import MapView
 from ui.images.profile_panel import ProfilePanel
 from ui.look.language.words import tr, translated
 from ui.look.look import Look
-from ui.look.wording import exposure, quantity, sentence_case
+from ui.look.wording import exposure, quantity, with_unit
+from ui.pages.clouds.view_dialog import ViewDialog
 from ui.settings.dialogs import choose_new
 from ui.widgets.basic import Button, card, column, label, row
 from ui.widgets.segments import Segments
@@ -30,32 +30,23 @@ HIGHEST_PROFILE = 200  # px
 NOTHING_DRAWN = (("", ""), (-1, -1))
 
 
-class ImagesDialog(QDialog):
-    """A non-modal window beside the main window."""
+class ImagesDialog(ViewDialog):
+    """Shows stored images and maps of a view."""
 
     def __init__(self, look: Look, images: ImagesController, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
-        self.look, self.images = look, images
+        super().__init__(look, images, WAITING, "Decode", parent)
         self.setMinimumSize(1120, 680)
         self.resize(1240, 680)
-        self.viewpoint_id = ""
         self.view: ViewImages | None = None
         self._drawn = NOTHING_DRAWN  # viewpoint and camera, exposure and image
         self._make_parts()
         self._lay_out()
-        images.loaded.connect(self._show)
-        images.progressed.connect(self._show_progress)
-        images.stopped.connect(self._show_stopped)
         images.forgotten.connect(self._forget)
 
     def _make_parts(self) -> None:
         look = self.look
-        self.title, self.state = label("", "title"), label("", "soft")
         self.kind = Segments(KINDS, name="Map", tips=TIPS)
         self.kind.valueChanged.connect(self._draw)
-        self.cameras = Segments({"": "Camera"})
-        self._camera_place = row(self.cameras)
-        self.cameras.hide()  # until the cameras of the view are known
         self.map = MapView(look)
         self.map.pointed.connect(self._read_out)
         self.map.lineMoved.connect(self._take_line)
@@ -75,24 +66,15 @@ class ImagesDialog(QDialog):
         self.pixel, self.values = label("", "heading"), label(ASK, "body", wrap=True)
         self.histogram = LevelHistogram(look)
         self.chart = BarChart(look, "Valid pixels", "%", lambda value: quantity(value, "%", 1), most=100.0)
-        self.progress, self.note = QProgressBar(), label("", "soft")
-        self.progress.setTextVisible(False)
-        self.progress.setRange(0, 1000)
-        self.progress.setFixedWidth(160)
-        self.cancel = Button("Cancel", look, "cancel")
-        self.cancel.clicked.connect(self.images.cancel)
-        self.again = Button("Decode", look, "again", "primary")
-        self.again.clicked.connect(self._load)
 
     def _lay_out(self) -> None:
-        top = row(column(self.title, self.state, spacing=0), 0, self.note, self.progress, self.cancel, self.again, spacing=12)
         tools = row(self.kind, 0, self.line, self.whole, spacing=8)
         left = column(tools, self.map, self.frames, self.legend, self.panel, spacing=8)
         left.setStretch(1, 1)
         said = card(self.pixel, self.values, 0, margin=12, spacing=4)
-        said.setMinimumHeight(200)
+        said.setMinimumHeight(240)
         side = column(
-            self._camera_place,
+            self.camera_place,
             said,
             label("Grey levels of the image", "caption"),
             self.histogram,
@@ -106,9 +88,7 @@ class ImagesDialog(QDialog):
         right.setFixedWidth(320)
         middle = row(left, right, spacing=16)
         middle.setStretch(0, 1)
-        layout = column(top, middle, margin=16, spacing=12)
-        layout.setStretch(1, 1)
-        self.setLayout(layout)
+        self.lay_out(middle, self.top())
 
     def open_view(self, viewpoint_id: str, camera: str = "", pixel: tuple[int, int] | None = None) -> None:
         """Show a viewpoint, and point at a pixel of one of its cameras if given."""
@@ -116,22 +96,20 @@ class ImagesDialog(QDialog):
         if viewpoint_id != self.viewpoint_id:
             self._forget()
             self.viewpoint_id = viewpoint_id
-        self.setWindowTitle(tr("Images – {viewpoint_id}", viewpoint_id=viewpoint_id))
-        self.title.setText(tr("Images: {viewpoint_id}", viewpoint_id=viewpoint_id))
-        self.show()
-        self.raise_()
-        self._load()
+        self.begin(tr("Images – {viewpoint_id}", viewpoint_id=viewpoint_id), tr("Images: {viewpoint_id}", viewpoint_id=viewpoint_id))
 
-    def closeEvent(self, event: QCloseEvent) -> None:
-        """Cancel decoding for this window only."""
-        self.images.cancel()
-        super().closeEvent(event)
+    def shown(self) -> ViewImages | None:
+        """Return the images on display."""
+        return self.view
 
-    def _load(self) -> None:
-        self._show_running(True)
-        self.state.setText(translated(WAITING))
+    def steering(self) -> tuple[QWidget, ...]:
+        """Return the choices of map and image."""
+        return self.kind, self.frames, self.line, self.whole
+
+    def load(self) -> None:
+        """Decode, or show what is known."""
         QTimer.singleShot(0, self, self._prepare)
-        self.images.load(self.viewpoint_id)
+        super().load()
 
     def _prepare(self) -> None:
         """Make the axes while the images are decoded, one after the other so that the window answers in between."""
@@ -141,21 +119,10 @@ class ImagesDialog(QDialog):
                 QTimer.singleShot(0, self, self._prepare)
                 return
 
-    def _show_running(self, running: bool) -> None:
-        for part in (self.progress, self.note, self.cancel):
-            part.setVisible(running)
-        self.again.setVisible(not running and self.view is None)
-        for part in (self.kind, self.cameras, self.frames, self.line, self.whole):
-            part.setEnabled(self.view is not None)
-
-    @Slot(float, str)
-    def _show_progress(self, share: float, note: str) -> None:
-        self.progress.setValue(round(1000 * share))
-        self.note.setText(translated(sentence_case(note)))
-
     @Slot(str)
-    def _show_stopped(self, reason: str) -> None:
-        self._show_running(False)
+    def show_stopped(self, reason: str) -> None:
+        """Say why nothing was decoded."""
+        self.show_running(False)
         self.state.setText(translated(reason) or tr("Cancelled. Nothing was changed; decode to continue."))
 
     @Slot()
@@ -167,18 +134,16 @@ class ImagesDialog(QDialog):
         self.values.setText(translated(ASK))
         self.legend.setText("")
         self.chart.show_bars(())
-        self._show_running(False)
+        self.show_running(False)
         self.state.setText("")
 
-    @Slot(object)
-    def _show(self, view: ViewImages) -> None:
-        if view.viewpoint_id != self.viewpoint_id:
-            return
+    def show_found(self, view: ViewImages) -> None:
+        """Show the images of the view."""
         if view is not self.view:
             self.view = view
-            self._make_cameras(tuple(view.maps))
+            self.make_cameras(tuple(view.maps))
             self.frames.show_stack(view.stack.exposures_us, view.stack.patterns.count)
-        self._show_running(False)
+        self.show_running(False)
         camera, pixel = self._wanted
         if camera in view.maps:
             self.cameras.setValue(camera)
@@ -186,12 +151,9 @@ class ImagesDialog(QDialog):
         if pixel is not None:
             self.map.point_at(*pixel)
 
-    def _make_cameras(self, names: tuple[str, ...]) -> None:
-        self._camera_place.removeWidget(self.cameras)
-        self.cameras.deleteLater()
-        self.cameras = Segments({name: sentence_case(name) for name in names}, name="Camera")
-        self.cameras.valueChanged.connect(self._draw)
-        self._camera_place.addWidget(self.cameras)
+    def change_camera(self) -> None:
+        """Show the images of another camera."""
+        self._draw()
 
     def _frame(self) -> np.ndarray:
         """Return the chosen stored image (H, W)."""
@@ -287,7 +249,7 @@ class ImagesDialog(QDialog):
         image = self.frames.value()[1]
         layers |= {f"grey_{time}us": times[place, image] for place, time in enumerate(self.view.stack.exposures_us)}
         shown = f"grey_{self.view.stack.exposures_us[self.frames.value()[0]]}us"
-        words = f"{layer.quantity} [{layer.unit}]"
+        words = with_unit(layer.quantity, layer.unit)
         self.panel.show_profile(layers, (COLUMNS[kind], words), (shown, grey), self.view.stack.saturation)
 
     def _save(self) -> None:

@@ -29,10 +29,14 @@ def view_verdict(view: ViewResult, placement: ViewPlacement | None) -> tuple[str
     if placement is not None and not used:
         return "fail", "Excluded", sentence(placement.verdict.rpartition(": ")[0] or placement.verdict)
     if placement is not None and placement.verdict.endswith(ACCEPTED_BY_HAND):
-        return "not proven", "Manual", "Used by manual choice. " + sentence(placement.verdict.removesuffix(f": {ACCEPTED_BY_HAND}"))
+        return (
+            "not proven",
+            "Manual",
+            tr("Used by manual choice. {why}", why=sentence(placement.verdict.removesuffix(f": {ACCEPTED_BY_HAND}"))),
+        )
     if placement is not None and placement.verdict != "good":
         return "not proven", "Doubtful", sentence(placement.verdict)
-    return "pass", "Good", "Accepted by cloud quality" + (" and registration." if placement is not None else ".")
+    return "pass", "Good", "Accepted by cloud quality and registration." if placement is not None else "Accepted by cloud quality."
 
 
 def choice_for(placement: ViewPlacement | None) -> tuple[str, ViewChoice]:

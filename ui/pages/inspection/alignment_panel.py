@@ -186,7 +186,7 @@ class AlignmentPanel(QFrame):
         steps = {step.element: step for step in freedom.steps} if freedom is not None else {}
         for role, name in zip(ROLES.get(method, ()), self._names, strict=False):
             step = steps.get(name)
-            words = "" if step is None else step.problem or f"fixes {step.fixed}"
+            words = "" if step is None else step.problem or tr("fixes {fixed}", fixed=step.fixed)
             remove = Button("", self._look, "remove", "quiet", tr("Remove {name}", name=name))
             remove.clicked.connect(lambda _checked=False, name=name: self._remove(name))
             self.elements.addLayout(row(label(role, "strong"), label(sentence_case(name)), 0, label(words, "soft"), remove, spacing=8))

@@ -147,14 +147,15 @@ def _extremes(comparison: Comparison) -> str:
     statistics = comparison.statistics
     assert statistics is not None
     found = [
-        f"{words} {millimetres(one.value_mm, signed=True)}"
-        for words, one in (("Minimum", statistics.minimum), ("maximum", statistics.maximum))
+        tr(words, value=millimetres(one.value_mm, signed=True))
+        for words, one in (("Minimum {value}", statistics.minimum), ("maximum {value}", statistics.maximum))
         if one is not None
     ]
-    words = ", ".join(found) + ", each confirmed by its neighbours." if found else "No extreme that its neighbours confirm."
+    listed = ", ".join(found)
+    words = tr("{listed}, each confirmed by its neighbours.", listed=listed) if found else tr("No extreme that its neighbours confirm.")
     lost = tr(
         " {lost} points lie farther than {search_mm} from the nominal.",
         lost=counted(statistics.lost),
         search_mm=millimetres(statistics.search_mm, 1),
     )
-    return words + (lost if statistics.lost else "")
+    return tr("{words}{lost}", words=words, lost=lost) if statistics.lost else words

@@ -140,7 +140,7 @@ def dimension_properties(dimension: Dimension, features: Sequence[Feature], alig
 def feature_group(feature: Feature) -> Group:
     """Return the figures of a fit."""
     return Group(
-        f"{sentence_case(feature.name)} ({shape_words(feature)})",
+        tr("{name} ({shape})", name=sentence_case(feature.name), shape=shape_words(feature)),
         (
             ("Points", counted(feature.points)),
             ("Rejected", counted(feature.left_out)),

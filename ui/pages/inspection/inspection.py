@@ -350,7 +350,11 @@ class InspectionPage(ViewportPage):
         off = float(comparison.deviation.distances_mm[place]) if comparison is not None and self.shape.value() == "deviation" else None
         self.show_properties(point_properties(replace(point, position_mm=position, deviation_mm=off)))
         self.propertiesAsked.emit()
-        words = f"{point.viewpoint_id}   sigma {millimetres(point.sigma_mm)}" if off is None else millimetres(off, signed=True)
+        words = (
+            tr("{view}   sigma {sigma}", view=point.viewpoint_id, sigma=millimetres(point.sigma_mm))
+            if off is None
+            else millimetres(off, signed=True)
+        )
         words = words.replace("\u00a0", " ").replace("\u2212", "-")
         self.content.point = Label(words, position, rgb(self.look.theme, "text"), rgb(self.look.theme, "surface"))
         self.content.show()

@@ -56,7 +56,7 @@ class RowActions(QObject):
                 names.append(name)
             return program
 
-        if nodes and self._programming.edit(change, f"{several(len(nodes), 'dimension')} duplicated."):
+        if nodes and self._programming.edit(change, tr("{dimensions} duplicated.", dimensions=several(len(nodes), "dimension"))):
             self._select_named(names[-1])
 
     def remove(self) -> None:
@@ -65,7 +65,9 @@ class RowActions(QObject):
 
         nodes = self._nodes()
         if nodes:
-            self._programming.edit(lambda program: edits.remove(program, nodes), f"{several(len(nodes), 'dimension')} deleted.")
+            self._programming.edit(
+                lambda program: edits.remove(program, nodes), tr("{dimensions} deleted.", dimensions=several(len(nodes), "dimension"))
+            )
 
     def move(self, steps: int) -> None:
         """Move the selected dimensions up or down in the order of the report, which is shown then."""

@@ -26,7 +26,7 @@ def when_words(iso: str, now: datetime | None = None) -> str:
     """Return when something was measured: the time today, else also the date."""
     then = datetime.fromisoformat(iso).astimezone()
     now = now or datetime.now().astimezone()
-    return f"today {then:%H:%M}" if then.date() == now.date() else f"{then:%Y-%m-%d %H:%M}"
+    return tr("today {time}", time=f"{then:%H:%M}") if then.date() == now.date() else f"{then:%Y-%m-%d %H:%M}"
 
 
 class CardButton(BigButton):

@@ -193,9 +193,9 @@ def framed(scenery: Scenery) -> np.ndarray:
 def coverage_legend(coverage: PlanCoverage) -> tuple[tuple[Swatch, ...], str]:
     """Return the colours of the coverage with the share of each."""
     shares = [coverage.share(coverage.counts == count) for count in (0, 1, 2)]
-    words = ("Not measured", "Once", "Twice", "More often")
+    words = ("Not measured {percent}", "Once {percent}", "Twice {percent}", "More often {percent}")
     colours = (None, ONCE, TWICE, OFTEN)
     swatches = tuple(
-        (colour, f"{word} {percent(share)}") for colour, word, share in zip(colours, words, (*shares, 1.0 - sum(shares)), strict=True)
+        (colour, tr(word, percent=percent(share))) for colour, word, share in zip(colours, words, (*shares, 1.0 - sum(shares)), strict=True)
     )
     return swatches, tr("Predicted coverage {predicted}", predicted=percent(coverage.predicted))

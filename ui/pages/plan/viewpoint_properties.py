@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from ui.look.language.words import tr
 from ui.look.wording import exposure, millimetres, percent, quantity, sentence_case
 from ui.pages.pattern_prediction import cost, predict
 from ui.widgets.properties_panel import Group, Properties
@@ -32,7 +33,10 @@ def viewpoint_properties(plan: ScanPlan, viewpoint: Viewpoint, rig: RigDescripti
                     ("Wait", quantity(rig.motion.settle_s if settle_s is None else settle_s, "s", 1)),
                 ),
             ),
-            Group("Exposures", tuple((f"No. {place + 1}", exposure(value)) for place, value in enumerate(plan.exposures_of(viewpoint)))),
+            Group(
+                "Exposures",
+                tuple((tr("No. {place}", place=place + 1), exposure(value)) for place, value in enumerate(plan.exposures_of(viewpoint))),
+            ),
             Group(
                 "Patterns",
                 (

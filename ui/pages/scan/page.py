@@ -236,7 +236,11 @@ class ScanPage(ViewportPage):
         points = self.session.viewpoints.values()
         total = sum(len(view.cloud) for view in self.session.views)
         stored = sum(state.status in HAVE_IMAGES for state in points)
-        facts = (("Stored", f"{stored} of {len(points)}"), ("Clouds", str(len(self.session.views))), ("Points", counted(total)))
+        facts = (
+            ("Stored", tr("{count} of {total}", count=stored, total=len(points))),
+            ("Clouds", str(len(self.session.views))),
+            ("Points", counted(total)),
+        )
         groups = [Group("So far", facts)]
         for heading, status in (("Failed viewpoints", "failed"), ("Skipped viewpoints", "skipped")):
             rows = tuple((state.id, state.note or state.status) for state in points if state.status == status)
@@ -321,4 +325,4 @@ def decoded_share(view: ViewResult) -> str:
     if not shares:
         return ""
     least, most = percent(shares[0], 0), percent(shares[-1], 0)
-    return f"{most} decoded" if least == most else tr("{split}–{most} decoded", split=least.split(chr(160))[0], most=most)
+    return tr("{most} decoded", most=most) if least == most else tr("{split}–{most} decoded", split=least.split(chr(160))[0], most=most)

@@ -62,7 +62,7 @@ class ScanSetup(QWidget):
         self.exposures = QComboBox()
         for name, (words, tip) in EXPOSURES.items():
             self.exposures.addItem(translated(words), name)
-            self.exposures.setItemData(self.exposures.count() - 1, tip, Qt.ItemDataRole.ToolTipRole)
+            self.exposures.setItemData(self.exposures.count() - 1, translated(tip), Qt.ItemDataRole.ToolTipRole)
         self.seconds = QDoubleSpinBox()
         self.seconds.setRange(0.1, 600.0)
         self.seconds.setDecimals(1)
@@ -72,7 +72,7 @@ class ScanSetup(QWidget):
         self.raw = QComboBox()
         for policy, (words, tip) in RAW.items():
             self.raw.addItem(translated(words), policy)
-            self.raw.setItemData(self.raw.count() - 1, tip, Qt.ItemDataRole.ToolTipRole)
+            self.raw.setItemData(self.raw.count() - 1, translated(tip), Qt.ItemDataRole.ToolTipRole)
         self.rig, self.what = label("", "body", wrap=True), label("", "small", wrap=True)
         self.found = Checklist(look)
         self.check = Button("Check", look, "pass", "normal", "Connect the rig and list what prevents the scan; nothing moves")

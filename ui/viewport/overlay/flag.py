@@ -8,6 +8,7 @@ import numpy as np
 from PySide6.QtCore import QSizeF
 
 from measureapp.data.control_frame import ControlFrame
+from ui.look.language.words import translated
 from ui.viewport.overlay.control_frame import frame_size
 from ui.viewport.overlay.style import OverlayStyle
 
@@ -38,7 +39,7 @@ class Flag:
 
     def lines(self) -> tuple[str, ...]:
         """Return the lines of the box, the title first."""
-        return tuple(line for line in (self.title, self.value, self.tolerance, self.uncertainty, *self.more) if line)
+        return tuple(translated(line) for line in (self.title, self.value, self.tolerance, self.uncertainty, *self.more) if line)
 
 
 def flag_size(flag: Flag, style: OverlayStyle) -> QSizeF:

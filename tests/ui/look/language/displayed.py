@@ -1,12 +1,13 @@
-"""The texts on display: of widgets, menus, headers and tables."""
+"""The texts on display: of widgets, menus, headers and tables; of charts; and those that Python code paints."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from PySide6.QtCore import QAbstractListModel, QObject, Qt
-from PySide6.QtGui import QAction
-from PySide6.QtWidgets import QAbstractButton, QAbstractItemView, QComboBox, QGroupBox, QLabel, QLineEdit, QTabBar, QWidget
+import pytest
+from PySide6.QtCore import QAbstractItemModel, QAbstractListModel, QAbstractTableModel, QModelIndex, QObject, Qt
+from PySide6.QtGui import QAction, QPainter
+from PySide6.QtWidgets import QAbstractButton, QAbstractItemView, QComboBox, QGroupBox, QHeaderView, QLabel, QLineEdit, QTabBar, QWidget
 
 MOST_ROWS = 30
 
@@ -29,11 +30,40 @@ def displayed_texts(top: QWidget) -> Iterator[tuple[str, str]]:
             yield from ((kind, widget.tabText(place)) for place in range(widget.count()))
         elif isinstance(widget, QComboBox):
             yield from ((kind, widget.itemText(place)) for place in range(widget.count()))
-        elif isinstance(widget, QAbstractItemView) and widget.model() is not None:
+        elif isinstance(widget, QAbstractItemView) and not isinstance(widget, QHeaderView) and widget.model() is not None:
             yield from _cells(widget)
     for action in top.findChildren(QObject):
         if isinstance(action, QAction) and not _is_of_charts(action):
             yield "QAction", action.text()
+
+
+def chart_texts(top: QWidget) -> Iterator[tuple[str, str]]:
+    """Return kind and text of the axes, numbers and scales of all charts in ``top``."""
+    for chart in top.findChildren(QWidget):
+        if type(chart).__name__ != "Plot":
+            continue
+        for item in chart.scene().items():
+            name = type(item).__name__
+            if name == "TextItem":
+                yield "chart.text", item.toPlainText()
+            elif item.isVisible() and hasattr(item, "labelText"):
+                yield "chart.axis", item.labelText or ""
+                yield from (("chart.tick", words) for level in getattr(item, "_tickLevels", None) or () for _, words in level)
+
+
+def painted_texts(top: QWidget) -> list[tuple[str, str]]:
+    """Return kind and text of what Python code paints on ``top``, such as legends and drawings."""
+    found: list[tuple[str, str]] = []
+    paint = QPainter.drawText
+
+    def note(painter: QPainter, *arguments: object) -> object:
+        found.extend(("painted", one) for one in arguments if isinstance(one, str))
+        return paint(painter, *arguments)
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(QPainter, "drawText", note)
+        top.grab()
+    return found
 
 
 def _cells(view: QAbstractItemView) -> Iterator[tuple[str, str]]:
@@ -41,8 +71,18 @@ def _cells(view: QAbstractItemView) -> Iterator[tuple[str, str]]:
     columns = 1 if isinstance(model, QAbstractListModel) else model.columnCount()
     for column in range(columns):
         yield f"{kind}.header", str(model.headerData(column, Qt.Orientation.Horizontal) or "")
-        for row in range(min(model.rowCount(), MOST_ROWS)):
-            yield kind, str(model.index(row, column).data() or "")
+    yield from _rows(model, QModelIndex(), columns, kind)
+
+
+def _rows(model: QAbstractItemModel, parent: QModelIndex, columns: int, kind: str) -> Iterator[tuple[str, str]]:
+    for row in range(min(model.rowCount(parent), MOST_ROWS)):
+        for column in range(columns):
+            index = model.index(row, column, parent)
+            yield kind, str(index.data() or "")
+            yield f"{kind}.tip", str(index.data(Qt.ItemDataRole.ToolTipRole) or "")
+        first = model.index(row, 0, parent)
+        if not isinstance(model, QAbstractListModel | QAbstractTableModel) and model.rowCount(first):
+            yield from _rows(model, first, columns, kind)
 
 
 def _is_of_charts(one: QObject | None) -> bool:

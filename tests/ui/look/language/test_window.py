@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import re
-
 import pytest
 from PySide6.QtCore import QLocale
 from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QLabel, QWidget
@@ -16,42 +14,8 @@ from ui.look.language.retranslating import GIVEN
 from ui.look.language.sources import catalogue_file, core_texts, window_texts
 from ui.pages.calibration_rows import added_to_length_mm
 
-NAMES = re.compile(  # of files, devices, views, standards and people stay as they are
-    r"demo-gypsum|[Gg]ypsum(-\d+)?|view-\d+|Camera (left|right|upper)|left|right|upper|Basler.*|ABB.*|TOYO.*|DLP.*|Paper rig \(virtual\)|top|equator|Equator"
-    r"|RPS|English|Robot [xyz] .*|Turn about .*|Linear guide [−+].*|Rotary table [−+].*|ISO 14253.*|[\d.,\s−…]*(mm|px|GB|bit|lens)\b.*|±.*ppm"
-    r"|\d.*|ChArUco|Paper rig \(virtual\),.*|note|rig|Stitch|Recommended\. .*|gypsum.*|(DICT|APRILTAG|ARUCO)_.*|.*\.toml|PASS|FAIL",
-    re.DOTALL,
-)
 
-
-@pytest.fixture(scope="module")
-def bracketed() -> Catalogue:
-    """A language in which every text is in brackets, and longer."""
-    return Catalogue("zh_CN", {text: Entry(text, f"⟦{text}⟧") for text in {**core_texts(), **window_texts()}})
-
-
-@pytest.fixture
-def speaking(application, monkeypatch, bracketed):
-    """Return a function that changes the language, and waits until everything on display followed."""
-    monkeypatch.setattr("ui.look.language.language.read_catalogue", lambda _path: bracketed)
-
-    def speak(name: str) -> None:
-        application.settings.set_text("language", name)
-        application.language.retranslation.finish()
-
-    return speak
-
-
-def english_left(texts) -> list[str]:
-    found = []
-    for kind, text in texts:
-        bare = re.sub(r"⟦.*⟧", "", text, flags=re.DOTALL).strip("\u2009 …:,")
-        if re.search(r"[A-Za-z]{3}", bare) and NAMES.fullmatch(bare.strip()) is None:
-            found.append(f"{kind} “{text}”")
-    return sorted(set(found))
-
-
-def test_every_page_speaks_the_language_that_is_chosen(filled, speaking, qtbot):
+def test_every_page_speaks_the_language_that_is_chosen(filled, speaking, english_left, qtbot):
     speaking("zh_CN")
     left: list[str] = []
     for name, page in filled.pages.items():
@@ -108,7 +72,7 @@ def test_nothing_is_cut_in_chinese_in_the_smallest_window(application, filled, q
         qtbot.waitUntil(lambda: not [text for text in cut_texts(filled) if "view-0" not in text], timeout=10_000)
 
 
-def test_wizards_speak_the_language_that_is_chosen(calibration_page, speaking):
+def test_wizards_speak_the_language_that_is_chosen(calibration_page, speaking, english_left):
     speaking("zh_CN")
     for name in KINDS:
         calibration_page.open_wizard(name)
@@ -166,7 +130,7 @@ def test_commands_are_found_by_the_words_of_the_language_and_by_the_english_ones
     assert window.actions_.find("设置")[0].id == window.actions_.find("settings")[0].id == "settings"
 
 
-def test_a_window_made_in_a_language_speaks_it(application, window, qtbot, speaking):
+def test_a_window_made_in_a_language_speaks_it(application, window, qtbot, speaking, english_left):
     speaking("zh_CN")
     window.header.role.setValue("operator")
     qtbot.wait(50)

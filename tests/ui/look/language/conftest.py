@@ -1,0 +1,52 @@
+"""A language of brackets, in which every text that is not translated shows."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable
+
+import pytest
+
+from ui.look.language.catalogue import Catalogue, Entry
+from ui.look.language.sources import core_texts, window_texts
+
+NAMES = re.compile(  # of files, devices, views, standards and people stay as they are
+    r"demo-gypsum|[Gg]ypsum(-\d+)?|view-\d+|Camera (left|right|upper)|left|right|upper|Basler.*|ABB.*|TOYO.*|DLP.*|Paper rig \(virtual\)\.?|top|equator|Equator"
+    r"|RPS|English|view\d+|([Ff]ace [xy][+-]|[Aa]rm (side y[+-]|tops)|[Cc]entre top)( \(\))?|sample-gypsum|/.*|Robot [xyz] .*|Turn about .*|Linear guide [−+].*|Rotary table [−+].*|ISO 14253.*|[\d.,\s−…]*(mm|px|GB|bit|lens)\b.*|±.*ppm"
+    r"|\d.*|ChArUco|Paper rig \(virtual\),.*|note|rig|Stitch|Recommended\. .*|gypsum.*|(Ctrl|Alt|Shift)\+.*|(DICT|APRILTAG|ARUCO)_.*|.*\.toml|PASS|FAIL",
+    re.DOTALL,
+)
+
+
+@pytest.fixture(scope="module")
+def bracketed() -> Catalogue:
+    """A language in which every text is in brackets, and longer."""
+    return Catalogue("zh_CN", {text: Entry(text, f"⟦{text}⟧") for text in {**core_texts(), **window_texts()}})
+
+
+@pytest.fixture
+def speaking(application, monkeypatch, bracketed):
+    """Return a function that changes the language, and waits until everything on display followed."""
+    monkeypatch.setattr("ui.look.language.language.read_catalogue", lambda _path: bracketed)
+
+    def speak(name: str) -> None:
+        application.settings.set_text("language", name)
+        application.language.retranslation.finish()
+
+    return speak
+
+
+def texts_left(texts: Iterable[tuple[str, str]]) -> list[str]:
+    """Return the texts (kind, text) that are neither in brackets nor names."""
+    found = []
+    for kind, text in texts:
+        bare = re.sub(r"⟦.*⟧|⟦.*…$", "", text, flags=re.DOTALL).strip("\u2009 …:,")
+        if re.search(r"[A-Za-z]{3}", bare) and NAMES.fullmatch(bare.strip()) is None:
+            found.append(f"{kind} “{text}”")
+    return sorted(set(found))
+
+
+@pytest.fixture
+def english_left() -> Callable[[Iterable[tuple[str, str]]], list[str]]:
+    """The function that tells what is left in English."""
+    return texts_left

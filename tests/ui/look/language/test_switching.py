@@ -1,0 +1,115 @@
+"""A language is changed while pages, wizards and dialogs are open: nothing that is displayed stays in the language before."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+import pytest
+from PySide6.QtCore import QAbstractListModel, QModelIndex
+from PySide6.QtWidgets import QAbstractItemView, QDialog, QWidget
+
+from measureapp.calibrate.kinds.table import KINDS
+from tests.ui.look.language.displayed import chart_texts, displayed_texts, painted_texts
+from ui.viewport.backend import missing_graphics
+
+PATIENCE_MS = 60_000
+MOST_CHOSEN = 2  # rows of a table, of which each changes the properties
+
+
+@pytest.fixture
+def sample(application, window, qtbot):
+    """The window with the shipped sample project open, and what runs after its opening done."""
+    application.session.set_graphics("failed" if missing_graphics() else "ready", "No graphics in this test.")
+    application.controllers.project.open_sample("gypsum")
+    qtbot.waitUntil(lambda: application.session.measurement is not None, timeout=PATIENCE_MS)
+    settle(application, qtbot)
+    return window
+
+
+def settle(application, qtbot) -> None:
+    qtbot.wait(150)
+    qtbot.waitUntil(lambda: not any(runner.queue.busy for runner in application.controllers.runners), timeout=PATIENCE_MS)
+    qtbot.wait(150)
+
+
+def all_texts(top: QWidget) -> list[tuple[str, str]]:
+    return [*displayed_texts(top), *chart_texts(top), *painted_texts(top)]
+
+
+def choices(top: QWidget) -> Iterator[Callable[[], None]]:
+    """Yield what selects one row after another in the tables of ``top``."""
+    for view in top.findChildren(QAbstractItemView):
+        model = view.model()
+        if model is None or isinstance(model, QAbstractListModel) or not view.isVisible():
+            continue
+        for row in range(min(model.rowCount(), MOST_CHOSEN)):
+            yield lambda view=view, row=row: view.setCurrentIndex(view.model().index(row, 0, QModelIndex()))
+
+
+class Tongues:
+    """Changes the language there and back, and gathers what stays English."""
+
+    def __init__(self, speak, left) -> None:
+        self._speak, self._left = speak, left
+        self.found: set[str] = set()
+
+    def listen(self, place: str, *tops: QWidget) -> None:
+        self._speak("zh_CN")
+        for top in tops:
+            self.found |= {f"{place}: {text}" for text in self._left(all_texts(top))}
+        self._speak("en")
+
+
+@pytest.fixture
+def tongues(speaking, english_left) -> Tongues:
+    return Tongues(speaking, english_left)
+
+
+def test_open_pages_follow_the_language(application, sample, qtbot, tongues):
+    for name, page in sample.pages.items():
+        sample.show_page(name)
+        settle(application, qtbot)
+        tongues.listen(name, sample)
+        for choose in choices(page):
+            choose()
+            qtbot.wait(50)
+            tongues.listen(name, page, sample.properties)
+    assert "\n".join(sorted(tongues.found)) == ""
+
+
+def test_open_wizards_follow_the_language(application, sample, qtbot, tongues):
+    page = sample.pages["calibration"]
+    for name in KINDS:
+        page.open_wizard(name)
+        tongues.listen(name, page.wizards[name])
+        page.wizards[name].close()
+    assert "\n".join(sorted(tongues.found)) == ""
+
+
+def dialogs(window) -> dict[str, Callable[[], object]]:
+    """Return what opens each dialog of the window."""
+    pages = window.pages
+    return {
+        "messages": window.messages.begin,
+        "settings": window.settings_dialog.begin,
+        "palette": window.palette_.begin,
+        "shortcuts": window.shortcuts.begin,
+        "help": window.show_help,
+        "series": pages["report"].open_series,
+        "repeats": pages["report"].open_repeats,
+        "generate": pages["plan"].ask_generate,
+        "automatic": pages["calibration"].open_automatic,
+    }
+
+
+def test_open_dialogs_follow_the_language(application, sample, qtbot, tongues):
+    sample.session.tell("No extreme that its neighbours confirm.", "Calibrate again.", "warning")
+    for name, begin in dialogs(sample).items():
+        begin()
+        settle(application, qtbot)
+        opened = [one for one in application.window.findChildren(QDialog) if one.isVisible()]
+        assert opened, name
+        tongues.listen(name, *opened)
+        for one in opened:
+            one.close()
+    assert "\n".join(sorted(tongues.found)) == ""

@@ -1,0 +1,32 @@
+"""Words that results and files state as they are in documents; the window translates them where it displays them."""
+
+from __future__ import annotations
+
+from ui.look.language.words import later
+
+SAMPLE_PARTS = (later("Gypsum"), later("Impeller"), later("Gear"), later("Sphere plate"), later("Flat"))  # named after their folders
+SAMPLE_NAME = "Sample: {name}"
+BODIES = (later("part"), later("board"), later("robot"), later("guide"), later("table"))  # of the cell, in sentences about collisions
+METHODS = (
+    "Joint calibration of the rig",
+    "Joint refinement",
+    "Weighted least squares",
+    "Zhang, then bundle adjustment of all cameras",
+    "Inverse camera in the bundle adjustment of all cameras",
+)
+STAGES = (
+    "Calibration images",
+    later("Calibration"),
+    "Scan with storing and clouds",
+    later("Clouds"),
+    later("Stitching"),
+    later("Checks"),
+    later("Inspection"),
+    later("Surface"),
+    later("Saving"),
+    later("Joining"),
+    later("Report"),
+    later("Total"),
+)
+REASONS = (later("Unmatched"), later("Ambiguous"), later("Contradicted"), later("Uncertain"), later("Outlier"))  # of pixels without a point
+CONTRIBUTIONS = (later("Systematic"),)
