@@ -233,6 +233,10 @@
       <translation>每个视点产生一片点云，配准使其对齐。演示在一两分钟内生成若干点云。</translation>
     </message>
     <message>
+      <source>Exclude surroundings</source>
+      <translation>去除周围物体</translation>
+    </message>
+    <message>
       <source>Exclude this view</source>
       <translation>排除此视图</translation>
     </message>
@@ -295,6 +299,10 @@
     <message>
       <source>Images…</source>
       <translation>图像…</translation>
+    </message>
+    <message>
+      <source>Keep surroundings</source>
+      <translation>保留周围物体</translation>
     </message>
     <message>
       <source>Kinematic</source>
@@ -13315,12 +13323,24 @@ There is no page about “{name}”.</source>
       <translation>项目属于一个测量系统。请先在“测量系统”页选择。</translation>
     </message>
     <message>
+      <source>A rig as it is found in a workshop: lens errors, glare, run-out, warm-up, a part that is not its drawing</source>
+      <translation>车间里常见的测量设备：镜头误差、杂散光、转台跳动、预热漂移，工件与图纸不完全一致</translation>
+    </message>
+    <message>
       <source>A sample part, or your own closed mesh; its unit is requested unless it is clearly millimetres</source>
       <translation>示例工件，或您自己的封闭网格；除非明显是毫米，否则会询问单位</translation>
     </message>
     <message>
       <source>A tour of the window on a sample project, in seven steps</source>
       <translation>在示例项目上分七步介绍窗口</translation>
+    </message>
+    <message>
+      <source>A well-kept rig in a measuring room: small errors of lenses, axes, board and part</source>
+      <translation>测量室中维护良好的设备：镜头、轴、标定板和工件误差很小</translation>
+    </message>
+    <message>
+      <source>A worn rig in a warm hall, with a printed board</source>
+      <translation>高温车间中磨损的设备，使用打印的标定板</translation>
     </message>
     <message>
       <source>Add: {field_words}</source>
@@ -13333,6 +13353,10 @@ There is no page about “{name}”.</source>
     <message>
       <source>Apply to the merged cloud; the stitched cloud is kept</source>
       <translation>应用于合并点云；拼接点云保留</translation>
+    </message>
+    <message>
+      <source>Bad</source>
+      <translation>较差</translation>
     </message>
     <message>
       <source>Board temperature</source>
@@ -13531,6 +13555,14 @@ There is no page about “{name}”.</source>
       <translation>标定板长度的已知程度：用此标定测得的一切的比例</translation>
     </message>
     <message>
+      <source>How well the virtual rig and the part are made; uncertainties and verdicts follow from it</source>
+      <translation>虚拟设备和工件的制造精度；不确定度和判定由此而来</translation>
+    </message>
+    <message>
+      <source>Ideal</source>
+      <translation>理想</translation>
+    </message>
+    <message>
       <source>Impeller</source>
       <translation>叶轮</translation>
     </message>
@@ -13673,6 +13705,10 @@ There is no page about “{name}”.</source>
     <message>
       <source>Not stated</source>
       <translation>未说明</translation>
+    </message>
+    <message>
+      <source>Nothing but noise and what the program's model describes: what the algorithms reach</source>
+      <translation>只有噪声和程序模型所描述的误差：算法本身所能达到的水平</translation>
     </message>
     <message>
       <source>Now</source>
@@ -13917,6 +13953,10 @@ There is no page about “{name}”.</source>
     <message>
       <source>Use this unit</source>
       <translation>使用此单位</translation>
+    </message>
+    <message>
+      <source>Usual</source>
+      <translation>一般</translation>
     </message>
     <message>
       <source>Viewpoint</source>
