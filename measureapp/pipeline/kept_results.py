@@ -13,6 +13,7 @@ from measureapp.data.cloud import StitchedCloud
 from measureapp.data.consistency import Consistency
 from measureapp.data.measurement import Measurement, ViewResult
 from measureapp.data.mesh import Mesh
+from measureapp.data.surroundings import SURROUNDINGS
 from measureapp.data.view_choices import ViewChoices
 from measureapp.errors import StorageError
 from measureapp.project.calibration import store
@@ -30,6 +31,7 @@ class StitchedViews:
     views: Sequence[ViewResult]  # those whose axes contradict the images are not accepted
     stitched: StitchedCloud
     consistency: Consistency
+    surroundings: str = ""  # which points of them are not the part's, in a sentence
     mesh: Mesh | None = None  # its surface, where that is kept, too
 
 
@@ -71,7 +73,8 @@ def stitched_made_from(
 ) -> str:
     """Return a hash of everything from which clouds are stitched and checked; empty where it is not known from what a cloud was computed.
 
-    These are the clouds where the axes place them, the choices made by hand, and the calibration with its uncertainty.
+    These are the clouds where the axes place them, the choices made by hand, the calibration with its uncertainty, and what tells the part
+    from its surroundings: the nominal, its place in the plan, and the rig.
     """
     contents = project.journal.contents()
     if contents is None or not all(view.made_from for view in views):
@@ -86,6 +89,9 @@ def stitched_made_from(
             "calibration": rig_calibration_document(calibration),
             "uncertainty": "" if uncertainty is None else uncertainty.sha256,
             "approaches": approaches,
+            "nominal": {name: state.sha256 for name, state in contents.files.items() if name.startswith("inspection/nominal.")},
+            "plan": plan.sha256 if (plan := contents.files.get("plan.json")) else "",
+            "rig": project.rig().model_dump(mode="json"),
             "choices": choices.model_dump(mode="json"),
             "program": fingerprint(),
         }
@@ -96,4 +102,4 @@ def kept_stitched(former: Measurement | None, made_from: str) -> StitchedViews |
     """Return the stitched cloud of former results, with their surface, where it was made from the same; None where not."""
     if former is None or not made_from or former.stitched_from != made_from:
         return None
-    return StitchedViews(former.views, former.stitched, former.consistency, former.mesh)
+    return StitchedViews(former.views, former.stitched, former.consistency, str(former.settings.get(SURROUNDINGS, "")), former.mesh)
