@@ -67,10 +67,10 @@ KNOWN_STATION_MM, KNOWN_STATION_DEG = 0.03, 0.004  # repeatability of the robot 
 
 @dataclass(frozen=True)
 class Revision:
-    """Other view choices for a measurement whose clouds, calibration validity and settings still apply."""
+    """Other view choices for a measurement whose clouds, calibration validity and settings still apply; or what may be kept of it."""
 
     former: Measurement
-    choices: ViewChoices
+    choices: ViewChoices | None = None  # None: those stored; its stitched cloud and surface are kept where they would come out as they are
 
 
 def assemble(
@@ -82,28 +82,27 @@ def assemble(
     watch: Stopwatch,
     registration_cache: RegistrationCache | None = None,
     revision: Revision | None = None,
-    former: Measurement | None = None,
 ) -> Measurement:
     """Stitch the clouds of all views, compute the surface, evaluate the dimensions and store everything.
 
     Parameters
     ----------
     registration_cache : registration results prepared while the views were taken
-    revision : measurement with the same clouds and its new view choices; None: the choices stored in the project, all else determined anew
-    former : the last results, whose stitched cloud and surface are kept where they would come out as they are
+    revision : the last results, with new view choices or to be kept where they would come out as they are; None: all is determined anew
 
     Raises
     ------
     RegistrationError
         No view has a usable cloud, or read-backs and images disagree in many views.
     """
+    offered, revision = (revision.former, None) if revision is not None and revision.choices is None else (None, revision)
     validity = None if revision is None else revision.former.validity
     if validity is None:
         validity = validity_of(project, calibrated, views)
         on_event(ValidityKnown(validity))
-    choices = project.view_choices() if revision is None else revision.choices
+    choices = (None if revision is None else revision.choices) or project.view_choices()
     made_from = stitched_made_from(project, calibrated, views, choices, _approaches(project, views))
-    joined = kept_stitched(former, made_from)
+    joined = kept_stitched(offered, made_from)
     if joined is None:
         views = without_contradictions(views, calibrated) if revision is None else views
         joined = _stitched(project, calibrated, views, choices, validity, PartOf(progress, 0.0, 0.5), watch, registration_cache)
@@ -174,9 +173,8 @@ def _stitched(
     with watch.stage("checks"):
         consistency = check_consistency(part, stitched)
         stitched = add_refused(with_unexplained(stitched, consistency), views, choices)
-    return StitchedViews(
-        views, stitched, consistency, surroundings=SURROUNDINGS_KEPT if choices.keep_surroundings else surroundings.sentence
-    )
+    said = SURROUNDINGS_KEPT if choices.keep_surroundings else surroundings.sentence
+    return StitchedViews(views, stitched, consistency, said)
 
 
 def _without_surroundings(
@@ -191,7 +189,7 @@ def _without_surroundings(
 
 
 def _with_surroundings(settings: Mapping[str, Any], said: str) -> dict[str, Any]:
-    """Return the settings of a measurement with what is said of surroundings, if anything is."""
+    """Return the settings of a measurement with what was excluded as surroundings, or that they were kept."""
     others = {name: value for name, value in settings.items() if name != SURROUNDINGS}
     return {**others, SURROUNDINGS: said} if said else others
 

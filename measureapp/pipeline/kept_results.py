@@ -5,10 +5,8 @@ Each is kept with a hash of everything that it was computed from, the program in
 
 from __future__ import annotations
 
-import hashlib
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 from measureapp.data.calibration import RigCalibration
 from measureapp.data.cloud import StitchedCloud
@@ -33,8 +31,8 @@ class StitchedViews:
     views: Sequence[ViewResult]  # those whose axes contradict the images are not accepted
     stitched: StitchedCloud
     consistency: Consistency
+    surroundings: str = ""  # which points of them are not the part's, in a sentence
     mesh: Mesh | None = None  # its surface, where that is kept, too
-    surroundings: str = ""  # what was excluded around the part, or that it was kept, in words
 
 
 def calibration_made_from(project: ProjectFolder) -> str:
@@ -76,7 +74,7 @@ def stitched_made_from(
     """Return a hash of everything from which clouds are stitched and checked; empty where it is not known from what a cloud was computed.
 
     These are the clouds where the axes place them, the choices made by hand, the calibration with its uncertainty, and what tells the part
-    from its surroundings: nominal, planned pose and description of the rig.
+    from its surroundings: the nominal, its place in the plan, and the rig.
     """
     contents = project.journal.contents()
     if contents is None or not all(view.made_from for view in views):
@@ -91,23 +89,17 @@ def stitched_made_from(
             "calibration": rig_calibration_document(calibration),
             "uncertainty": "" if uncertainty is None else uncertainty.sha256,
             "approaches": approaches,
+            "nominal": {name: state.sha256 for name, state in contents.files.items() if name.startswith("inspection/nominal.")},
+            "plan": plan.sha256 if (plan := contents.files.get("plan.json")) else "",
+            "rig": project.rig().model_dump(mode="json"),
             "choices": choices.model_dump(mode="json"),
-            "part": _told_from_surroundings_by(project),
             "program": fingerprint(),
         }
     )
-
-
-def _told_from_surroundings_by(project: ProjectFolder) -> list[Any]:
-    plan = project.plan()
-    pose = None if plan is None or plan.part_pose is None else plan.part_pose.model_dump(mode="json")
-    nominal = "" if project.nominal is None else hashlib.sha256(project.nominal.read_bytes()).hexdigest()
-    return [nominal, pose, project.rig().without_speeds().model_dump(mode="json")]
 
 
 def kept_stitched(former: Measurement | None, made_from: str) -> StitchedViews | None:
     """Return the stitched cloud of former results, with their surface, where it was made from the same; None where not."""
     if former is None or not made_from or former.stitched_from != made_from:
         return None
-    said = str(former.settings.get(SURROUNDINGS, ""))
-    return StitchedViews(former.views, former.stitched, former.consistency, former.mesh, said)
+    return StitchedViews(former.views, former.stitched, former.consistency, str(former.settings.get(SURROUNDINGS, "")), former.mesh)

@@ -21,7 +21,7 @@ from measureapp.data.rig import RigDescription
 from measureapp.data.storage_rules import StorageRules
 from measureapp.devices.rig import Rig
 from measureapp.errors import CalibrationError, InputError
-from measureapp.pipeline.assemble import assemble
+from measureapp.pipeline.assemble import Revision, assemble
 from measureapp.pipeline.connecting import connected
 from measureapp.pipeline.documents import outcome_document, write_reports
 from measureapp.pipeline.events import CalibrationReady, Event, ResultKept
@@ -225,7 +225,8 @@ def process_project(project: ProjectFolder, on_event: OnEvent, progress: Progres
         with watch.stage("clouds"):
             kept = kept_views(project, calibration, decode_settings_of(project))
         views = compute_clouds(project, calibration, on_event, PartOf(progress, 0.2, 0.7), watch, kept)
-        measurement = assemble(project, calibration, views, on_event, PartOf(progress, 0.7, 1.0), watch, former=kept.former)
+        former = None if kept.former is None else Revision(kept.former)
+        measurement = assemble(project, calibration, views, on_event, PartOf(progress, 0.7, 1.0), watch, revision=former)
         return finish(project, measurement, watch)
 
 

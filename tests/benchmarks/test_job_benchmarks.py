@@ -176,7 +176,7 @@ def test_a_changed_tolerance_or_feature_has_a_new_verdict_at_once(benchmark: Ben
     session = InspectionSession(measurement.stitched, read_mesh(project.nominal), settings)
     text = project.program_text(has_nominal=True)
     session.measure(parse_program(text))
-    other_tolerance = text.replace("nominal = 180\n", "nominal = 180\ntolerance = 0.9\n")
+    other_tolerance = text.replace("nominal = 180\n", 'nominal = 180\ntolerance = "±0.9"\n')
     other_feature = other_tolerance.replace("edge_mm = 3", "edge_mm = 4", 1)
     assert len({text, other_tolerance, other_feature}) == 3
     taken = {}

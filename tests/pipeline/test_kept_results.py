@@ -113,7 +113,7 @@ def test_a_calibration_that_is_kept_equals_the_one_solved_from_the_images(projec
 def another_tolerance(project: ProjectFolder) -> None:
     text = project.program_text(has_nominal=True)
     assert "nominal = 180\n" in text
-    project.save_program(text.replace("nominal = 180\n", "nominal = 180\ntolerance = 0.9\n"))
+    project.save_program(text.replace("nominal = 180\n", 'nominal = 180\ntolerance = "±0.9"\n'))
 
 
 def a_refused_view(project: ProjectFolder) -> None:
