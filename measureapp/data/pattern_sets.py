@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from functools import lru_cache
 from math import ceil, log2, sqrt
+from types import MappingProxyType
 
 from measureapp.data.fringe import Direction, GrayCodeGroup, PatternGroup, PatternSet, PhaseShiftGroup
 
+KEPT_SIZES = 16  # of projectors, whose sets are kept
 GUARD = 1 / 16  # guard band relative to the extent: 64 px of 1024
 PAPER_GUARD = 1 / 32
 FINE_PX, COARSE_PX = 16.0, 32.0  # the finest pitch that projector and lens usually show with full contrast, and the paper's
@@ -15,7 +18,8 @@ MIDDLE = 0.85  # of √(periods over the range): position of the second of three
 Groups = Callable[[float, Direction], tuple[PatternGroup, ...]]
 
 
-def make_pattern_sets(width_px: int, height_px: int) -> dict[str, PatternSet]:
+@lru_cache(maxsize=KEPT_SIZES)
+def make_pattern_sets(width_px: int, height_px: int) -> Mapping[str, PatternSet]:
     """Return all predefined sets for a projector of this size; sets named ``…-both`` have vertical and horizontal fringes.
 
     Parameters
@@ -24,7 +28,7 @@ def make_pattern_sets(width_px: int, height_px: int) -> dict[str, PatternSet]:
     """
     one = {name: _one_way(words, groups, width_px) for name, (words, groups) in _KINDS.items()}
     both = {f"{name}-both": _both_ways(*_KINDS[name], width_px, height_px) for name in _BOTH}
-    return {**one, **both}
+    return MappingProxyType({**one, **both})
 
 
 def _one_way(words: str, groups: Groups, width_px: int) -> PatternSet:

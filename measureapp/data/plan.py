@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import lru_cache
 from typing import Annotated, Literal
 
 import numpy as np
@@ -14,6 +15,7 @@ from measureapp.data.part_pose import PartPose
 from measureapp.data.pattern_sets import DEFAULT_PATTERNS, PATTERN_SETS
 from measureapp.geometry.transform import RigidTransform
 
+KEPT_GROUPS = 256  # whose viewpoints are kept
 Motion = Literal["robot", "table", "guide", "passes", "stations"]
 """What moves between the views of a calibration; "passes" are further ones along the guide, "stations" the robot poses of a scan plan."""
 
@@ -87,19 +89,25 @@ class ViewpointGroup(Model):
 
     def viewpoints(self) -> tuple[Viewpoint, ...]:
         """Return the viewpoints, pose by pose."""
-        one = len(self.poses) == 1
-        return tuple(
-            Viewpoint(
-                id=f"{self.id}-{angle:02d}" if one else f"{self.id}-{number:02d}-{angle:02d}",
-                flange=pose.flange,
-                guide_mm=pose.guide_mm,
-                table_deg=table_deg,
-                exposures_us=self.exposures_us,
-                settle_s=self.settle_s,
-            )
-            for number, pose in enumerate(self.poses, 1)
-            for angle, table_deg in enumerate(self.table_deg, 1)
+        return _viewpoints_of(self)
+
+
+@lru_cache(maxsize=KEPT_GROUPS)
+def _viewpoints_of(group: ViewpointGroup) -> tuple[Viewpoint, ...]:
+    """Return the viewpoints of a group; kept, as every iteration over a plan asks for them and checking each takes long."""
+    one = len(group.poses) == 1
+    return tuple(
+        Viewpoint(
+            id=f"{group.id}-{angle:02d}" if one else f"{group.id}-{number:02d}-{angle:02d}",
+            flange=pose.flange,
+            guide_mm=pose.guide_mm,
+            table_deg=table_deg,
+            exposures_us=group.exposures_us,
+            settle_s=group.settle_s,
         )
+        for number, pose in enumerate(group.poses, 1)
+        for angle, table_deg in enumerate(group.table_deg, 1)
+    )
 
 
 class ExposureBracket(Model):

@@ -132,3 +132,11 @@ def test_free_names_count_on():
     index = PlanIndex(PLAN)
     assert [index.free_name(name) for name in ("new", "a", "ring-01", "walls-01-01")] == ["new", "a-01", "ring-04", "walls-01-03"]
     assert index.take_name("view01") == "view01" and index.take_name("view01") == "view02"
+
+
+def test_viewpoints_of_a_group_are_made_once_and_follow_its_changes():
+    group = ViewpointGroup(id="ring", poses=(StationPose(flange=POSE),), table_deg=(0.0, 90.0))
+    moved = group.model_copy(update={"table_deg": (10.0, 20.0)})
+    assert group.viewpoints() is group.viewpoints()
+    assert [viewpoint.table_deg for viewpoint in moved.viewpoints()] == [10.0, 20.0]
+    assert [viewpoint.table_deg for viewpoint in group.viewpoints()] == [0.0, 90.0]

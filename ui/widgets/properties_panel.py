@@ -64,6 +64,7 @@ class PropertiesPanel(QFrame):
         self.setLayout(column(top, self._scroll, spacing=0))
         self.setFixedWidth(self._width)
         self.shown = Properties("Properties")
+        self._values: list[QLabel] = []  # the note, then the values
 
     @property
     def folded(self) -> bool:
@@ -82,18 +83,24 @@ class PropertiesPanel(QFrame):
         self._button.set_icon("unfold" if fold else "fold")
 
     def show_properties(self, properties: Properties) -> None:
-        """Show these properties."""
+        """Show these properties; where only values differ from those before, no row is made anew."""
+        same = _shape(properties) == _shape(self.shown) and bool(self._values)
         self.shown = properties
         self.title.setText(translated(properties.title))
+        if same:
+            for shown, words in zip(self._values, _values(properties), strict=True):
+                shown.setText(translated(words))
+            return
         clear(self._rows)
-        if properties.note:
-            self._rows.addWidget(label(properties.note, "soft", wrap=True))
+        self._values = [label(properties.note, "soft", wrap=True)] if properties.note else []
+        for note in self._values:
+            self._rows.addWidget(note)
         self._offer(properties.decision, self.decisionClicked)
         for group in properties.groups:
             self._rows.addSpacing(12)
             self._rows.addWidget(label(group.heading, "caption"))
             self._rows.addWidget(_hairline())
-            self._rows.addLayout(_grid(group))
+            self._rows.addLayout(_grid(group, self._values))
         self._offer(properties.action, self.actionClicked)
         self._rows.addStretch(1)
 
@@ -112,15 +119,29 @@ def _hairline() -> QFrame:
     return line
 
 
-def _grid(group: Group) -> QGridLayout:
+def _shape(properties: Properties) -> tuple[object, ...]:
+    """Return what decides about the rows: everything but title, note and values."""
+    names = tuple((group.heading, tuple(name for name, _ in group.rows)) for group in properties.groups)
+    return names, bool(properties.note), properties.action, properties.decision
+
+
+def _values(properties: Properties) -> list[str]:
+    """Return the texts of the labels that keep their places: the note, then the values."""
+    return [*([properties.note] if properties.note else []), *(value for group in properties.groups for _, value in group.rows)]
+
+
+def _grid(group: Group, values: list[QLabel]) -> QGridLayout:
+    """Return the rows of a group, and add the labels of their values to ``values``."""
     grid = QGridLayout()
     grid.setHorizontalSpacing(16)
     grid.setVerticalSpacing(4)
     for place, (name, value) in enumerate(group.rows):
         if not name:
-            grid.addWidget(label(value, wrap=True), place, 0, 1, 2)
+            values.append(label(value, wrap=True))
+            grid.addWidget(values[-1], place, 0, 1, 2)
             continue
         shown = QLabel(translated(value))
+        values.append(shown)
         shown.setTextFormat(Qt.TextFormat.PlainText)  # names come from files
         shown.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignTop)
         shown.setWordWrap(True)

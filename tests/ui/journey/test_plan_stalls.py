@@ -62,6 +62,8 @@ def test_two_thousand_viewpoints_are_edited(application, filled, heartbeat, qtbo
         large = ScanPlan(name="large", viewpoints=points)
     name = next(iter(large)).id
     filled.show_page("plan")
+    qtbot.waitUntil(lambda: _idle(application), timeout=PATIENCE_MS)  # the report of the measurement, which is composed beside
+    heartbeat.stalls.clear()
     with heartbeat.at("opening"):
         application.session.set_plan(large)
         qtbot.wait(400)

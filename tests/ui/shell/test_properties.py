@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import pytest
+from PySide6.QtWidgets import QLabel
 
+from ui.look.look import Look
 from ui.pages.page import NOTHING_SELECTED
 from ui.session import DriverRow
+from ui.widgets.properties_panel import Group, Properties, PropertiesPanel
 
 PAGES = ("calibration", "scan", "clouds", "inspection")  # the Plan page keeps its draft
 
@@ -41,3 +44,16 @@ def test_properties_of_a_viewpoint_end_when_it_is_deleted_and_come_back_with_und
     page.undo_last()
     page.tree.select(("view-02",))
     assert "view-02" in str(filled.properties.shown)
+
+
+def test_rows_stay_where_only_values_differ(qtbot):
+    panel = PropertiesPanel(Look("light"))
+    qtbot.addWidget(panel)
+
+    def shown(value: str, *names: str) -> list[QLabel]:
+        panel.show_properties(Properties("view-01", (Group("Axes", tuple((name, value) for name in names)),), f"Note {value}"))
+        return [one for one in panel.findChildren(QLabel) if one.text() in (value, f"Note {value}")]
+
+    first, second, third = shown("1", "Guide", "Table"), shown("2", "Guide", "Table"), shown("3", "Guide")
+    assert len(first) == 3 and second == first and len(third) == 2 and not set(third) & set(first)
+    assert [one.text() for one in third] == ["Note 3", "3"]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from measureapp.errors import MeasureError, PlanError
@@ -66,7 +66,7 @@ class PlanAims:
         qw, qx, qy, qz = (value / length for value in quaternion_wxyz)
         return FlangePose(position_mm=(x, y, z), quaternion_wxyz=(qw, qx, qy, qz))
 
-    def pattern_sets(self) -> dict[str, PatternSet]:
+    def pattern_sets(self) -> Mapping[str, PatternSet]:
         """Return the predefined pattern sets for the rig's projector, by name."""
         from measureapp.data.pattern_sets import make_pattern_sets
 
