@@ -19,6 +19,7 @@ from measureapp.data.measurement import Measurement
 from measureapp.data.mesh import Mesh
 from measureapp.data.pattern_sets import DEFAULT_NAME
 from measureapp.data.rig import Resolution
+from measureapp.data.sample_worlds import DEFAULT_WORLD
 from measureapp.devices.connect import connect_rig
 from measureapp.devices.plugin_loader import load_driver
 from measureapp.devices.rig import Rig
@@ -43,7 +44,7 @@ from measureapp.simulate.parts import make_part
 from measureapp.simulate.placing import UPRIGHT_DEG, place_part
 from measureapp.simulate.truth import Truth
 from measureapp.simulate.world import World
-from measureapp.simulate.worlds import IDEAL, read_world
+from measureapp.simulate.worlds import read_world
 
 OnEvent = Callable[[Event], None]
 PLUGIN = "virtual_rig"
@@ -65,7 +66,7 @@ class DemoRequest:
     bracket_s: float | None = None  # time budget per viewpoint for exposures chosen by a probe; None: default exposures
     through_drivers: bool = False  # robot, guide and table through their drivers and virtual peers
     part_turn_deg: tuple[float, float, float] = UPRIGHT_DEG  # rotation about x, then y, then z, before it is put on the table
-    conditions: str = IDEAL  # how well rig and part are made: a world of `resources/worlds`, or a TOML file
+    conditions: str = DEFAULT_WORLD  # how well rig and part are made: a world of `resources/worlds`, or a TOML file
 
     @property
     def sample(self) -> SampleScan:

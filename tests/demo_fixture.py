@@ -19,7 +19,7 @@ from measureapp.project.folder import ProjectFolder
 from measureapp.project.folder_lock import LOCK
 
 ANSWER = "answer.json"
-REQUEST = ("--part", "gypsum", "--resolution", "quarter", "--viewpoints", "6", "--seed", "1")
+REQUEST = ("--part", "gypsum", "--resolution", "quarter", "--viewpoints", "6", "--seed", "1", "--rig", "ideal")
 
 
 @dataclass(frozen=True)

@@ -23,7 +23,7 @@ from measureapp.errors import InputError
 Then = Callable[[], None]
 DAY_S = 86_400.0
 TINY_S = 1e-9
-FIRST, VIEWS = "calibration", "clouds"  # stages of a profile; all others belong to the last task
+FIRST, VIEWS, SUM = "calibration", "clouds", "whole"  # stages of a profile; all others belong to the last task
 
 
 @dataclass(frozen=True, slots=True)
@@ -104,7 +104,7 @@ def work_of(answer: Mapping[str, Any]) -> ProjectWork:
         uses = {name: (float(one["processor_s"]), 1e6 * one["read_mb"], 1e6 * one["written_mb"]) for name, one in stages.items()}
         memory = max(1e6 * float(one["peak_memory_mb"]) for one in stages.values())
         view = Task(*(value / views for value in uses[VIEWS]))
-        rest = [use for name, use in uses.items() if name not in (FIRST, VIEWS)]
+        rest = [use for name, use in uses.items() if name not in (FIRST, VIEWS, SUM)]
         first = ((Task(*uses[FIRST]), 1),) if FIRST in uses else ()
         return ProjectWork((*first, (view, views), (Task(*map(sum, zip(*rest, strict=True))), 1)), memory)
     except (KeyError, TypeError, ValueError, AttributeError) as error:

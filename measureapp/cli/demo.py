@@ -11,6 +11,7 @@ from measureapp.cli.main import OUT_OF_TOLERANCE
 from measureapp.cli.outcome import measurement_lines, report_event
 from measureapp.cli.reply import UNIT_HELP, JsonOption, TerminalProgress, reply
 from measureapp.data.length_unit import LengthUnit, likely_unit
+from measureapp.data.sample_worlds import DEFAULT_WORLD
 from measureapp.data.verdicts import has_passed
 from measureapp.errors import InputError
 
@@ -42,9 +43,9 @@ def register(app: typer.Typer) -> None:
             typer.Option(
                 "--rig",
                 help="How well rig and part are made: ideal, good, usual, bad, or a world's TOML file; "
-                "only `ideal` is what the program's model describes exactly.",
+                "`ideal` is what the program's model describes exactly.",
             ),
-        ] = "ideal",
+        ] = DEFAULT_WORLD,
         unit: Annotated[LengthUnit | None, typer.Option(help=UNIT_HELP)] = None,
         as_json: JsonOption = False,
     ) -> None:

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from measureapp.cli.reply import say
 from measureapp.data.dimension import Verdict
+from measureapp.data.surroundings import SURROUNDINGS
 
 if TYPE_CHECKING:
     from measureapp.data.dimension import Dimension
@@ -59,6 +60,8 @@ def measurement_lines(measurement: Measurement) -> list[str]:
     for placement in measurement.stitched.placements:
         if placement.verdict != "good":
             lines.append(f"  {placement.viewpoint_id}: {placement.verdict}")
+    if SURROUNDINGS in measurement.settings:
+        lines.append(measurement.settings[SURROUNDINGS])
     lines += [f"Calibration: {sentence}" for sentence in measurement.validity.all_warnings]
     if measurement.consistency.sentence:
         lines.append(f"Checks of the error model: {measurement.consistency.sentence}")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
 
@@ -27,6 +27,12 @@ if TYPE_CHECKING:
     from measureapp.project.folder import ProjectFolder
 
 
+SurroundingsOption = Annotated[
+    Literal["keep", "exclude"] | None,
+    typer.Option(help="Keep the points of table, fixtures and background, or exclude them, now and later.", show_default="exclude"),
+]
+
+
 def register(app: typer.Typer) -> None:
     """Add the commands."""
 
@@ -41,6 +47,7 @@ def register(app: typer.Typer) -> None:
             list[str] | None, typer.Option(help="Use this view regardless of its quality, now and later; may be given several times.")
         ] = None,
         refuse: Annotated[list[str] | None, typer.Option(help="Do not use this view, now and later; may be given several times.")] = None,
+        surroundings: SurroundingsOption = None,
         check: Annotated[
             bool,
             typer.Option(
@@ -66,12 +73,14 @@ def register(app: typer.Typer) -> None:
 
         if len(projects) > 1 or cluster is not None:
             limits = [one for one in (min_modulation, max_phase_sigma) if one is not None]
-            _process_many(projects, cluster, as_json, accept or refuse or check or profile or part.identification() or limits)
+            _process_many(
+                projects, cluster, as_json, accept or refuse or surroundings or check or profile or part.identification() or limits
+            )
             return
         folder = ProjectFolder.open(projects[0])
         if check:
             raise typer.Exit(_check(folder, as_json))
-        _choose(folder, accept or [], refuse or [])
+        _choose(folder, accept or [], refuse or [], surroundings)
         _state(folder, part)
         _limit(folder, min_modulation, max_phase_sigma)
         if is_recording(folder):
@@ -153,8 +162,8 @@ def _check(project: ProjectFolder, as_json: bool) -> int:
     return OUT_OF_TOLERANCE if stale else DONE
 
 
-def _choose(project: ProjectFolder, accepted: list[str], refused: list[str]) -> None:
-    """Store the views accepted or refused by hand in the project."""
+def _choose(project: ProjectFolder, accepted: list[str], refused: list[str], surroundings: str | None) -> None:
+    """Store the views accepted or refused by hand in the project, and whether surroundings are kept."""
     from measureapp.errors import InputError
     from measureapp.pipeline.chosen_views import check_choices
 
@@ -165,6 +174,8 @@ def _choose(project: ProjectFolder, accepted: list[str], refused: list[str]) -> 
         choices = choices.with_choice(name, "use")
     for name in refused:
         choices = choices.with_choice(name, "refuse")
-    if accepted or refused:
+    if surroundings is not None:
+        choices = choices.model_copy(update={"keep_surroundings": surroundings == "keep"})
+    if accepted or refused or surroundings is not None:
         check_choices(choices, project.stored_viewpoints())
         project.save_view_choices(choices)

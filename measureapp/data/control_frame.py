@@ -6,10 +6,13 @@ from collections.abc import Iterable, Mapping
 from dataclasses import asdict, dataclass, replace
 from typing import TYPE_CHECKING, Any
 
+from measureapp.data.datum_letters import common_datums, letters_of, relettered
+
 if TYPE_CHECKING:
     from measureapp.data.dimension import Dimension
     from measureapp.data.dimension_program import DimensionProgram
     from measureapp.data.feature import Feature
+    from measureapp.data.inspection_program import InspectionProgram
 
 CHARACTERISTICS = (
     *("straightness", "flatness", "roundness", "cylindricity", "line_profile", "surface_profile", "parallelism", "perpendicularity"),
@@ -18,7 +21,6 @@ CHARACTERISTICS = (
 LOCATIONS = ("position", "concentricity", "coaxiality")
 ROUND = ("cylinder", "cone", "circle", "line")  # shapes with an axis or a centre
 CONDITION_SIGNS = {"maximum": "\u24c2", "least": "\u24c1", "regardless": ""}  # ISO 2692
-DATUM_LETTERS = "ABC"
 TOGETHER = "\u00a0"
 DIGITS = 3
 
@@ -46,7 +48,7 @@ class ControlFrame:
         return (self.zone(), *self.datums)
 
 
-def control_frame(entry: DimensionProgram, shapes: Mapping[str, str]) -> ControlFrame | None:
+def control_frame(entry: DimensionProgram, shapes: Mapping[str, str], letters: Mapping[str, str]) -> ControlFrame | None:
     """Return the frame of a geometrical tolerance; None for other dimensions and without a tolerance.
 
     The width is the one that the program states: a bonus of the material condition is not added to it. Of several copies in a
@@ -55,11 +57,10 @@ def control_frame(entry: DimensionProgram, shapes: Mapping[str, str]) -> Control
     Parameters
     ----------
     shapes : shape of each feature by its name, which decides whether the zone is round
+    letters : letter of each datum by its feature (`letters_of` the program)
     """
     if entry.kind not in CHARACTERISTICS or not entry.is_toleranced:
         return None
-    datums = tuple(dict.fromkeys(name for names in entry.datum_sets for name in names))
-    lettered = datums if len(datums) <= len(DATUM_LETTERS) else ()
     conditions = {one.datum: CONDITION_SIGNS[one.condition] for one in entry.datum_material}
     offset = f"UZ{TOGETHER}{entry.zone_offset_mm:+.{DIGITS}f}".replace("-", "\u2212") if entry.zone_offset_mm else ""  # ISO 1660
     feature, first = entry.feature_sets[0][0], (entry.datum_sets[0] or ("",))[0]
@@ -68,7 +69,7 @@ def control_frame(entry: DimensionProgram, shapes: Mapping[str, str]) -> Control
         entry.upper_tolerance,
         zone_sign(entry.kind, shapes.get(feature, ""), shapes.get(first, "")),
         tuple(sign for sign in (CONDITION_SIGNS[entry.material_condition], offset) if sign),
-        tuple(f"{letter}{conditions.get(name, '')}" for letter, name in zip(DATUM_LETTERS, lettered, strict=False)),
+        tuple(f"{letters[name]}{conditions.get(name, '')}" for name in common_datums(entry)),
     )
 
 
@@ -87,13 +88,25 @@ def zone_sign(kind: str, shape: str, datum_shape: str) -> str:
     return "Ø" if square_to_plane or along_axis else ""
 
 
-def with_frames(dimensions: Iterable[Dimension], entries: Iterable[DimensionProgram], features: Iterable[Feature]) -> tuple[Dimension, ...]:
-    """Return dimensions whose frames are those of their entries, where they have none yet: results of earlier versions."""
-    stated, shapes = {one.name: one for one in entries}, {one.name: str(one.shape) for one in features}
-    return tuple(
-        replace(one, frame=control_frame(stated[one.name], shapes)) if one.frame is None and one.name in stated else one
-        for one in dimensions
-    )
+def with_frames(dimensions: Iterable[Dimension], program: InspectionProgram, features: Iterable[Feature]) -> tuple[Dimension, ...]:
+    """Return results with the letters of the program's datums, and with frames where an earlier version stored none.
+
+    A result whose datums are no longer those of the program keeps what it was stored with.
+    """
+    stated, shapes = {one.name: one for one in program.dimensions}, {one.name: str(one.shape) for one in features}
+    letters = letters_of(program)
+    return tuple(_completed(one, stated.get(one.name), shapes, letters) for one in dimensions)
+
+
+def _completed(dimension: Dimension, entry: DimensionProgram | None, shapes: Mapping[str, str], letters: Mapping[str, str]) -> Dimension:
+    if dimension.datum_letters or entry is None:
+        return relettered(dimension, letters)
+    datums = common_datums(entry)
+    if datums and dimension.datums != datums:
+        return dimension
+    made = control_frame(entry, shapes, letters)
+    frame = made if dimension.frame is None or made is None else replace(dimension.frame, datums=made.datums)
+    return replace(dimension, datum_letters=tuple(letters[name] for name in datums), frame=frame)
 
 
 def frame_document(frame: ControlFrame | None) -> dict[str, Any] | None:

@@ -57,7 +57,8 @@ class Dimension:
     reason: str = ""
     features: tuple[str, ...] = ()
     kind: str = ""  # "distance", "flatness", …
-    datums: tuple[str, ...] = ()  # A, B, C
+    datums: tuple[str, ...] = ()  # features, in their order
+    datum_letters: tuple[str, ...] = ()  # their letters in the program; none where the copies of a pattern have datums of their own
     traceability: str = ""  # source of the value: points, filter, criterion, datums, and assumptions for its uncertainty
     tolerance_source: str = ""  # the text its limits follow from, such as "H7"; empty: stated as numbers
     warning: str = ""  # what limits the use of the result, in one sentence

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Annotated, Literal
 
 from pydantic import Field, field_validator, model_validator
 
 from measureapp.data.alignment_program import AlignmentProgram, BestFit, alignment_entry, alignment_features
 from measureapp.data.blade_section import BLADE_KINDS, BladeSection
+from measureapp.data.datum_letters import is_datum_letter
 from measureapp.data.deviation_scale import DeviationScale
 from measureapp.data.dimension_program import FORMS, PAIRS, PROFILES, ZONES, Criterion, DimensionKind, DimensionProgram, Section
 from measureapp.data.feature_program import (
@@ -69,6 +71,9 @@ class InspectionProgram(Model):
     nominal_unit: LengthUnit = Field(default=LengthUnit.MM, description="unit of the nominal file; the program itself is in mm")
     alignment: AlignmentProgram = Field(default=BestFit(), description="a short form such as best-fit, or a table with `method`")
     alignments: tuple[NamedAlignment, ...] = Field(default=(), description="further alignments, for single dimensions")
+    datum_letters: Mapping[str, str] = Field(
+        default={}, description="letter of each datum (ISO 5459) and its feature; datums without one get the next free letter"
+    )
     deviation_scale: DeviationScale = Field(default=DeviationScale(), description="colours of the deviations from the nominal")
     features: tuple[Annotated[FeatureProgram, Field(discriminator="shape")], ...] = ()
     dimensions: tuple[DimensionProgram, ...] = ()
@@ -94,6 +99,7 @@ class InspectionProgram(Model):
             for needed in alignment_features(alignment):
                 if needed not in known:
                     raise ValueError(f"{words} needs feature {needed!r}, which is not defined")
+        self._require_letters_for(known)
         for dimension in self.dimensions:
             for needed in (name for names in (*dimension.feature_sets, *dimension.datum_sets) for name in names):
                 if needed not in known:
@@ -101,6 +107,18 @@ class InspectionProgram(Model):
         if len({dimension.name for dimension in self.dimensions}) != len(self.dimensions):
             raise ValueError("two dimensions have the same name")
         return self
+
+    def _require_letters_for(self, known: set[str]) -> None:
+        """Require that each letter names one feature of those known, and no feature has two."""
+        letters: dict[str, str] = {}
+        for letter, feature in self.datum_letters.items():
+            if not is_datum_letter(letter):
+                raise ValueError(f"`datum_letters`: {letter!r} is not a datum letter: use a capital such as A, or one twice, such as AA")
+            if feature not in known:
+                raise ValueError(f"datum {letter} names feature {feature!r}, which is not defined")
+            if feature in letters:
+                raise ValueError(f"feature {feature!r} has two datum letters, {letters[feature]} and {letter}: remove one of them")
+            letters[feature] = letter
 
     @model_validator(mode="after")
     def _alignments_are_known(self) -> InspectionProgram:

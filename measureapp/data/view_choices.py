@@ -1,4 +1,4 @@
-"""Manual decisions to use or exclude views, regardless of their quality."""
+"""Manual decisions to use or exclude views regardless of their quality, and to keep what lies around the part."""
 
 from __future__ import annotations
 
@@ -17,6 +17,7 @@ class ViewChoices(Model):
     schema_version: Literal[1] = 1
     used: tuple[str, ...] = ()  # viewpoint ids, used regardless of quality and correction
     refused: tuple[str, ...] = ()  # never used
+    keep_surroundings: bool = False  # whether points of table, fixtures and background stay in the clouds
 
     @model_validator(mode="after")
     def _are_distinct(self) -> ViewChoices:
@@ -28,8 +29,8 @@ class ViewChoices(Model):
         """Return these choices with another choice for one view.
 
         >>> ViewChoices(used=("a", "b")).with_choice("a", "refuse")
-        ViewChoices(schema_version=1, used=('b',), refused=('a',))
+        ViewChoices(schema_version=1, used=('b',), refused=('a',), keep_surroundings=False)
         """
         used, refused = ({name for name in names if name != viewpoint_id} for names in (self.used, self.refused))
         (used if choice == "use" else refused).add(viewpoint_id)
-        return ViewChoices(used=tuple(sorted(used)), refused=tuple(sorted(refused)))
+        return self.model_copy(update={"used": tuple(sorted(used)), "refused": tuple(sorted(refused))})

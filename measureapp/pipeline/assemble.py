@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from typing import Any
@@ -18,6 +18,7 @@ from measureapp.data.fringe import AxisReadback
 from measureapp.data.measurement import Inspection, Measurement, ViewResult
 from measureapp.data.part_temperature import PartTemperature
 from measureapp.data.rig import RigDescription
+from measureapp.data.surroundings import SURROUNDINGS, SURROUNDINGS_KEPT, Surroundings
 from measureapp.data.validity import Validity
 from measureapp.data.view_choices import ViewChoices
 from measureapp.data.view_errors import CalibrationErrors
@@ -30,10 +31,12 @@ from measureapp.pipeline.events import Event, InspectionReady, StitchReady, Vali
 from measureapp.pipeline.lengths import length_scale, temperature_of
 from measureapp.pipeline.noise import describe_noise
 from measureapp.pipeline.surface import SurfaceBeside
+from measureapp.pipeline.surroundings import exclude_surroundings
 from measureapp.pipeline.validity import validity_of
 from measureapp.pipeline.watch import Stopwatch
 from measureapp.progress import PartOf, Progress
 from measureapp.project.folder import ProjectFolder
+from measureapp.project.geometry.files import read_mesh
 from measureapp.project.identification_file import read_identification
 from measureapp.register.joint.axis_doubt import AxisPattern
 from measureapp.register.joint.pose_prior import PosePrior
@@ -98,11 +101,13 @@ def assemble(
     views = without_contradictions(views, calibrated) if revision is None else views
     choices = project.view_choices() if revision is None else revision.choices
     good = _require_usable(views, choices, validity)
+    with watch.stage("surroundings"):
+        part, surroundings = _without_surroundings(project, calibrated, good, choices)
     with watch.stage("stitching"):
-        stitched = _stitch(project, calibrated, good, choices, PartOf(progress, 0.0, 0.5), registration_cache)
+        stitched = _stitch(project, calibrated, part, choices, PartOf(progress, 0.0, 0.5), registration_cache)
         validity = replace(validity, axes=stitched.axis_doubt)
     with watch.stage("checks"):
-        consistency = check_consistency(good, stitched)
+        consistency = check_consistency(part, stitched)
         stitched = add_refused(with_unexplained(stitched, consistency), views, choices)
     on_event(StitchReady(stitched))
     with SurfaceBeside(stitched) as surface:
@@ -123,7 +128,7 @@ def assemble(
         stitched=stitched,
         mesh=mesh,
         inspection=inspection,
-        settings=_settings(project) if revision is None else revision.former.settings,
+        settings=_with_surroundings(_settings(project) if revision is None else revision.former.settings, surroundings, choices),
         timings_s=dict(watch.seconds),
         validity=validity,
         consistency=consistency,
@@ -142,6 +147,24 @@ def _require_usable(views: Sequence[ViewResult], choices: ViewChoices, validity:
         notes = " ".join(("", *validity.all_warnings))
         raise RegistrationError(f"There is nothing to stitch: {reasons}.{notes}", "Check the images; change exposures or viewpoints.")
     return good
+
+
+def _without_surroundings(
+    project: ProjectFolder, calibrated: RigCalibration, views: Sequence[ViewResult], choices: ViewChoices
+) -> tuple[Sequence[ViewResult], Surroundings]:
+    """Return the views without table, fixtures and background; as they are without a nominal, or where the user keeps everything."""
+    if project.nominal is None or choices.keep_surroundings:
+        return views, Surroundings()
+    plan = project.plan()
+    pose = None if plan is None else plan.part_pose
+    return exclude_surroundings(views, read_mesh(project.nominal, "nominal"), pose, calibrated, project.rig())
+
+
+def _with_surroundings(settings: Mapping[str, Any], surroundings: Surroundings, choices: ViewChoices) -> dict[str, Any]:
+    """Return the settings of a measurement with what was excluded as surroundings, or that they were kept."""
+    others = {name: value for name, value in settings.items() if name != SURROUNDINGS}
+    said = SURROUNDINGS_KEPT if choices.keep_surroundings else surroundings.sentence
+    return {**others, SURROUNDINGS: said} if said else others
 
 
 def _stitch(
@@ -240,7 +263,6 @@ def inspect_stitched(
     if project.program is None:
         return None
     from measureapp.inspection.dimensions import inspect
-    from measureapp.project.geometry.files import read_mesh
     from measureapp.project.program_file import read_program
 
     nominal = None if project.nominal is None else read_mesh(project.nominal, "nominal")

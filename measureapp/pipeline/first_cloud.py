@@ -18,7 +18,8 @@ from measureapp.inspection.measured_points import MeasuredPoints
 from measureapp.inspection.surface.deviation import signed_distances
 from measureapp.inspection.surface.nominal import NominalSurface
 from measureapp.pipeline.events import Event, PartElsewhere, ViewReady
-from measureapp.planning.coverage.extent import standing
+from measureapp.pipeline.part_on_table import assumed_pose
+from measureapp.pipeline.surroundings import exclude_surroundings
 from measureapp.project.folder import ProjectFolder
 from measureapp.project.geometry.files import read_mesh
 
@@ -62,9 +63,8 @@ def displacement(view: ViewResult, nominal: Mesh, pose: PartPose | None, calibra
         From the best fit, where it refuses the size of the cloud.
     """
     surface = NominalSurface(nominal)
-    placed = standing(nominal, pose)
-    top_mm = float(calibration.table_from_guide.apply(np.array(rig.table.centre_in_guide_mm))[2])
-    assumed = RigidTransform.from_parts(placed.rotation, placed.translation_mm + np.array([0.0, 0.0, top_mm]), "part", "nominal")
+    assumed = assumed_pose(nominal, pose, calibration, rig)
+    view = exclude_surroundings([view], nominal, pose, calibration, rig)[0][0]
     cloud = view.cloud.seen_from(view.part_from_camera)
     some = assumed.inverse().apply(cloud.points_mm[:: max(1, len(cloud) // POINTS)])
     off_mm = float(np.median(np.abs(signed_distances(some, surface))))

@@ -1,11 +1,14 @@
-"""The part of a project as a body on the table, for collision checks."""
+"""The part of a project on the table: as a body for collision checks, and where it should stand in the frame of the clouds."""
 
 from __future__ import annotations
 
 import numpy as np
 
+from measureapp.data.calibration import RigCalibration
 from measureapp.data.mesh import Mesh
 from measureapp.data.part_pose import PartPose
+from measureapp.data.rig import RigDescription
+from measureapp.geometry.transform import RigidTransform
 from measureapp.planning.collision.build import PartSolid
 from measureapp.planning.coverage.extent import standing
 from measureapp.project.folder import ProjectFolder
@@ -30,3 +33,15 @@ def solid_of(nominal: Mesh, pose: PartPose | None = None) -> PartSolid:
     """Return a nominal as a body; without a pose it stands upright in the middle of the table."""
     place = standing(nominal, pose)
     return PartSolid.of_points(place.apply(nominal.vertices_mm[np.unique(nominal.triangles)]))
+
+
+def assumed_pose(nominal: Mesh, pose: PartPose | None, calibration: RigCalibration, rig: RigDescription) -> RigidTransform:
+    """Return ``part_from_nominal`` in the frame of the clouds, whose origin lies on the table's axis, but not on its top."""
+    placed = standing(nominal, pose)
+    lifted = placed.translation_mm + np.array([0.0, 0.0, table_level_mm(calibration, rig)])
+    return RigidTransform.from_parts(placed.rotation, lifted, "part", "nominal")
+
+
+def table_level_mm(calibration: RigCalibration, rig: RigDescription) -> float:
+    """Return the height of the table's top in the frame of the clouds, by the description of the rig."""
+    return float(calibration.table_from_guide.apply(np.array(rig.table.centre_in_guide_mm))[2])

@@ -15,6 +15,7 @@ from measureapp.data.length_unit import LengthUnit
 from measureapp.data.pattern_sets import DEFAULT_NAME
 from measureapp.data.project_settings import DEFAULT_BOARD
 from measureapp.data.rig import Resolution, RigDescription
+from measureapp.data.sample_worlds import DEFAULT_WORLD, IDEAL
 from measureapp.errors import InputError
 from measureapp.pipeline.run import NewProject, ScanRequest
 from measureapp.planning.viewpoints import plan_around_part
@@ -29,7 +30,6 @@ DEFAULT_VIEWPOINTS = {"impeller": 26}
 OTHER_VIEWPOINTS = 8
 EXTENT_DIGITS = 3
 UPRIGHT_DEG = (0.0, 0.0, 0.0)
-IDEAL = "ideal"
 # what an owner of a rig may know: class of the board, and by how much board and part may be off 20 °C (k = 2)
 KNOWN_OF_RIGS: dict[str, tuple[BoardClass, float, float]] = {
     "good": ("ceramic", 0.4, 0.4),
@@ -50,7 +50,7 @@ class SampleScan:
     unit: LengthUnit = LengthUnit.MM  # of a mesh file
     bracket_s: float | None = None  # time budget per viewpoint for exposures chosen by a probe; None: default exposures
     part_turn_deg: tuple[float, float, float] = UPRIGHT_DEG  # rotation about x, then y, then z, before it is put on the table
-    conditions: str = IDEAL  # how well rig and part are made: a world of `resources/worlds`, or a TOML file
+    conditions: str = DEFAULT_WORLD  # how well rig and part are made: a world of `resources/worlds`, or a TOML file
 
 
 def sample_request(chosen: SampleScan, folder: Path) -> ScanRequest:

@@ -258,7 +258,7 @@ def _feature_from(document: Mapping[str, Any]) -> Feature:
 
 
 def _dimension_from(document: Mapping[str, Any]) -> Dimension:
-    names = {key: tuple(document.get(key, ())) for key in ("features", "datums")}
+    names = {key: tuple(document.get(key, ())) for key in ("features", "datums", "datum_letters")}
     known = {"verdict": Verdict(document["verdict"]), "frame": frame_from(document.get("frame"))}
     return Dimension(**_attributes({**document, **names, **known}))
 

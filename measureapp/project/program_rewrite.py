@@ -14,10 +14,10 @@ from measureapp.data.model import Model
 from measureapp.project.program_file import parse_program
 from measureapp.project.program_text import format_entry, format_value
 
-BLOCK = re.compile(r"^(?=\[\[(?:features|dimensions|alignments)\]\]|\[(?:alignment|deviation_scale)[\].])", re.MULTILINE)
-KIND = re.compile(r"^\[+(features|dimensions|alignments|alignment|deviation_scale)[\].]", re.MULTILINE)
+BLOCK = re.compile(r"^(?=\[\[(?:features|dimensions|alignments)\]\]|\[(?:alignment|deviation_scale|datum_letters)[\].])", re.MULTILINE)
+KIND = re.compile(r"^\[+(features|dimensions|alignments|alignment|deviation_scale|datum_letters)[\].]", re.MULTILINE)
 KINDS = ("alignments", "features", "dimensions")
-TABLES = ("alignment", "deviation_scale")  # of the program itself, inline or with a header of their own
+TABLES = ("alignment", "deviation_scale", "datum_letters")  # of the program itself, inline or with a header of their own
 TOP = ("name", "nominal", "nominal_unit", *TABLES)
 COMMENT = re.compile(r"(?:^[ \t]*#[^\n]*\n)+\Z", re.MULTILINE)  # comment lines right above a header
 Values = dict[str, Any]

@@ -29,6 +29,7 @@ COLUMNS = (
     "reason",
     "kind",
     "datums",
+    "datum_letters",
     "control_frame",
     "alignment",
     "group",
@@ -60,7 +61,7 @@ def dimension_rows(model: ReportModel) -> Iterator[dict[str, Any]]:
         document["lower_tolerance"], document["upper_tolerance"] = document.pop("tolerance")
         budget = document.pop("uncertainty_budget")
         document |= {f"uncertainty_{name}": budget.get(name) for name in CONTRIBUTIONS}
-        document["datums"] = "|".join(document["datums"])
+        document |= {name: "|".join(document[name]) for name in ("datums", "datum_letters")}
         document["control_frame"] = (
             "" if dimension.frame is None else " | ".join((dimension.frame.characteristic, *dimension.frame.words()))
         )

@@ -25,6 +25,7 @@ def dimension_document(dimension: Dimension) -> dict[str, Any]:
         "name": dimension.name,
         "kind": dimension.kind,
         "datums": list(dimension.datums),
+        "datum_letters": list(dimension.datum_letters),
         "control_frame": frame_document(dimension.frame),
         "nominal": dimension.nominal,
         "measured": dimension.measured,

@@ -222,7 +222,7 @@ def _about(dimension: Dimension) -> str:
     kind = format_key(dimension.kind)
     words = [
         "" if kind.lower() in format_name(dimension.name).lower() else kind,
-        format_datums(dimension.datums) if dimension.datums else "",
+        format_datums(dimension) if dimension.datums else "",
     ]
     return ", ".join(word for word in words if word)
 
@@ -232,7 +232,7 @@ def _traceability(dimension: Dimension) -> dict[str, str]:
     return {
         "name": format_name(dimension.name),
         "kind": format_key(dimension.kind),
-        "datums": format_datums(dimension.datums),
+        "datums": format_datums(dimension),
         "shares": format_contributions(dimension),
         "origin": dimension.traceability,
     }

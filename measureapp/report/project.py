@@ -47,8 +47,7 @@ def compose_project(
         raise StorageError(f"{project.path} contains no measurement.", "Scan first, or recompute it: measureapp process PROJECT.")
     if measurement.inspection is not None and project.program is not None:
         inspection = measurement.inspection
-        stated = read_program(project.program).dimensions
-        dimensions = with_frames(inspection.dimensions, stated, inspection.features)
+        dimensions = with_frames(inspection.dimensions, read_program(project.program), inspection.features)
         measurement = replace(measurement, inspection=replace(inspection, dimensions=dimensions))
     nominal = None if project.nominal is None else read_mesh(project.nominal, "nominal")
     return compose(measurement, nominal, details=project_details(project, template, created_at), progress=progress)

@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
 from typing import Any
 
-from measureapp.data.control_frame import DATUM_LETTERS
 from measureapp.data.dimension import CONTRIBUTION_DIGITS, Dimension, Verdict
 
 MINUS = "−"
@@ -65,16 +63,19 @@ def format_tolerance(lower: float | None, upper: float | None) -> str:
     return " / ".join("0" if limit == 0 else f"{limit:+g}" for limit in (lower, upper)).replace("-", MINUS)
 
 
-def format_datums(names: Sequence[str]) -> str:
+def format_datums(dimension: Dimension) -> str:
     """Return datums in order with their letters; those of a pattern without letters.
 
-    >>> format_datums(("gear face", "bore")), format_datums(())
-    ('A gear face, B bore', '–')
+    >>> given = {"datums": ("gear face", "bore"), "datum_letters": ("A", "D")}
+    >>> none = Dimension("a", 0, 0.1, 0.05, 0, 0.2, Verdict.PASS)
+    >>> format_datums(Dimension("a", 0, 0.1, 0.05, 0, 0.2, Verdict.PASS, **given)), format_datums(none)
+    ('A gear face, D bore', '–')
     """
-    if not names:
+    if not dimension.datums:
         return NONE
-    lettered = len(names) <= len(DATUM_LETTERS)
-    return ", ".join(f"{letter} {name}" for letter, name in zip(DATUM_LETTERS, names, strict=False)) if lettered else ", ".join(names)
+    if not dimension.datum_letters:
+        return ", ".join(dimension.datums)
+    return ", ".join(f"{letter} {name}" for letter, name in zip(dimension.datum_letters, dimension.datums, strict=True))
 
 
 def format_contributions(dimension: Dimension) -> str:

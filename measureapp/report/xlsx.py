@@ -27,6 +27,7 @@ COLUMNS = (  # title, key, number format, width
     ("Dimension", "name", "", 28),
     ("Kind", "kind", "", 14),
     ("Datums", "datums", "", 14),
+    ("Letters", "datum_letters", "", 8),
     ("Nominal", "nominal", LENGTH, 11),
     ("Lower", "lower_tolerance", LENGTH, 9),
     ("Upper", "upper_tolerance", LENGTH, 9),

@@ -17,7 +17,6 @@ from measureapp.errors import InputError
 from measureapp.resources import resource
 from measureapp.simulate.options import WorldOptions
 
-IDEAL = "ideal"
 KNOWN = "known"
 
 

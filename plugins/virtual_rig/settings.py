@@ -7,10 +7,11 @@ from pydantic import Field
 from measureapp.data.board import AnyBoard
 from measureapp.data.length_unit import LengthUnit
 from measureapp.data.model import Model
+from measureapp.data.sample_worlds import IDEAL
 from measureapp.simulate.options import WorldOptions
 from measureapp.simulate.placing import UPRIGHT_DEG
 from measureapp.simulate.world import PAPER_BOARD
-from measureapp.simulate.worlds import IDEAL, read_world
+from measureapp.simulate.worlds import read_world
 
 
 class VirtualRigSettings(Model):

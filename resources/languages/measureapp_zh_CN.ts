@@ -233,6 +233,10 @@
       <translation>每个视点产生一片点云，配准使其对齐。演示在一两分钟内生成若干点云。</translation>
     </message>
     <message>
+      <source>Exclude surroundings</source>
+      <translation>去除周围物体</translation>
+    </message>
+    <message>
       <source>Exclude this view</source>
       <translation>排除此视图</translation>
     </message>
@@ -295,6 +299,10 @@
     <message>
       <source>Images…</source>
       <translation>图像…</translation>
+    </message>
+    <message>
+      <source>Keep surroundings</source>
+      <translation>保留周围物体</translation>
     </message>
     <message>
       <source>Kinematic</source>
@@ -984,6 +992,10 @@
       <translation>没有图像拍到标定板</translation>
     </message>
     <message>
+      <source>No program is at hand, or a job is running.</source>
+      <translation>没有可用的程序，或有任务正在运行。</translation>
+    </message>
+    <message>
       <source>No project folder is chosen.</source>
       <translation>未选择项目文件夹。</translation>
     </message>
@@ -1530,6 +1542,10 @@
     <message>
       <source>Times of the moves</source>
       <translation>移动时间</translation>
+    </message>
+    <message>
+      <source>Tolerance of {name} changed.</source>
+      <translation>{name} 的公差已更改。</translation>
     </message>
     <message>
       <source>Undoing the filter</source>
@@ -4254,12 +4270,32 @@
   <context>
     <name>core.inspection</name>
     <message>
+      <source>A line profile needs a section plane: state `section` in the text of the program.</source>
+      <translation>线轮廓度需要截面：请在程序文本中给出 `section`。</translation>
+    </message>
+    <message>
       <source>A local best fit cannot use {v1}: its points are not cut around a nominal.</source>
       <translation>局部最佳拟合不能使用 {v1}：其点不是按名义裁取的。</translation>
     </message>
     <message>
+      <source>A material condition needs the limits of the diameter, the smaller one first.</source>
+      <translation>实体要求需要直径的极限值，先小后大。</translation>
+    </message>
+    <message>
       <source>A spread needs at least two measurements.</source>
       <translation>离散至少需要两次测量。</translation>
+    </message>
+    <message>
+      <source>A {v1} has no datums: it compares the feature with itself.</source>
+      <translation>{v1} 没有基准：它只与要素自身比较。</translation>
+    </message>
+    <message>
+      <source>A {v1} has one datum.</source>
+      <translation>{v1} 只有一个基准。</translation>
+    </message>
+    <message>
+      <source>A {v1} needs a datum.</source>
+      <translation>{v1} 需要基准。</translation>
     </message>
     <message>
       <source>Add one to the program (nominal = "…"), or set alignment = "none".</source>
@@ -4282,6 +4318,10 @@
       <translation>请选择另一对齐。</translation>
     </message>
     <message>
+      <source>Choose another letter, or remove what refers to it.</source>
+      <translation>请选择其他字母，或先删除引用它的条目。</translation>
+    </message>
+    <message>
       <source>Choose another shape, or another seed.</source>
       <translation>请选择另一形状，或另一种子。</translation>
     </message>
@@ -4300,6 +4340,10 @@
     <message>
       <source>Choose the nominal of this part, or crop the surroundings from the cloud.</source>
       <translation>请选择此工件的名义模型，或裁去点云的周围部分。</translation>
+    </message>
+    <message>
+      <source>Choose the toleranced feature.</source>
+      <translation>请选择被测要素。</translation>
     </message>
     <message>
       <source>Click another place.</source>
@@ -4426,6 +4470,10 @@
       <translation>部分测量点不是有限数值。</translation>
     </message>
     <message>
+      <source>Straightness of a plane needs the direction of its lines: state `along` in the text of the program.</source>
+      <translation>平面的直线度需要直线的方向：请在程序文本中给出 `along`。</translation>
+    </message>
+    <message>
       <source>The alignment of the program uses {v1}.</source>
       <translation>程序的对齐使用 {v1}。</translation>
     </message>
@@ -4482,6 +4530,10 @@
       <translation>从 {v1} 到 {v2} mm 的公差为空。</translation>
     </message>
     <message>
+      <source>The width of the zone must be greater than 0.</source>
+      <translation>公差带宽度必须大于 0。</translation>
+    </message>
+    <message>
       <source>There are no deviations.</source>
       <translation>没有偏差。</translation>
     </message>
@@ -4496,6 +4548,10 @@
     <message>
       <source>There is no alignment.</source>
       <translation>没有对齐。</translation>
+    </message>
+    <message>
+      <source>Two datums are the same feature.</source>
+      <translation>两个基准是同一要素。</translation>
     </message>
     <message>
       <source>Use a plane, sphere, cylinder or cone.</source>
@@ -4578,6 +4634,10 @@
       <translation>{v1} 与 {v2} 朝向相反：请测量距离，而非台阶</translation>
     </message>
     <message>
+      <source>{v1} cannot be the datum of its own tolerance.</source>
+      <translation>{v1} 不能作为自身公差的基准。</translation>
+    </message>
+    <message>
       <source>{v1} do not have the same dimensions: only one has {v2}.</source>
       <translation>{v1} 的尺寸不相同：只有一个有 {v2}。</translation>
     </message>
@@ -4630,6 +4690,10 @@
       <translation>{v1} 是{v2}，不能作为{v3}的基准</translation>
     </message>
     <message>
+      <source>{v1} is a {v2}, which cannot be a datum for {v3}: it must be a {v4}.</source>
+      <translation>{v1} 是 {v2}，不能作为 {v3} 的基准：必须是 {v4}。</translation>
+    </message>
+    <message>
       <source>{v1} is a {v2}: 3-2-1 needs {v3} there</source>
       <translation>{v1} 是{v2}：3-2-1 在该处需要{v3}</translation>
     </message>
@@ -4670,6 +4734,10 @@
       <translation>{v1} 是{v2}：{v3}定义于{v4}</translation>
     </message>
     <message>
+      <source>{v1} is a {v2}: {v3} is defined for a {v4}.</source>
+      <translation>{v1} 是 {v2}：{v3} 只适用于 {v4}。</translation>
+    </message>
+    <message>
       <source>{v1} is a {v2}: {v3} is defined for planes and axes</source>
       <translation>{v1} 是{v2}：{v3}定义于平面和轴线</translation>
     </message>
@@ -4680,6 +4748,10 @@
     <message>
       <source>{v1} is inclined by {v2}° to {v3}: their distance is undefined</source>
       <translation>{v1} 对 {v3} 倾斜 {v2}°：其距离没有定义</translation>
+    </message>
+    <message>
+      <source>{v1} is used as a datum, which needs a letter.</source>
+      <translation>{v1} 被用作基准，必须有字母。</translation>
     </message>
     <message>
       <source>{v1} is used by {v2}.</source>
@@ -8207,6 +8279,10 @@
       <translation>角度</translation>
     </message>
     <message>
+      <source>Angularity</source>
+      <translation>倾斜度</translation>
+    </message>
+    <message>
       <source>Apply</source>
       <translation>应用</translation>
     </message>
@@ -8217,6 +8293,10 @@
     <message>
       <source>Best fit</source>
       <translation>最佳拟合</translation>
+    </message>
+    <message>
+      <source>Characteristic</source>
+      <translation>几何特征</translation>
     </message>
     <message>
       <source>Check the program and measure what has changed</source>
@@ -8243,6 +8323,10 @@
       <translation>过各点的圆</translation>
     </message>
     <message>
+      <source>Circular runout</source>
+      <translation>圆跳动</translation>
+    </message>
+    <message>
       <source>Click a measured point</source>
       <translation>单击一个测量点</translation>
     </message>
@@ -8255,8 +8339,16 @@
       <translation>单击 CAD 模型的面以选作特征；Esc 结束</translation>
     </message>
     <message>
+      <source>Click faces of the CAD model: first the feature, then its datums; Esc ends</source>
+      <translation>点击 CAD 模型的面：先选要素，再选其基准；按 Esc 结束</translation>
+    </message>
+    <message>
       <source>Close</source>
       <translation>关闭</translation>
+    </message>
+    <message>
+      <source>Coaxiality</source>
+      <translation>同轴度</translation>
     </message>
     <message>
       <source>Colour scale stored with the inspection program.</source>
@@ -8265,6 +8357,14 @@
     <message>
       <source>Colours</source>
       <translation>颜色</translation>
+    </message>
+    <message>
+      <source>Concentricity</source>
+      <translation>同心度</translation>
+    </message>
+    <message>
+      <source>Condition</source>
+      <translation>要求</translation>
     </message>
     <message>
       <source>Cone</source>
@@ -8307,12 +8407,36 @@
       <translation>圆柱度</translation>
     </message>
     <message>
+      <source>Datum</source>
+      <translation>基准</translation>
+    </message>
+    <message>
+      <source>Datum 1</source>
+      <translation>基准 1</translation>
+    </message>
+    <message>
+      <source>Datum 2</source>
+      <translation>基准 2</translation>
+    </message>
+    <message>
+      <source>Datum 3</source>
+      <translation>基准 3</translation>
+    </message>
+    <message>
+      <source>Datum letter of {name}</source>
+      <translation>{name} 的基准字母</translation>
+    </message>
+    <message>
       <source>Datums</source>
       <translation>基准</translation>
     </message>
     <message>
       <source>Decision rule</source>
       <translation>判定规则</translation>
+    </message>
+    <message>
+      <source>Define a geometrical tolerance of the first selected feature, the others as its datums</source>
+      <translation>为所选的第一个要素定义几何公差，其余要素作为基准</translation>
     </message>
     <message>
       <source>Del</source>
@@ -8361,6 +8485,10 @@
     <message>
       <source>Edit the tolerance</source>
       <translation>编辑公差</translation>
+    </message>
+    <message>
+      <source>Edit the tolerance frame…</source>
+      <translation>编辑公差框格…</translation>
     </message>
     <message>
       <source>Enter a number, such as 24.5.</source>
@@ -8419,6 +8547,10 @@
       <translation>形状误差</translation>
     </message>
     <message>
+      <source>Greatest diameter</source>
+      <translation>最大直径</translation>
+    </message>
+    <message>
       <source>Grow a</source>
       <translation>生长</translation>
     </message>
@@ -8459,6 +8591,18 @@
       <translation>标签</translation>
     </message>
     <message>
+      <source>Least diameter</source>
+      <translation>最小直径</translation>
+    </message>
+    <message>
+      <source>Least material</source>
+      <translation>最小实体</translation>
+    </message>
+    <message>
+      <source>Leave the program as it is (Esc)</source>
+      <translation>程序保持不变（Esc）</translation>
+    </message>
+    <message>
       <source>Lengths in mm, U for k = 2, verdicts by {rule_name}.</source>
       <translation>长度单位 mm，U 为 k = 2，判定依据 {rule_name}。</translation>
     </message>
@@ -8469,6 +8613,10 @@
     <message>
       <source>Line</source>
       <translation>直线</translation>
+    </message>
+    <message>
+      <source>Line profile</source>
+      <translation>线轮廓度</translation>
     </message>
     <message>
       <source>Line through the points</source>
@@ -8483,8 +8631,16 @@
       <translation>列表</translation>
     </message>
     <message>
+      <source>Material condition</source>
+      <translation>实体要求</translation>
+    </message>
+    <message>
       <source>Maximum</source>
       <translation>最大值</translation>
+    </message>
+    <message>
+      <source>Maximum material</source>
+      <translation>最大实体</translation>
     </message>
     <message>
       <source>Mean of the points nearby</source>
@@ -8555,6 +8711,14 @@
       <translation>名称</translation>
     </message>
     <message>
+      <source>New geometrical tolerance</source>
+      <translation>新建几何公差</translation>
+    </message>
+    <message>
+      <source>New geometrical tolerance…</source>
+      <translation>新建几何公差…</translation>
+    </message>
+    <message>
       <source>No alignment was chosen: a best fit was used, which spreads defects over the whole part.</source>
       <translation>未选择对齐：使用了最佳拟合，它会将缺陷分散到整个工件。</translation>
     </message>
@@ -8613,6 +8777,14 @@
     <message>
       <source>Nothing measured yet</source>
       <translation>尚未测量</translation>
+    </message>
+    <message>
+      <source>Offset (UZ)</source>
+      <translation>偏移（UZ）</translation>
+    </message>
+    <message>
+      <source>Offset of the zone, out of the material</source>
+      <translation>公差带向材料外的偏移</translation>
     </message>
     <message>
       <source>Offset plane</source>
@@ -8683,6 +8855,10 @@
       <translation>截面沿轴线的位置</translation>
     </message>
     <message>
+      <source>Primary datum</source>
+      <translation>第一基准</translation>
+    </message>
+    <message>
       <source>Program edited, not saved</source>
       <translation>程序已编辑，未保存</translation>
     </message>
@@ -8699,6 +8875,10 @@
       <translation>建议的尺寸</translation>
     </message>
     <message>
+      <source>Put the tolerance into the program and measure it; it can be undone</source>
+      <translation>将公差写入程序并测量；可以撤销</translation>
+    </message>
+    <message>
       <source>Radius</source>
       <translation>半径</translation>
     </message>
@@ -8713,6 +8893,10 @@
     <message>
       <source>Reference points, each along its normal; further ones take part by least squares.</source>
       <translation>参考点，各沿其法向；更多的点按最小二乘参与。</translation>
+    </message>
+    <message>
+      <source>Regardless of size</source>
+      <translation>与尺寸无关</translation>
     </message>
     <message>
       <source>Rejected</source>
@@ -8787,6 +8971,10 @@
       <translation>第二特征或基准</translation>
     </message>
     <message>
+      <source>Secondary datum</source>
+      <translation>第二基准</translation>
+    </message>
+    <message>
       <source>Section</source>
       <translation>截面</translation>
     </message>
@@ -8847,12 +9035,20 @@
       <translation>将颜色、范围和公差带随检测程序保存：在此处和报告中再次使用</translation>
     </message>
     <message>
+      <source>Straightness</source>
+      <translation>直线度</translation>
+    </message>
+    <message>
       <source>Surface</source>
       <translation>表面</translation>
     </message>
     <message>
       <source>Surface deviation</source>
       <translation>表面偏差</translation>
+    </message>
+    <message>
+      <source>Surface profile</source>
+      <translation>面轮廓度</translation>
     </message>
     <message>
       <source>Symmetric tolerance</source>
@@ -8865,6 +9061,10 @@
     <message>
       <source>Symmetry</source>
       <translation>对称度</translation>
+    </message>
+    <message>
+      <source>Tertiary datum</source>
+      <translation>第三基准</translation>
     </message>
     <message>
       <source>The coordinates of the part as they are, without an alignment.</source>
@@ -8895,8 +9095,20 @@
       <translation>公差 {tolerance}</translation>
     </message>
     <message>
+      <source>Toleranced feature</source>
+      <translation>被测要素</translation>
+    </message>
+    <message>
+      <source>Tolerance…</source>
+      <translation>公差…</translation>
+    </message>
+    <message>
       <source>Too few features: grow some first</source>
       <translation>特征太少：请先生长一些</translation>
+    </message>
+    <message>
+      <source>Total runout</source>
+      <translation>全跳动</translation>
     </message>
     <message>
       <source>Traceability</source>
@@ -9073,6 +9285,18 @@
     <message>
       <source>{kind}, width {millimetres}</source>
       <translation>{kind}，宽度 {millimetres}</translation>
+    </message>
+    <message>
+      <source>{letter}  changes places with {name}</source>
+      <translation>{letter}  与 {name} 互换</translation>
+    </message>
+    <message>
+      <source>{name} is datum {letter}.</source>
+      <translation>{name} 现为基准 {letter}。</translation>
+    </message>
+    <message>
+      <source>{name} is no datum.</source>
+      <translation>{name} 不再是基准。</translation>
     </message>
     <message>
       <source>{name}: residual {off}.</source>
@@ -13099,12 +13323,24 @@ There is no page about “{name}”.</source>
       <translation>项目属于一个测量系统。请先在“测量系统”页选择。</translation>
     </message>
     <message>
+      <source>A rig as it is found in a workshop: lens errors, glare, run-out, warm-up, a part that is not its drawing</source>
+      <translation>车间里常见的测量设备：镜头误差、杂散光、转台跳动、预热漂移，工件与图纸不完全一致</translation>
+    </message>
+    <message>
       <source>A sample part, or your own closed mesh; its unit is requested unless it is clearly millimetres</source>
       <translation>示例工件，或您自己的封闭网格；除非明显是毫米，否则会询问单位</translation>
     </message>
     <message>
       <source>A tour of the window on a sample project, in seven steps</source>
       <translation>在示例项目上分七步介绍窗口</translation>
+    </message>
+    <message>
+      <source>A well-kept rig in a measuring room: small errors of lenses, axes, board and part</source>
+      <translation>测量室中维护良好的设备：镜头、轴、标定板和工件误差很小</translation>
+    </message>
+    <message>
+      <source>A worn rig in a warm hall, with a printed board</source>
+      <translation>高温车间中磨损的设备，使用打印的标定板</translation>
     </message>
     <message>
       <source>Add: {field_words}</source>
@@ -13117,6 +13353,10 @@ There is no page about “{name}”.</source>
     <message>
       <source>Apply to the merged cloud; the stitched cloud is kept</source>
       <translation>应用于合并点云；拼接点云保留</translation>
+    </message>
+    <message>
+      <source>Bad</source>
+      <translation>较差</translation>
     </message>
     <message>
       <source>Board temperature</source>
@@ -13315,6 +13555,14 @@ There is no page about “{name}”.</source>
       <translation>标定板长度的已知程度：用此标定测得的一切的比例</translation>
     </message>
     <message>
+      <source>How well the virtual rig and the part are made; uncertainties and verdicts follow from it</source>
+      <translation>虚拟设备和工件的制造精度；不确定度和判定由此而来</translation>
+    </message>
+    <message>
+      <source>Ideal</source>
+      <translation>理想</translation>
+    </message>
+    <message>
       <source>Impeller</source>
       <translation>叶轮</translation>
     </message>
@@ -13457,6 +13705,10 @@ There is no page about “{name}”.</source>
     <message>
       <source>Not stated</source>
       <translation>未说明</translation>
+    </message>
+    <message>
+      <source>Nothing but noise and what the program's model describes: what the algorithms reach</source>
+      <translation>只有噪声和程序模型所描述的误差：算法本身所能达到的水平</translation>
     </message>
     <message>
       <source>Now</source>
@@ -13701,6 +13953,10 @@ There is no page about “{name}”.</source>
     <message>
       <source>Use this unit</source>
       <translation>使用此单位</translation>
+    </message>
+    <message>
+      <source>Usual</source>
+      <translation>一般</translation>
     </message>
     <message>
       <source>Viewpoint</source>

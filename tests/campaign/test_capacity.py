@@ -71,6 +71,7 @@ def test_the_work_of_a_project_is_what_its_profile_says():
         "clouds": {**use, "processor_s": 16.0, "read_mb": 800.0, "written_mb": 80.0, "peak_memory_mb": 1500.0},
         "stitching": {**use, "processor_s": 8.0, "read_mb": 0.0, "written_mb": 0.0},
         "report": {**use, "processor_s": 4.0, "read_mb": 2.0, "written_mb": 3.0},
+        "whole": {**use, "processor_s": 58.0, "read_mb": 902.0, "written_mb": 84.0},  # of all stages, so that nothing is counted twice
     }
     work = work_of({"views": [{}] * 8, "profile": stages})
     assert work.phases == ((Task(30.0, 1e8, 1e6), 1), (Task(2.0, 1e8, 1e7), 8), (Task(12.0, 2e6, 3e6), 1))

@@ -8,6 +8,7 @@ import pytest
 from demo_fixture import Demo, linked_copy
 
 from measureapp.acquire.events import RunEnded, RunStarted, ViewpointStored
+from measureapp.data.sample_worlds import IDEAL
 from measureapp.demo import DemoRequest, run_demo
 from measureapp.errors import InputError
 from measureapp.pipeline.events import CalibrationReady, Event, InspectionReady, StitchReady, ViewReady
@@ -33,7 +34,7 @@ def test_no_image_is_taken_twice_and_the_results_are_the_same(demo: Demo, copy: 
     project = ProjectFolder.open(copy)
     with project.lock():
         project.frames.discard("view05")  # as if a power cut had come before it was stored
-    outcome = run_demo(DemoRequest(copy, "gypsum", "quarter", 6, seed=1), events.append, NoProgress())
+    outcome = run_demo(DemoRequest(copy, "gypsum", "quarter", 6, seed=1, conditions=IDEAL), events.append, NoProgress())
     retaken = {path.parent.name for path, file in images(copy).items() if before[path] != file}
     assert retaken == {"view05"}
     assert images(copy).keys() == before.keys()
@@ -52,6 +53,6 @@ def test_no_image_is_taken_twice_and_the_results_are_the_same(demo: Demo, copy: 
 def test_a_folder_with_another_demo_is_left_alone(demo: Demo, copy: Path) -> None:
     before = images(copy)
     with pytest.raises(InputError, match="contains another project"):
-        run_demo(DemoRequest(copy, "gypsum", "quarter", 6, seed=2), lambda _: None, NoProgress())
+        run_demo(DemoRequest(copy, "gypsum", "quarter", 6, seed=2, conditions=IDEAL), lambda _: None, NoProgress())
     assert images(copy) == before
     assert (copy / "results" / "measurement.json").exists()

@@ -12,6 +12,7 @@ from demo_fixture import Demo
 
 from measureapp.data.mesh import Mesh
 from measureapp.data.pattern_sets import DEFAULT_PATTERNS
+from measureapp.data.sample_worlds import IDEAL
 from measureapp.demo import DemoRequest, run_demo
 from measureapp.pipeline.prediction.fringe_noise import fringe_noise, sharpness
 from measureapp.pipeline.prediction.light import PartLight
@@ -58,7 +59,7 @@ def test_the_prediction_holds_for_parts_that_it_was_not_written_with(
 ) -> None:
     nominal = tmp_path / f"{name}.stl"
     write_mesh(nominal, mesh)
-    run_demo(DemoRequest(tmp_path / "p", str(nominal), "quarter", 4, seed), lambda _: None, NoProgress())
+    run_demo(DemoRequest(tmp_path / "p", str(nominal), "quarter", 4, seed, conditions=IDEAL), lambda _: None, NoProgress())
     found = sigma_ratios(ProjectFolder.open(tmp_path / "p"), mesh)
     record_property("ratios", found)
     sys.stdout.write(f"\n{name}: {found}\n")

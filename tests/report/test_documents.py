@@ -71,7 +71,7 @@ def test_the_json_form_of_a_dimension_is_the_one_of_the_command_line(measured) -
     first = dimension_document(measured().inspection.dimensions[0])
     assert set(first) == {
         "name", "nominal", "measured", "error", "relative_error", "uncertainty", "tolerance", "unit", "verdict", "reason", "kind", "datums", "origin",
-        "uncertainty_budget", "tolerance_source", "warning", "alignment", "group", "control_frame",
+        "uncertainty_budget", "tolerance_source", "warning", "alignment", "group", "control_frame", "datum_letters",
     }  # fmt: skip
     assert first["relative_error"] == pytest.approx(0.0123456789 / 80)
     assert first["tolerance"] == [-0.1, 0.1]
@@ -152,7 +152,7 @@ def test_a_cloud_that_does_not_match_the_nominal_is_reported_without_deviation_a
 def test_the_report_says_what_a_value_is_and_what_it_rests_on(measured) -> None:
     zone = Dimension(
         "boss_position", 0.0, 0.005, 0.077, 0.0, 0.2, Verdict.PASS,
-        features=("boss",), kind="position", datums=("gear face", "bore"), traceability="boss: 1372 points, 99 left out; associated axis",
+        features=("boss",), kind="position", datums=("gear face", "bore"), datum_letters=("A", "B"), traceability="boss: 1372 points, 99 left out; associated axis",
     )  # fmt: skip
     model = compose(measured((zone,)), pictures=False)
     printed = typst_document(model)
@@ -204,19 +204,22 @@ def test_dimensions_without_tolerance_are_listed_and_decide_nothing(measured) ->
 
 
 def test_every_document_states_the_same_control_frame(measured) -> None:
-    frame = ControlFrame("position", 0.1, "Ø", ("\u24c2",), ("A", "B\u24c1"))
-    seat = Dimension("seat", 0.0, 0.03, 0.01, 0.0, 0.1, Verdict.PASS, kind="position", datums=("face", "pin"), frame=frame)
+    frame = ControlFrame("position", 0.1, "Ø", ("\u24c2",), ("C", "B\u24c1"))
+    named = {"datums": ("face", "pin"), "datum_letters": ("C", "B")}
+    seat = Dimension("seat", 0.0, 0.03, 0.01, 0.0, 0.1, Verdict.PASS, kind="position", frame=frame, **named)
     model = compose(measured((*measured().inspection.dimensions, seat)), pictures=False)
-    cells = ["Ø\u00a00.100\u00a0\u24c2", "A", "B\u24c1"]
+    cells = ["Ø\u00a00.100\u00a0\u24c2", "C", "B\u24c1"]
     (printed,) = [one for one in typst_document(model)["dimensions"] if one["frame"]]
     assert printed["name"] == "Seat" and printed["frame"]["cells"] == cells
     assert printed["frame"]["file"] in picture_files(model)
     (entry,) = [one for one in json.loads(json.dumps(report_document(model)))["dimensions"] if one["control_frame"]]
     assert frame_from(entry["control_frame"]) == model.dimensions[-1].frame
+    assert entry["datums"] == ["face", "pin"] and entry["datum_letters"] == ["C", "B"]
+    assert "C face, B pin" in printed["about"]
     page = html_text(model)
     assert symbol_svg("position") in page and all(f"<span>{cell}</span>" in page for cell in cells)
     (row,) = [one for one in csv.DictReader(io.StringIO(csv_text(model))) if one["control_frame"]]
-    assert row["control_frame"] == " | ".join(["position", *cells])
+    assert row["control_frame"] == " | ".join(["position", *cells]) and row["datum_letters"] == "C|B"
     assert pdf_bytes(model).startswith(b"%PDF")
 
 

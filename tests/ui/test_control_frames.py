@@ -29,7 +29,8 @@ BALL = Feature("ball", "sphere", np.zeros(3), None, 5.0, points=100)
 def flag_of(kind, feature, datums=(), upper=0.1, **entry):
     names = tuple(one.name for one in datums)
     stated = DimensionProgram(name="it", kind=kind, features=(feature.name,), datums=names, upper_tolerance=0.1, **entry)
-    frame = control_frame(stated, {one.name: one.shape for one in (feature, *datums)})
+    letters = dict(zip(names, "AB", strict=False))
+    frame = control_frame(stated, {one.name: one.shape for one in (feature, *datums)}, letters)
     found = Dimension("it", 0.0, 0.03, 0.01, 0.0, upper, Verdict.PASS, features=(feature.name,), kind=kind, datums=names, frame=frame)
     (flag,) = dimension_flags([found], [feature, *datums], None, {})
     return flag
@@ -95,7 +96,20 @@ def test_a_box_is_never_narrower_than_its_frame(qapp):
 def test_a_table_draws_the_frame_in_place_of_limits_and_shows_alignments_only_where_they_differ(qtbot, qapp):
     look = Look("light")
     frame = ControlFrame("position", 0.1, "Ø", ("\u24c2",), ("A",))
-    found = Dimension("it", 0.0, 0.03, 0.01, 0.0, 0.18, Verdict.PASS, features=("bore",), kind="position", datums=("face",), frame=frame)
+    found = Dimension(
+        "it",
+        0.0,
+        0.03,
+        0.01,
+        0.0,
+        0.18,
+        Verdict.PASS,
+        features=("bore",),
+        kind="position",
+        datums=("face",),
+        datum_letters=("A",),
+        frame=frame,
+    )
     table = DimensionTable(look, lambda _edit: False)
     qtbot.addWidget(table)
     rows = [

@@ -11,6 +11,7 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QLineEdit
 
 from measureapp.inspection.dimensions import inspect
+from measureapp.inspection.programming import edits
 from measureapp.project.folder import ProjectFolder, ProjectSettings
 from measureapp.project.program_file import parse_program
 from ui.controllers.program_rows import carry_ids, changed_names
@@ -115,10 +116,11 @@ def test_the_worst_verdict_is_first_and_selected(page):
 
 
 def test_a_nominal_is_typed_and_its_verdict_follows_without_measuring_features_again(application, page, qtbot, project):
-    size = row_named(page, "size").found
+    size, shown = row_named(page, "size").found, []
+    application.controllers.programming.changed.connect(lambda: shown.append([row_named(page, name).status for name in ("half", "size")]))
     type_in(page, qtbot, "half", Column.NOMINAL, "60")
-    assert row_named(page, "half").status == "calculating" and row_named(page, "size").status == "current"
     settled(application, qtbot)
+    assert shown[0] == ["calculating", "current"]  # from the edit on, however soon the measurement ends
     half = row_named(page, "half")
     assert half.status == "current" and half.verdict != "fail" and half.found.nominal == 60
     assert row_named(page, "size").found is size  # the same result, not measured again
@@ -283,3 +285,26 @@ def test_the_alignment_is_chosen_by_its_elements_with_lamps_for_what_they_fix(ap
     page.undo_last()
     settled(application, qtbot)
     assert application.session.inspection.alignment.name.startswith("none") and panel.value() == {"method": "none"}
+
+
+def test_a_datum_letter_is_changed_in_the_list_of_features_and_every_frame_follows(page, application, qtbot):
+    controller = application.controllers.programming
+    square = {"name": "level", "kind": "surface_profile", "features": ["plate"], "datums": ["plate"], "upper_tolerance": 0.1}
+    assert controller.edit(lambda program: edits.add(program, "dimension", square), "Added.")
+    settled(application, qtbot)
+    assert row_named(page, "level").frame.datums == ("A",)
+    page.side.list.setValue("features")
+    menu = page.side.datums.menu("plate")
+    letters = menu.actions()[0].menu().actions()
+    assert [one.text() for one in letters if one.isChecked()] == ["A"]
+    next(one for one in letters if one.text() == "D").trigger()
+    settled(application, qtbot)
+    assert row_named(page, "level").frame.datums == ("D",)
+    assert row_named(page, "level").found.datum_letters == ("D",)
+    table = page.side.features.model()
+    shown = [(table.index(place, 0).data(), table.index(place, 1).data()) for place in range(table.rowCount())]
+    assert shown == [("Ball", ""), ("Plate", "D")]
+    assert 'D = "plate"' in controller.text()
+    controller.undo()
+    assert row_named(page, "level").frame.datums == ("A",)
+    menu.close()

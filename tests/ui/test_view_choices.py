@@ -7,6 +7,7 @@ from types import SimpleNamespace
 
 import pytest
 
+from measureapp.data.surroundings import SURROUNDINGS, SURROUNDINGS_KEPT, Surroundings
 from measureapp.data.view_choices import ViewChoices
 from measureapp.errors import RegistrationError
 from measureapp.pipeline import restitch as stitching_again
@@ -63,6 +64,23 @@ def test_a_choice_that_fails_changes_nothing_and_says_why(application, window, k
     assert application.session.messages[-1].text == "No view can be used."
     assert kept.choices == ViewChoices()
     assert not page.undo.isVisible()
+
+
+def test_what_was_excluded_around_the_part_can_be_kept_and_excluded_again(application, window, kept, measurement, qtbot):
+    page, session = window.pages["clouds"], application.session
+    assert not page.surroundings.isVisible()
+    said = Surroundings(1000, (("table", 400),)).sentence
+    session.set_measurement(replace(measurement, settings={SURROUNDINGS: said}), {})
+    assert page.surroundings.isVisible() and page.surroundings.toolTip() == said
+    assert page.surroundings.text().strip() == "Keep surroundings"
+    page.surroundings.click()
+    settled(application, qtbot)
+    assert kept.choices == ViewChoices(keep_surroundings=True)
+    session.set_measurement(replace(measurement, settings={SURROUNDINGS: SURROUNDINGS_KEPT}), {})
+    assert page.surroundings.text().strip() == "Exclude surroundings"
+    page.surroundings.click()
+    settled(application, qtbot)
+    assert kept.choices == ViewChoices()
 
 
 def test_without_a_project_on_disk_nothing_is_offered(application, window, measurement):

@@ -33,6 +33,7 @@ from ui.controllers.scanning import ScanController
 from ui.controllers.series import SeriesController
 from ui.controllers.startup import StartupController
 from ui.controllers.stored_images import StoredImagesController
+from ui.controllers.tolerancing import Tolerancing
 from ui.controllers.view_choices import ViewChoicesController
 from ui.session import Session
 
@@ -76,6 +77,7 @@ class Controllers(QObject):
         self.programming = ProgrammingController(session, self.jobs, self.inspecting, self)
         self.nominal = NominalController(session, self.jobs, self.programming, self)
         self.creating = CreatingController(session, self.drawing, self.programming, self)
+        self.tolerancing = Tolerancing(session, self.programming)
         self.planning = PlanningController(session, self.jobs, self.predicting, self)
         self.roles = RoleController(session, self.operating, self.jobs, self)
         self.operator = OperatorController(session, self.operating, self.jobs, self.scanning, self.rig, self)

@@ -79,7 +79,15 @@ def _request(settings: DemoSettings, folder: Path) -> ScanRequest:
     """Return the scan of the demo; runs on a job's thread."""
     from measureapp.pipeline.sample import SampleScan, sample_request
 
-    chosen = SampleScan(settings.part, settings.resolution, settings.viewpoints, settings.seed, settings.patterns, settings.unit)
+    chosen = SampleScan(
+        settings.part,
+        settings.resolution,
+        settings.viewpoints,
+        settings.seed,
+        settings.patterns,
+        settings.unit,
+        conditions=settings.world,
+    )
     return sample_request(chosen, folder)
 
 

@@ -78,20 +78,22 @@ def is_same_alignment(one: Alignment, other: Alignment) -> bool:
 
 
 def _join(state: ProgramState, found: Inspection, former: MeasuredProgram) -> Inspection:
-    """Return the results of the whole program: those found now, and the former ones of all else."""
+    """Return the results of the whole program: those found now, and the former ones of all else, with its datum letters."""
+    from measureapp.data.datum_letters import letters_of, relettered
     from measureapp.data.inspection_program import copy_names
 
     results = former.results()
     dimensions = {state.ids[place]: results.get(state.ids[place]) for place in range(len(state.ids))}
     new = {one.name: one for one in found.dimensions}
     features = {one.name: one for one in former.inspection.features} | {one.name: one for one in found.features}
+    letters = letters_of(state.program)
     names = [name for one in state.program.features for name in copy_names(one.name, one.repeat)]
     return replace(
         former.inspection,
         program=state.program.name,
         features=tuple(features[name] for name in names if name in features),
         dimensions=tuple(
-            one
+            relettered(one, letters)
             for entry, number in zip(state.program.dimensions, state.ids, strict=True)
             if (one := new.get(entry.name) or dimensions[number]) is not None
         ),

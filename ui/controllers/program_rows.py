@@ -6,10 +6,13 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
+from measureapp.data.datum_letters import letters_of
+
 if TYPE_CHECKING:
     from measureapp.data.control_frame import ControlFrame
     from measureapp.data.dimension import Dimension
     from measureapp.data.inspection_program import DimensionProgram, InspectionProgram
+    from measureapp.data.measurement import Inspection
 
 Status = Literal["current", "calculating", "stale", "failed"]
 STATUS_WORDS: Mapping[str, str] = {
@@ -81,6 +84,14 @@ class DimensionRow:
     def is_linked(self) -> bool:
         """Whether the nominal follows the nominal features."""
         return self.entry is not None and self.entry.nominal_linked
+
+
+def letters_shown(program: InspectionProgram | None, inspection: Inspection | None) -> dict[str, str]:
+    """Return the letter of each datum by its feature; without a program, those of the last results."""
+    if program is not None:
+        return letters_of(program)
+    found = () if inspection is None else inspection.dimensions
+    return {name: letter for one in found for name, letter in zip(one.datums, one.datum_letters, strict=False)}
 
 
 def carry_ids(names_before: Sequence[str], ids_before: Sequence[int], names: Sequence[str]) -> tuple[int, ...]:

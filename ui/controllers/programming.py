@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Signal, Slot
 from PySide6.QtGui import QUndoCommand, QUndoStack
 
-from measureapp.data.control_frame import control_frame
+from measureapp.data.control_frame import control_frame, with_frames
+from measureapp.data.datum_letters import letters_of
 from measureapp.errors import MeasureError
 from ui.controllers.jobs import JobRunner
 from ui.controllers.program_jobs import (
@@ -116,7 +118,7 @@ class ProgrammingController(QObject):
             )
         measured = self._measured
         stale = changed_names(None if measured is None else measured.state.program, state.program)
-        shapes = {one.name: str(one.shape) for one in inspection.features}
+        shapes, letters = {one.name: str(one.shape) for one in inspection.features}, letters_of(state.program)
         results = MeasuredProgram(state, inspection).results() if measured is None else measured.results()
         return tuple(
             DimensionRow(
@@ -125,7 +127,7 @@ class ProgrammingController(QObject):
                 entry,
                 results.get(number),
                 self._status(entry.name in stale, results.get(number)),
-                control_frame(entry, shapes),
+                control_frame(entry, shapes, letters),
                 entry.alignment or inspection.alignment.name,
             )
             for number, entry in zip(state.ids, state.program.dimensions, strict=True)
@@ -306,6 +308,7 @@ class ProgrammingController(QObject):
         inspection = self._session.inspection
         if inspection is None or self.folder is None:
             return
+        inspection = replace(inspection, dimensions=with_frames(inspection.dimensions, read.program, inspection.features))
         names = {one.name for one in inspection.dimensions}
         is_same = names == {one.name for one in read.program.dimensions}
         if not self.is_modified or self.state is None:

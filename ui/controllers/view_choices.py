@@ -49,6 +49,13 @@ class ViewChoicesController(QObject):
         if folder is not None and self.can_choose:
             self._runner.run(TITLE, lambda job: restitch_with_choice(folder, viewpoint_id, choice, job), self._keep)
 
+    @Slot(bool)
+    def keep_surroundings(self, keep: bool) -> None:
+        """Keep the points of table, fixtures and background in the clouds, or exclude them."""
+        folder = self._session.folder
+        if folder is not None and self.can_choose:
+            self._runner.run(TITLE, lambda job: restitch_with_surroundings(folder, job, keep=keep), self._keep)
+
     @Slot()
     def undo(self) -> None:
         """Undo the last choice."""
@@ -84,6 +91,14 @@ def restitch_with_choice(folder: Path, viewpoint_id: str, choice: ViewChoice, jo
 
     former = ProjectFolder.open(folder).view_choices()
     return former, restitch_with_choices(folder, former.with_choice(viewpoint_id, choice), job)
+
+
+def restitch_with_surroundings(folder: Path, job: Job, *, keep: bool) -> tuple[ViewChoices, Outcome]:
+    """Stitch with the surroundings of the part, or without; return the former choices and the result. Runs on a job's thread."""
+    from measureapp.project.folder import ProjectFolder
+
+    former = ProjectFolder.open(folder).view_choices()
+    return former, restitch_with_choices(folder, former.model_copy(update={"keep_surroundings": keep}), job)
 
 
 def restitch_with_choices(folder: Path, choices: ViewChoices, job: Job) -> Outcome:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from measureapp.data.length_unit import LengthUnit
+from measureapp.data.sample_worlds import DEFAULT_WORLD
 from ui.look.demo_settings import DemoSettings
 from ui.look.pattern_words import RECOMMENDED
 
@@ -14,6 +15,8 @@ def demo_folder(settings: DemoSettings) -> Path:
     name = f"demo-{Path(settings.part).stem}-{settings.resolution}-{settings.viewpoints}-views-rig-{settings.seed}"
     if settings.patterns != RECOMMENDED:
         name += f"-{settings.patterns}"
+    if settings.world != DEFAULT_WORLD:
+        name += f"-{settings.world}"
     if settings.unit is not LengthUnit.MM:
         name += f"-{settings.unit}"
     return Path.home() / "MeasureApp" / name

@@ -1,4 +1,4 @@
-"""Editor of the demo settings: part, resolution, viewpoints, patterns, seed."""
+"""Editor of the demo settings: part, resolution, viewpoints, patterns, and the virtual rig with its seed."""
 
 from __future__ import annotations
 
@@ -17,6 +17,12 @@ from ui.widgets.basic import Form, label
 from ui.widgets.segments import Segments
 
 PARTS = {"gypsum": "Gypsum cross", "impeller": "Impeller", "gear": "Gear", "sphere_plate": "Sphere plate", "flat": "Flat plate"}
+RIGS = {
+    "ideal": ("Ideal", "Nothing but noise and what the program's model describes: what the algorithms reach"),
+    "good": ("Good", "A well-kept rig in a measuring room: small errors of lenses, axes, board and part"),
+    "usual": ("Usual", "A rig as it is found in a workshop: lens errors, glare, run-out, warm-up, a part that is not its drawing"),
+    "bad": ("Bad", "A worn rig in a warm hall, with a printed board"),
+}
 OWN_MESH = "Own mesh file…"
 MESH_FILES = "Meshes (*.stl *.ply *.obj)"
 VIEWPOINTS = {"impeller": 26}
@@ -48,6 +54,11 @@ class DemoForm(QWidget):
         self._viewpoints, self._seed = QSpinBox(), QSpinBox()
         self._viewpoints.setRange(3, 60)
         self._seed.setRange(1, 9999)
+        self._rig = QComboBox()
+        for name, (words, line) in RIGS.items():
+            self._rig.addItem(translated(words), name)
+            self._rig.setItemData(self._rig.count() - 1, line, Qt.ItemDataRole.ToolTipRole)
+        self._rig.setToolTip(tr("How well the virtual rig and the part are made; uncertainties and verdicts follow from it"))
         self._seed.setToolTip(tr("The seed determines the hidden errors of robot, guide, table and lenses"))
         form = Form(self)
         for words, editor in (
@@ -55,16 +66,18 @@ class DemoForm(QWidget):
             ("Resolution", self._resolution),
             ("Viewpoints", self._viewpoints),
             ("Patterns", self._patterns),
+            ("Virtual rig", self._rig),
             ("Seed of the rig", self._seed),
         ):
             form.add(words, editor)
-        form.insertRow(form.rowCount() - 1, "", self._pattern_line)
+        form.insertRow(form.rowCount() - 2, "", self._pattern_line)
         self.setValue(DemoSettings())
         self._part.activated.connect(self._on_part)
         self._part.currentIndexChanged.connect(self._tell)
         self._resolution.valueChanged.connect(self._tell)
         self._viewpoints.valueChanged.connect(self._tell)
         self._patterns.currentIndexChanged.connect(self._on_patterns)
+        self._rig.currentIndexChanged.connect(self._tell)
         self._seed.valueChanged.connect(self._tell)
 
     def value(self) -> DemoSettings:
@@ -73,7 +86,7 @@ class DemoForm(QWidget):
         patterns = self._patterns.currentData()
         part = self._part.currentData()
         unit = self._units.get(part, LengthUnit.MM)
-        return DemoSettings(part, resolution, self._viewpoints.value(), self._seed.value(), patterns, unit)
+        return DemoSettings(part, resolution, self._viewpoints.value(), self._seed.value(), patterns, unit, self._rig.currentData())
 
     def setValue(self, settings: DemoSettings) -> None:
         """Set the settings."""
@@ -82,6 +95,7 @@ class DemoForm(QWidget):
         self._viewpoints.setValue(settings.viewpoints)
         self._seed.setValue(settings.seed)
         self._patterns.setCurrentIndex(self._patterns.findData(settings.patterns))
+        self._rig.setCurrentIndex(self._rig.findData(settings.world))
         self._say_patterns()
 
     def show_mesh(self, path: Path, unit: LengthUnit) -> None:

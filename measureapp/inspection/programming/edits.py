@@ -9,6 +9,7 @@ import re
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from measureapp.data.datum_letters import free_letter
 from measureapp.data.inspection_program import InspectionProgram, copy_names
 from measureapp.errors import InputError, InspectionError
 from measureapp.inspection.programming.nominals import linked_nominal
@@ -144,6 +145,8 @@ def remove(program: InspectionProgram, nodes: Sequence[Node], *, with_children: 
         _entry(document, node)  # refuses an unknown one
     for kind, name in LISTS.items():
         document[name] = [one for one in document[name] if Node(kind, one["name"]) not in gone]
+    lost = {name for one in program.features if Node("feature", one.name) in gone for name in copy_names(one.name, one.repeat)}
+    document["datum_letters"] = {letter: name for letter, name in document["datum_letters"].items() if name not in lost}
     return program_from(document)
 
 
@@ -174,6 +177,29 @@ def set_alignment(program: InspectionProgram, alignment: str | Mapping[str, Any]
     document = document_of(program)
     document["alignment"] = alignment if isinstance(alignment, str) else dict(alignment)
     return program_from(document)
+
+
+def set_datum_letter(program: InspectionProgram, feature: str, letter: str) -> InspectionProgram:
+    """Name a datum feature by a letter, an empty one removes it; a feature that has the letter already takes that of the first, or a free one.
+
+    Raises
+    ------
+    InputError
+        The feature is not defined, the letter is none, or a dimension or alignment refers to the datum that would lose its letter.
+    """
+    document = document_of(program)
+    features = {name: one for one, name in document["datum_letters"].items()}
+    former, wanted = features.pop(feature, ""), letter.strip()
+    holder = next((name for name, one in features.items() if one == wanted), "")
+    if wanted:
+        features[feature] = wanted
+    if holder:
+        features[holder] = former or free_letter(features.values())
+    document["datum_letters"] = {one: name for name, one in features.items()}
+    changed = program_from(document)
+    if not wanted and feature in changed.datum_letters.values():
+        raise InputError(f"{feature!r} is used as a datum, which needs a letter.", "Choose another letter, or remove what refers to it.")
+    return changed
 
 
 def names_of(program: InspectionProgram, kind: str) -> frozenset[str]:

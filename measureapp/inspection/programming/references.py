@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any
 
 from pydantic import ValidationError
 
+from measureapp.data.datum_letters import letters_of
 from measureapp.data.dimension_program import LIMITS
 from measureapp.data.inspection_program import InspectionProgram
 from measureapp.data.model import first_problem
@@ -18,8 +19,12 @@ ONE_NAME, NAMES = ("plane", "line", "point"), ("of", "features", "datums")
 
 
 def document_of(program: InspectionProgram) -> Document:
-    """Return the stated values of a program; limits that follow from the text of a tolerance are not among them."""
+    """Return the stated values of a program, and the letters of its datums, which edits must not shift.
+
+    Limits that follow from the text of a tolerance are not among them.
+    """
     document = program.model_dump(exclude_unset=True)
+    document["datum_letters"] = _by_letter(letters_of(program))
     for name in LISTS.values():
         document[name] = [dict(one) for one in document.get(name, ())]
     for dimension in document["dimensions"]:
@@ -30,11 +35,21 @@ def document_of(program: InspectionProgram) -> Document:
 
 
 def program_from(document: Document) -> InspectionProgram:
-    """Validate a changed document; raises InputError with the reason why the change cannot be made."""
+    """Validate a changed document; raises InputError with the reason why the change cannot be made.
+
+    The program states the letter of each datum, so that it keeps it from now on.
+    """
+    stated = {name: value for name, value in document.items() if name != "datum_letters" or value}
     try:
-        return InspectionProgram.model_validate(document)
+        program = InspectionProgram.model_validate(stated)
     except ValidationError as error:
         raise InputError(f"The change is not possible: {first_problem(error, 'program')}.", "Change the entry it names first.") from error
+    letters = _by_letter(letters_of(program))
+    return program if letters == dict(program.datum_letters) else program.model_copy(update={"datum_letters": letters})
+
+
+def _by_letter(letters: Mapping[str, str]) -> dict[str, str]:
+    return {letter: feature for feature, letter in sorted(letters.items(), key=lambda one: (len(one[1]), one[1]))}
 
 
 def rename_references(document: Document, rename: Callable[[str], str]) -> None:
@@ -44,6 +59,7 @@ def rename_references(document: Document, rename: Callable[[str], str]) -> None:
         entry_materials = entry.get("datum_material")
         if entry_materials is not None:
             entry["datum_material"] = [{**one, "datum": rename(one["datum"])} for one in entry_materials]
+    document["datum_letters"] = {letter: rename(one) for letter, one in document["datum_letters"].items()}
     if "alignment" in document:
         document["alignment"] = _renamed_alignment(document["alignment"], rename)
     for one in document["alignments"]:

@@ -8,6 +8,7 @@ from threading import Lock
 
 import numpy as np
 
+from measureapp.data.datum_letters import letters_of
 from measureapp.data.dimension import Dimension
 from measureapp.data.inspection_program import DimensionProgram, InspectionProgram, MeasuredFeature, copy_names
 from measureapp.data.measurement import Alignment, Inspection
@@ -124,10 +125,10 @@ class InspectionSession:
             self._check_unit(main.points, found, program)
         progress.report(2, 3, "dimensions")
         others = {None: found, **self._find_in_other_alignments(program, keys, measured, PartOf(progress, 2 / 3, 0.8))}
-        dimensions = []
+        letters, dimensions = letters_of(program), []
         for number, described in enumerate(program.dimensions):
             progress.report(0.8 + 0.2 * number / len(program.dimensions), 1, described.name)
-            dimensions.append(self._dimension(described, others[described.alignment], keys, measured))
+            dimensions.append(self._dimension(described, others[described.alignment], letters, keys, measured))
         features = tuple(one.feature for one in found.values() if one.feature is not None)
         further = {
             one.name: placed.alignment
@@ -214,11 +215,13 @@ class InspectionSession:
             others[named.name] = self._find(program, named.name, placed.points, keys, measured, progress, entries)
         return others
 
-    def _dimension(self, described: DimensionProgram, found: Found, keys: ProgramKeys, measured: set[Node]) -> Dimension:
+    def _dimension(
+        self, described: DimensionProgram, found: Found, letters: Mapping[str, str], keys: ProgramKeys, measured: set[Node]
+    ) -> Dimension:
         evaluated, made = self._values.get(keys.value(described), lambda: evaluate(described, found, self.settings))
         if made:
             measured.add(Node("dimension", described.name))
-        return decide(described, evaluated, found, self.settings)
+        return decide(described, evaluated, found, self.settings, letters)
 
     def _check_unit(self, points: MeasuredPoints, found: Found, program: InspectionProgram) -> None:
         """Without a nominal mesh, ask about the unit of points whose features are found in another unit only."""

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from measureapp.data.control_frame import control_frame
+from measureapp.data.datum_letters import common_datums
 from measureapp.data.dimension import CONTRADICTED, Dimension, Verdict
 from measureapp.data.inspection_program import ZONES, DimensionProgram
 from measureapp.errors import InspectionError
@@ -42,8 +43,30 @@ def evaluate(described: DimensionProgram, found: Mapping[str, FoundFeature], set
         return Evaluated(None, error.message)
 
 
-def decide(described: DimensionProgram, evaluated: Evaluated, found: Mapping[str, FoundFeature], settings: InspectionSettings) -> Dimension:
-    """Return the dimension with uncertainty, limits and verdict: all that follows from its value, nominal and tolerance."""
+def decide(
+    described: DimensionProgram,
+    evaluated: Evaluated,
+    found: Mapping[str, FoundFeature],
+    settings: InspectionSettings,
+    letters: Mapping[str, str],
+) -> Dimension:
+    """Return the dimension with uncertainty, limits and verdict: all that follows from its value, nominal and tolerance.
+
+    Parameters
+    ----------
+    letters : letter of each datum of the program by its feature
+    """
+    made = _decide(described, evaluated, found, settings)
+    return replace(
+        made,
+        datum_letters=tuple(letters[name] for name in common_datums(described)),
+        frame=control_frame(described, {name: _shape_of(found[name]) for name in (*made.features, *made.datums)}, letters),
+    )
+
+
+def _decide(
+    described: DimensionProgram, evaluated: Evaluated, found: Mapping[str, FoundFeature], settings: InspectionSettings
+) -> Dimension:
     value = evaluated.value
     if value is None:
         return _make_dimension(described, found, None, None, Verdict.NOT_MEASURED, evaluated.reason)
@@ -177,7 +200,6 @@ def _make_dimension(
         alignment=described.alignment or "",
         group=described.group,
         traceability=_describe_traceability(described, [found[name] for name in (*features, *datums)], how),
-        frame=control_frame(described, {name: _shape_of(found[name]) for name in (*features, *datums)}),
     )
 
 

@@ -52,7 +52,7 @@ def _orientation(kind: str, found: FoundFeature, datums: tuple[FoundFeature, ...
     feature = require_feature(found)
     if feature.shape not in ("plane", *AXES):
         raise InspectionError(f"{found.name} is a {feature.shape}: {kind} is defined for planes and axes")
-    toward = _exact_direction(kind, found, datums)
+    toward = exact_direction(kind, found, datums)
     apart = {STITCHING: assumed_view_spread(found, settings)}
     if feature.shape == "plane":
         cells = extract_cells(found, settings)
@@ -71,7 +71,7 @@ def _orientation(kind: str, found: FoundFeature, datums: tuple[FoundFeature, ...
     return Value(value, combine_budgets(budget, apart), f"associated axis over {length:.1f} mm")
 
 
-def _exact_direction(kind: str, found: FoundFeature, datums: tuple[FoundFeature, ...]) -> Callable[[Sequence[Feature]], FloatArray]:
+def exact_direction(kind: str, found: FoundFeature, datums: tuple[FoundFeature, ...]) -> Callable[[Sequence[Feature]], FloatArray]:
     """Return the function from feature and datums to the exact direction of the zone, in the frame of the points."""
     nominals = require_nominals(datums)
     measured = [require_feature(one) for one in datums]

@@ -125,10 +125,11 @@ def measure_pair(
     search_mm : largest distance of corresponding points
     """
     common = _find_correspondences(target, source, pose, search_mm, MOST_MATCHES)
-    if len(common.own) < LEAST_MATCHES:
+    solved = _solve_robustly(common, settled=True) if len(common.own) >= LEAST_MATCHES else None
+    # where views lie far from where they belong, robust weights may leave no point, or surfaces that determine nothing together
+    if solved is None or not len(_determined_directions(solved.matrix)[0]):
         none = np.empty(0, np.int64)
         return PairMeasurement(*indices, pose, target.centroid_mm, np.zeros(6), np.zeros((6, 6)), 0.0, none, none, 0.0)
-    solved = _solve_robustly(common, settled=True)
     kept = solved.weight > 0
     smooth_sigma_mm, shared = _estimate_shared_errors(common, solved)
     information = _add_shared_errors(_estimate_information(common, solved), shared)
@@ -222,7 +223,9 @@ def _solve_robustly(common: _Correspondences, *, settled: bool) -> _RobustSoluti
         left = common.distance_mm + jacobian @ change
         middle = 0.0
     slope = (1 - away) * (1 - 5 * away) / common.variance_mm2
-    return _RobustSolution(change, matrix, jacobian, weight, left, max(float(slope.sum() / weight.sum()), LEAST_STEEPNESS))
+    return _RobustSolution(
+        change, matrix, jacobian, weight, left, max(float(slope.sum() / max(weight.sum(), LEAST_FACTOR)), LEAST_STEEPNESS)
+    )
 
 
 def _estimate_information(common: _Correspondences, solved: _RobustSolution) -> FloatArray:
@@ -263,7 +266,8 @@ def _sum_per_cell(cells: IntArray, rows: FloatArray) -> tuple[IntArray, FloatArr
 def _parameter_scales(matrix: FloatArray) -> FloatArray:
     """Return the scales (6,) that make the parameters of a normal matrix comparable."""
     diagonal = np.diag(matrix)
-    return np.sqrt(np.maximum(diagonal, 1e-9 * np.array([diagonal[:3].max()] * 3 + [diagonal[3:].max()] * 3)))
+    floor = 1e-9 * np.array([diagonal[:3].max()] * 3 + [diagonal[3:].max()] * 3)
+    return np.sqrt(np.maximum(np.maximum(diagonal, floor), np.finfo(float).tiny))
 
 
 def _weakly_supported_part(
@@ -299,6 +303,8 @@ def _determined_directions(matrix: FloatArray) -> tuple[FloatArray, FloatArray, 
 
     Excluded are directions of negligible information, and those whose information is negative after the correction for the normals.
     """
+    if not (np.diag(matrix)[:3].max() > 0 and np.diag(matrix)[3:].max() > 0):
+        return np.empty(0), np.empty((6, 0)), np.empty((6, 0))
     size = _parameter_scales(matrix)
     values, vectors = np.linalg.eigh(matrix / np.outer(size, size))
     strong = values > UNDETERMINED * values[-1]

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import Slot
 from PySide6.QtWidgets import QHBoxLayout
 
+from measureapp.data.surroundings import SURROUNDINGS, SURROUNDINGS_KEPT
 from measureapp.errors import InputError
 from ui.controllers.controllers import Controllers
 from ui.look.language.words import tr, translated
@@ -91,9 +92,12 @@ class CloudsPage(ViewportPage):
         self.undo.clicked.connect(self._undo)
         self.action_row.insertWidget(0, self.undo)
         controllers.view_choices.undoChanged.connect(self._show_undo)
+        self.surroundings = Button("Keep surroundings", look, "filter", "quiet")
+        self.surroundings.clicked.connect(lambda: controllers.view_choices.keep_surroundings(not self._surroundings_kept))
+        self.action_row.insertWidget(1, self.surroundings)
         self._extent_of: StitchedCloud | None = None  # cloud of the initial filter limits
         self._seen_filtered: StitchedCloud | None = None
-        self._seen_stitched = False
+        self._seen_stitched = self._surroundings_kept = False
         self._point: Label | None = None  # of the last clicked point
         self._traced_place: np.ndarray | None = None  # (3,), of the point whose source is being found
         tools = self._tools(look)
@@ -137,6 +141,7 @@ class CloudsPage(ViewportPage):
             self.empty.say(*EMPTY)
         self.filters.button.setEnabled(not self.session.busy_with)
         self._show_undo()
+        self._show_surroundings()
         if self._asked[2] is None:  # no point is picked whose properties are being read
             self._select(max(0, self.table.currentIndex().row()))
 
@@ -146,6 +151,16 @@ class CloudsPage(ViewportPage):
         self.undo.setVisible(bool(self.session.views) and can_undo)
         steps = ((self.scales.can_undo, UNDO_SCALE), (self.distance.can_undo, UNDO_DISTANCE), (filtering.can_undo, UNDO_FILTER))
         self.undo.setToolTip(translated(next((words for possible, words in steps if possible), UNDO_CHOICE)))
+
+    def _show_surroundings(self) -> None:
+        """Offer to keep what was excluded around the part, or to exclude what was kept; nothing where nothing was seen."""
+        measurement = self.session.measurement
+        said = "" if measurement is None else measurement.settings.get(SURROUNDINGS, "")
+        self._surroundings_kept = said == SURROUNDINGS_KEPT
+        self.surroundings.setVisible(bool(said) and self.controllers.view_choices.can_choose)
+        words = "Exclude surroundings" if self._surroundings_kept else "Keep surroundings"
+        self.surroundings.setText(f"\u2009{translated(words)}")
+        self.surroundings.setToolTip(translated(said))
 
     def undo_last(self) -> None:
         """Undo the step that the button names."""
@@ -179,6 +194,7 @@ class CloudsPage(ViewportPage):
         for button in (self.holes, self.images):
             button.setVisible(bool(views) and self.controllers.holes.can_explain)
         self._show_undo()
+        self._show_surroundings()
         filtered = self.session.filtered
         for name in ("after", "merged"):
             self.stage.set_available(name, stitched is not None)

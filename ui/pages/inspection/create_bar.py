@@ -55,11 +55,14 @@ class CreateBar(QFrame):
         self.construct = Button("Construct", look, "", "quiet", "Construct a feature from those selected")
         self.menu = QMenu(self.construct)
         self.construct.setMenu(self.menu)
+        self.tolerance = Button(
+            "Tolerance…", look, "", "quiet", "Define a geometrical tolerance of the first selected feature, the others as its datums"
+        )
         self.add.clicked.connect(self.accept)
         QShortcut(Qt.Key.Key_Return, features, self.accept, context=Qt.ShortcutContext.WidgetShortcut)
         choose = row(self.choice, self.add, spacing=8)
         choose.setStretch(0, 1)
-        self.setLayout(column(row(self.pick, self.construct, 0), self.words, choose, margin=8, spacing=8))
+        self.setLayout(column(row(self.pick, self.construct, self.tolerance, 0), self.words, choose, margin=8, spacing=8))
         features.chosen.connect(self.show_proposals)
         creating.picked.connect(self._take)
         self.show_proposals()

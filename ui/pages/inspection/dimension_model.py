@@ -10,6 +10,7 @@ from typing import Any
 from PySide6.QtCore import QAbstractTableModel, QObject, Qt
 from PySide6.QtGui import QFont
 
+from measureapp.data.datum_letters import common_datums
 from ui.controllers.program_rows import STATUS_WORDS, DimensionRow
 from ui.look.language.words import tr, translated
 from ui.look.wording import NOTHING, quantity, sentence_case
@@ -256,9 +257,9 @@ def _italic() -> QFont:
 def frame_words(row: DimensionRow) -> str:
     """Return a feature control frame in words, with the limit of the last result where a material condition widens it."""
     assert row.frame is not None
-    datums = row.entry.datums if row.entry is not None else row.found.datums if row.found is not None else ()
+    datums = common_datums(row.entry) if row.entry is not None else row.found.datums if row.found is not None else ()
     kind = translated(sentence_case(row.frame.characteristic.replace("_", " ")))
-    stated = ", ".join(words for words in (row.frame.zone(), datum_words(datums) if row.frame.datums else "") if words)
+    stated = ", ".join(words for words in (row.frame.zone(), datum_words(datums, row.frame.datums) if row.frame.datums else "") if words)
     allowed = row.limits
     bonus = "" if allowed is None or allowed[1] <= row.frame.width_mm else tr("; with its bonus {upper}", upper=quantity(allowed[1], "mm"))
     return f"{kind}: {stated}{bonus}"

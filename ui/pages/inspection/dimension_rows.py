@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from measureapp.data.control_frame import DATUM_LETTERS
 from measureapp.data.dimension import CONTRIBUTION_DIGITS
 from ui.look.language.words import later, tr, translated
 from ui.look.wording import counted, millimetres, percent, quantity, sentence, sentence_case, several
@@ -60,11 +59,10 @@ def shape_words(feature: Feature) -> str:
     return translated("blade section" if is_blade(feature) else SHAPES.get(str(feature.shape), str(feature.shape)))
 
 
-def datum_words(datums: Sequence[str]) -> str:
-    """Return datums with their letters: ``A Gear face, B Bore``; of a pattern, without."""
-    if len(datums) > len(DATUM_LETTERS):
-        return ", ".join(sentence_case(name) for name in datums)
-    return ", ".join(f"{letter} {sentence_case(name)}" for letter, name in zip(DATUM_LETTERS, datums, strict=False))
+def datum_words(datums: Sequence[str], letters: Sequence[str]) -> str:
+    """Return datums with their letters: ``A Gear face, D Bore``; without letters, which a pattern has not, their names alone."""
+    names = [sentence_case(name) for name in datums]
+    return ", ".join(f"{letter} {name}" for letter, name in zip(letters, names, strict=True)) if letters else ", ".join(names)
 
 
 def features_of(dimension: Dimension, known: dict[str, Feature]) -> list[tuple[str, Feature | None]]:
@@ -115,7 +113,7 @@ def dimension_properties(dimension: Dimension, features: Sequence[Feature], alig
         "Result",
         (
             *((("Kind", kind),) if kind else ()),
-            *((("Datums", datum_words(dimension.datums)),) if dimension.datums else ()),
+            *((("Datums", datum_words(dimension.datums, dimension.datum_letters)),) if dimension.datums else ()),
             ("Aligned by", sentence_case(dimension.alignment or alignment.name)),
             ("Nominal", quantity(dimension.nominal, unit)),
             ("Tolerance", tolerance(dimension.lower_tolerance, dimension.upper_tolerance, unit)),

@@ -9,12 +9,13 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QStackedWidget, QWidget
 
 from ui.controllers.controllers import Controllers
-from ui.controllers.program_rows import DimensionRow
+from ui.controllers.program_rows import DimensionRow, letters_shown
 from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.pages.inspection.alignment_panel import AlignmentPanel
 from ui.pages.inspection.cell_edits import apply_edit
 from ui.pages.inspection.create_bar import CreateBar
+from ui.pages.inspection.datum_menu import DatumMenu
 from ui.pages.inspection.deviation_card import DeviationCard
 from ui.pages.inspection.deviation_display import DeviationDisplay
 from ui.pages.inspection.dimension_rows import Selection, decision_rule, features_of, rule_name
@@ -24,7 +25,8 @@ from ui.pages.inspection.filter_bar import FilterBar
 from ui.pages.inspection.no_alignment import NoAlignment
 from ui.pages.inspection.row_actions import RowActions
 from ui.pages.inspection.save_bar import SaveBar
-from ui.widgets.basic import column, label, row
+from ui.pages.inspection.tolerance_editor import ToleranceEditor
+from ui.widgets.basic import column, label, row, scrolled
 from ui.widgets.segments import Segments
 
 if TYPE_CHECKING:
@@ -54,9 +56,14 @@ class DimensionSide(QWidget):
         self.features = FeatureTable(look)
         self.create = CreateBar(look, controllers.creating, self.features)
         self.alignment = AlignmentPanel(look, programming, controllers.creating)
+        self.tolerance = ToleranceEditor(look, controllers.tolerancing, controllers.creating)
         self.create.dimensionAdded.connect(self._await)
         self._awaited = ""  # name of the dimension that was added last
-        self.actions = RowActions(self.table, programming)
+        self.actions, self.datums = RowActions(self.table, programming), DatumMenu(self.features, programming)
+        self.table.frameAsked.connect(self._edit_frame)
+        self.actions.toleranceAsked.connect(self._begin_frame)
+        self.create.tolerance.clicked.connect(self._begin_frame)
+        self.tolerance.closed.connect(self._end_frame)
         self.table.rowSelected.connect(self._tell)
         self.features.chosen.connect(self._tell)
         self.list.valueChanged.connect(self._show_list)
@@ -65,12 +72,13 @@ class DimensionSide(QWidget):
         self.features.doubleClicked.connect(self.closerAsked)
         self.rule, self.checks = label("", "small", wrap=True), label("", "small", wrap=True)
         self.checks.hide()
-        self._show_create()
         self._lists = QStackedWidget()
         self._lists.addWidget(self.table)
         self._lists.addWidget(self.features)
         self._lists.addWidget(self.alignment)
         self._lists.addWidget(self.deviation)
+        self._lists.addWidget(scrolled(self.tolerance))
+        self._show_create()
         self.unaligned = NoAlignment(look, programming)
         self.unaligned.choose.clicked.connect(lambda: self.list.setValue("alignment"))
         beside = column(
@@ -112,7 +120,6 @@ class DimensionSide(QWidget):
         if inspection is None:
             return
         self.show_rows()
-        self.features.show_features(inspection.features)
         self.alignment.show_inspection(inspection)
         self.unaligned.show_program()
         self.rule.setText(tr("Lengths in mm, U for k = 2, verdicts by {rule_name}.", rule_name=rule_name()))
@@ -127,15 +134,19 @@ class DimensionSide(QWidget):
     @property
     def is_picking(self) -> bool:
         """Whether clicks select faces."""
-        return self.create.pick.isChecked() or self.alignment.pick.isChecked()
+        return any(one.pick.isChecked() for one in (self.create, self.alignment, self.tolerance))
 
     def end_picking(self) -> None:
         """Let clicks select points again."""
-        self.create.pick.setChecked(False)
-        self.alignment.pick.setChecked(False)
+        for one in (self.create, self.alignment, self.tolerance):
+            one.pick.setChecked(False)
 
     def show_rows(self) -> None:
         """Show the rows of the edited program; the worst is selected if none was."""
+        if self._inspection is not None:
+            state = self._programming.state
+            letters = letters_shown(None if state is None else state.program, self._inspection)
+            self.features.show_features(self._inspection.features, letters)
         rows = self._programming.rows()
         had_none = self.table.current_id() < 0
         self.table.set_rows(rows)
@@ -172,12 +183,41 @@ class DimensionSide(QWidget):
         self._show_create()
         self.selected.emit()
 
+    def _begin_frame(self) -> None:
+        """Choose a new tolerance, of the selected features or that of the current dimension."""
+        row = self.table.current_row()
+        names = (
+            self.features.names() if self.list.value() == "features" else () if row is None or row.entry is None else row.entry.features[:1]
+        )
+        self.tolerance.begin(names)
+        self._open_frame()
+
+    def _edit_frame(self, name: str) -> None:
+        if self._programming.can_change and self.tolerance.edit(name):
+            self._open_frame()
+
+    def _open_frame(self) -> None:
+        """Show the editor in place of the list, until it is closed or another list is chosen."""
+        self._lists.setCurrentIndex(self._lists.count() - 1)
+        for one in (self.filter, self.rule):
+            one.hide()
+        self._show_create()
+        self.tolerance.kind.setFocus()
+
+    def _end_frame(self, name: str) -> None:
+        if name:
+            self._await(name)
+        self._show_list()
+
     def _show_create(self) -> None:
-        offered = self.list.value() == "features" and self._programming.state is not None
+        is_list = self._lists.currentIndex() < self._lists.count() - 1  # not the editor of a tolerance
+        offered = is_list and self.list.value() == "features" and self._programming.state is not None
         self.create.setVisible(offered)
         if not offered:
             self.create.pick.setChecked(False)
-        if self.list.value() != "alignment":
+        if is_list:
+            self.tolerance.pick.setChecked(False)
+        if not is_list or self.list.value() != "alignment":
             self.alignment.pick.setChecked(False)
 
     def _await(self, name: str) -> None:

@@ -14,7 +14,7 @@ from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.pages.inspection.dimension_delegate import DimensionDelegate
 from ui.pages.inspection.dimension_filter import PROGRAM_ORDER, DimensionFilter
-from ui.pages.inspection.dimension_model import COPIED, EDITABLE, HEADERS, ROW_ROLE, CellEdit, Column, DimensionModel, cell_text
+from ui.pages.inspection.dimension_model import COPIED, EDITABLE, FRAME_ROLE, HEADERS, ROW_ROLE, CellEdit, Column, DimensionModel, cell_text
 from ui.viewport.overlay.control_frame import frame_width
 from ui.viewport.overlay.style import OverlayStyle
 from ui.widgets.data_table import ROW_HEIGHT, Index
@@ -31,6 +31,7 @@ class DimensionTable(QTableView):
 
     rowSelected = Signal(int)  # number of the current row; -1: none
     closerAsked = Signal()
+    frameAsked = Signal(str)  # name of a dimension whose control frame is to be edited
     menuAsked = Signal(object)  # QMenu of a row, to be completed
 
     def __init__(self, look: Look, edit: Callable[[CellEdit], bool], parent: QWidget | None = None) -> None:
@@ -229,9 +230,12 @@ class DimensionTable(QTableView):
             super().keyPressEvent(event)
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
-        """Edit a cell that can be edited; else zoom to the row."""
+        """Edit a control frame, or a cell that can be edited; else zoom to the row."""
         index = self.indexAt(event.position().toPoint())
-        if index.isValid() and index.flags() & Qt.ItemFlag.ItemIsEditable:
+        row = index.data(ROW_ROLE) if index.isValid() else None
+        if row is not None and row.entry is not None and index.data(FRAME_ROLE) is not None:
+            self.frameAsked.emit(row.name)
+        elif index.isValid() and index.flags() & Qt.ItemFlag.ItemIsEditable:
             self.edit(index)
         elif index.isValid():
             self.closerAsked.emit()

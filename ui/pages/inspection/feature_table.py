@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QItemSelectionModel, Signal
@@ -17,7 +17,7 @@ from ui.widgets.data_table import Cell, DataTable, number
 if TYPE_CHECKING:
     from measureapp.data.feature import Feature
 
-HEADERS = ["Feature", "Shape", "Size", "Form", "Points"]
+HEADERS = ["Feature", "Datum", "Shape", "Size", "Form", "Points"]
 
 
 class FeatureTable(DataTable):
@@ -26,20 +26,24 @@ class FeatureTable(DataTable):
     chosen = Signal()
 
     def __init__(self, look: Look) -> None:
-        super().__init__(look, HEADERS, numeric=(2, 3, 4), stretch=0)
+        super().__init__(look, HEADERS, numeric=(3, 4, 5), stretch=0)
         self.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
         self.setAccessibleName(tr("Features"))
         self.setAccessibleDescription(tr("Hold Ctrl to select several features."))
         self._features: tuple[Feature, ...] = ()
+        self._shown: tuple[Sequence[Feature], Mapping[str, str]] = ((), {})
         self._order: list[str] = []
         self._awaited: list[str] = []  # selected, but not measured yet
         self.selectionModel().selectionChanged.connect(self._follow)
 
-    def show_features(self, features: Sequence[Feature]) -> None:
-        """Show these features; the selected ones stay selected."""
+    def show_features(self, features: Sequence[Feature], letters: Mapping[str, str]) -> None:
+        """Show these features with the letters of those that are datums; the selected ones stay selected."""
+        if self._shown[0] is features and self._shown[1] == letters:
+            return
+        self._shown = (features, dict(letters))
         kept, self._features = [*self._order, *self._awaited], tuple(features)
         blocked = self.selectionModel().blockSignals(True)
-        self.set_rows([_cells(one) for one in features])
+        self.set_rows([_cells(one, letters.get(one.name, "")) for one in features])
         self.selectionModel().clearSelection()
         self.selectionModel().blockSignals(blocked)
         self.select_names(kept)
@@ -47,6 +51,10 @@ class FeatureTable(DataTable):
     def names(self) -> tuple[str, ...]:
         """Return the names of the selected features, in the order in which they were selected; also of those being measured."""
         return (*self._order, *self._awaited)
+
+    def name_at(self, place: int) -> str:
+        """Return the name of the feature in a row."""
+        return self._features[place].name
 
     def select_names(self, names: Sequence[str]) -> None:
         """Select features by name."""
@@ -74,11 +82,12 @@ class FeatureTable(DataTable):
         self.chosen.emit()
 
 
-def _cells(feature: Feature) -> list[Cell]:
+def _cells(feature: Feature, letter: str) -> list[Cell]:
     size = NOTHING if feature.radius_mm is None else f"⌀ {quantity(2 * feature.radius_mm, '')}"
     measured = feature.points > 0
     return [
         Cell(sentence_case(feature.name)),
+        Cell(letter),
         Cell(shape_words(feature) if measured else tr("{shape_words}, constructed", shape_words=shape_words(feature))),
         number(size),
         number(quantity(feature.form_error_mm, "") if measured else NOTHING),

@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, Qt
+from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QMenu
 
+from measureapp.data.control_frame import CHARACTERISTICS
 from ui.controllers.program_rows import DimensionRow
 from ui.controllers.programming import ProgrammingController
 from ui.look.language.words import tr
@@ -24,6 +25,8 @@ if TYPE_CHECKING:
 
 class RowActions(QObject):
     """Edits the program by actions on the selected rows."""
+
+    toleranceAsked = Signal()  # a new geometrical tolerance
 
     def __init__(self, table: DimensionTable, programming: ProgrammingController) -> None:
         super().__init__(table)
@@ -86,6 +89,17 @@ class RowActions(QObject):
         if changes:
             self._programming.edit(one_after_the_other(changes), "The nominal follows the nominal features again.")
 
+    def edit_frame(self) -> None:
+        """Edit the control frame of the current row."""
+        name = self._current_frame()
+        if name:
+            self._table.frameAsked.emit(name)
+
+    def _current_frame(self) -> str:
+        """Return the name of the current row if it has a control frame."""
+        row = self._table.current_row()
+        return "" if row is None or row.entry is None or row.entry.kind not in CHARACTERISTICS else row.name
+
     def set_tolerance(self, text: str) -> None:
         """Set one tolerance for all selected dimensions."""
         apply_edit(self._programming, self._table.rows, CellEdit(tuple(row.id for row in self.chosen), Column.TOLERANCE, text))
@@ -96,6 +110,8 @@ class RowActions(QObject):
             ("Rename", "F2", lambda: self._table.edit_cell(Column.NAME)),
             ("Edit the nominal", "", lambda: self._table.edit_cell(Column.NOMINAL)),
             ("Edit the tolerance", "", lambda: self._table.edit_cell(Column.TOLERANCE)),
+            ("Edit the tolerance frame…", "", self.edit_frame),
+            ("New geometrical tolerance…", "", self.toleranceAsked.emit),
             ("Restore the nominal of the CAD features", "", self.restore_nominal),
             ("", "", None),
             ("Duplicate", "Ctrl+D", self.duplicate),
@@ -110,6 +126,8 @@ class RowActions(QObject):
             action = menu.addAction(words, act)
             action.setShortcut(QKeySequence(key))
             action.setEnabled(can)
+            if act == self.edit_frame:
+                action.setEnabled(can and self._current_frame() != "")
             if act == self.restore_nominal:
                 action.setEnabled(can and any(not row.is_zone and not row.is_linked for row in self.chosen))
         menu.addSeparator()
