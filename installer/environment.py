@@ -21,6 +21,8 @@ from trouble import SetupTrouble
 ROOT = Path(__file__).resolve().parents[1]
 LOCK = ROOT / "installer" / "requirements.lock"
 NEEDED_GB = 5.0
+# The last one would let each of the many processes of the tests translate all sources, and rewrite all tests, for itself.
+UNFIT = ("PYTHONPATH", "PYTHONHOME", "PIP_TARGET", "PIP_PREFIX", "PYTHONDONTWRITEBYTECODE")
 NEEDED_GLIBC = {"x86_64": (2, 35), "aarch64": (2, 39)}
 
 
@@ -45,8 +47,8 @@ class Environment:
         return self.folder / "Scripts" / f"{name}.exe" if sys.platform == "win32" else self.folder / "bin" / name
 
     def variables(self) -> dict[str, str]:
-        """Return the process environment without what would lead Python or pip elsewhere."""
-        kept = {key: value for key, value in os.environ.items() if key not in ("PYTHONPATH", "PYTHONHOME", "PIP_TARGET", "PIP_PREFIX")}
+        """Return the process environment without what would lead Python or pip elsewhere, or keep Python from storing its bytecode."""
+        kept = {key: value for key, value in os.environ.items() if key not in UNFIT}
         path = os.pathsep.join((str(self.python.parent), kept.get("PATH", "")))
         return kept | {"PYTHONNOUSERSITE": "1", "PIP_USER": "0", "VIRTUAL_ENV": str(self.folder), "PATH": path}
 

@@ -22,6 +22,7 @@ import pytest  # noqa: E402
 
 from measureapp.arrays import BAND_THREADS  # noqa: E402
 
+pytest_plugins = ["room_times", "demo_first"]
 GRACE_S = 2.0
 LIBRARY_THREADS = ("pytest_timeout", "execnet", "tqdm", "IPythonHistory")  # kept by libraries, ended by them
 LIBRARY_WIDGETS = ("QTipLabel",)  # the one tool tip Qt keeps

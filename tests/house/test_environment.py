@@ -123,11 +123,12 @@ def test_an_old_linux_is_refused_in_words(installer, monkeypatch) -> None:
         installer.environment._check_machine()
 
 
-def test_variables_that_lead_python_elsewhere_are_kept_out(installer, monkeypatch, tmp_path) -> None:
+def test_variables_that_lead_python_elsewhere_or_keep_it_from_storing_bytecode_are_kept_out(installer, monkeypatch, tmp_path) -> None:
     monkeypatch.setenv("PYTHONPATH", "elsewhere")
     monkeypatch.setenv("PIP_TARGET", "elsewhere")
+    monkeypatch.setenv("PYTHONDONTWRITEBYTECODE", "1")
     variables = installer.environment.Environment(tmp_path).variables()
-    assert not {"PYTHONPATH", "PIP_TARGET"} & variables.keys()
+    assert not {"PYTHONPATH", "PIP_TARGET", "PYTHONDONTWRITEBYTECODE"} & variables.keys()
     assert variables["PATH"].startswith(str(tmp_path))
 
 
