@@ -25,6 +25,7 @@ from measureapp.pipeline.run import process_project
 from measureapp.progress import NoProgress
 from measureapp.project.folder import ProjectFolder
 from measureapp.project.fringes.decode_limits_file import save_decode_limits
+from measureapp.project.geometry.files import read_mesh
 from measureapp.project.journal import disk
 
 OF_CLOUD = ("points_mm", "normals", "sigma_mm", "grey", "view", "sampled_view")
@@ -135,10 +136,10 @@ def other_limits(project: ProjectFolder) -> None:
 
 
 def another_nominal(project: ProjectFolder) -> None:
-    """Other bytes in its header: the clouds are told from their surroundings by it."""
+    """The clouds are told from their surroundings by it."""
     assert project.nominal is not None
-    content = project.nominal.read_bytes()
-    project.nominal.write_bytes(b"revision B".ljust(80) + content[80:])
+    nominal = read_mesh(project.nominal, "nominal")
+    project.save_nominal(project.nominal, replace(nominal, vertices_mm=nominal.vertices_mm + 0.01))
 
 
 @pytest.mark.parametrize(
