@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 from pathlib import Path
@@ -38,7 +39,8 @@ def output(tmp_path_factory: pytest.TempPathFactory) -> str:
     for number, body in enumerate([*LEFT_BEHIND.values(), TIDY]):
         (folder / f"test_{number}.py").write_text(body)
     command = [sys.executable, "-m", "pytest", "-v", "-p", "no:cacheprovider", "-p", "no:dash", "--rootdir", str(folder), str(folder)]
-    return subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False, timeout=120).stdout
+    found = {**os.environ, "PYTHONPATH": os.pathsep.join((str(ROOT), str(ROOT / "tests")))}  # its plugins
+    return subprocess.run(command, cwd=folder, env=found, capture_output=True, text=True, check=False, timeout=120).stdout
 
 
 @pytest.mark.parametrize(("number", "left"), list(enumerate(LEFT_BEHIND)))
