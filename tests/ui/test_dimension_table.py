@@ -270,6 +270,21 @@ def test_selected_features_propose_a_dimension_and_constructions_that_fit(applic
     assert page.side.features.names() == ("offset 1",) and "offset 1" in [one.name for one in application.session.inspection.features]
 
 
+def test_a_construction_is_drawn_in_the_picture_before_it_is_made(application, page):
+    drawn = []
+    page.view.set_lines = lambda layers: drawn.append([line for layer in layers for line in layer.lines])
+    page.side.list.setValue("features")
+    page.side.features.select_names(["plate"])
+    menu, names = page.side.create.menu, [one.name for one in application.session.inspection.features]
+    before = len(drawn[-1])
+    menu.hovered.emit(menu.actions()[0])
+    dashes = np.vstack(drawn[-1][before:])
+    assert len(drawn[-1]) > before + 5 and np.allclose(dashes[:, 2], 20.0, atol=0.01)  # 10 mm above the plate
+    menu.aboutToHide.emit()
+    assert len(drawn[-1]) == before
+    assert [one.name for one in application.session.inspection.features] == names and not application.controllers.programming.is_modified
+
+
 def test_the_alignment_is_chosen_by_its_elements_with_lamps_for_what_they_fix(application, page, qtbot):
     page.side.list.setValue("alignment")
     panel = page.side.alignment

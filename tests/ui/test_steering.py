@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QPoint, QPointF, Qt, QTimer
 from PySide6.QtGui import QMouseEvent, QWheelEvent
-from PySide6.QtWidgets import QApplication, QStackedWidget
+from PySide6.QtTest import QTest
+from PySide6.QtWidgets import QApplication, QStackedWidget, QToolTip
 
 from ui.look.look import Look
 from ui.viewport.clip_box import ClipBox
@@ -182,6 +183,32 @@ def test_a_dragged_flag_is_pinned_and_a_click_on_it_chooses_it(view, qtbot):
     x, y = told.args[1]
     assert (x * 640, y * 480) == pytest.approx((left + width / 2 + 100, top + height / 2 + 60), abs=1.5)
     assert stage.furniture.flag_places(stage.camera_view(), stage.style).boxes[0][0] == pytest.approx(left + 100, abs=1.5)
+
+
+def test_the_number_of_flags_without_room_names_each_of_them_under_the_mouse_and_by_a_click(view, monkeypatch):
+    shown = []
+    monkeypatch.setattr(QToolTip, "showText", lambda _place, words, _widget: shown.append(words))
+    names = [f"Distance {place}" for place in range(40)]
+    view.set_flags([Flag(name, np.array([0.1 * place, 0, 0]), name, "1.000 mm", verdict="fail") for place, name in enumerate(names)])
+    stage, (width, height) = view.stage, (640, 480)
+    camera, style = stage.camera_view(), stage.style
+    collapsed = [names[index] for index in stage.furniture.flag_places(camera, style).collapsed]
+    assert collapsed and len(collapsed) < len(names)
+    places = [QPointF(x, y) for x in range(0, width, 4) for y in range(0, height, 4)]
+    on_it = [place for place in places if stage.furniture.collapsed_at(place, camera, style)]
+    assert on_it and len(on_it) < len(places) / 20
+    point_at(view, on_it[len(on_it) // 2])
+    lines = view._view.toolTip().splitlines()
+    assert [line.split("  ")[1] for line in lines] == collapsed and all(line.endswith("1.000 mm") for line in lines)
+    QTest.mouseClick(view._view, Qt.MouseButton.LeftButton, pos=on_it[len(on_it) // 2].toPoint())
+    assert shown == [view._view.toolTip()]
+    point_at(view, QPointF(5, 5))
+    assert view._view.toolTip() == ""
+
+
+def point_at(view, place: QPointF) -> None:
+    none = Qt.MouseButton.NoButton
+    QApplication.sendEvent(view._view, QMouseEvent(QEvent.Type.MouseMove, place, place, none, none, NOTHING))
 
 
 def test_what_is_clipped_is_neither_drawn_nor_selectable_and_the_picture_says_so(view):

@@ -96,6 +96,21 @@ class CreatingController(QObject):
         features = self._features(program)
         return tuple(shape for shape in (*PARENTS, *WITH_DISTANCE, *THROUGH_POINTS) if _is_possible(shape, names, features))
 
+    def preview(self, shape: str, names: Sequence[str]) -> Feature | None:
+        """Return what would be constructed from features, as they are measured now; None where one of them is not."""
+        from measureapp.data.feature_program import ConstructedFeature
+        from measureapp.inspection.features.constructions import MAKERS
+
+        inspection = self._session.inspection
+        known = {} if inspection is None else {one.name: one for one in inspection.features}
+        if not all(name in known for name in names):
+            return None
+        described = ConstructedFeature.model_validate(_construction("preview", shape, names))
+        try:
+            return MAKERS[described.shape](described.name, described.distance_mm or 0.0, [known[name] for name in names])
+        except MeasureError:
+            return None
+
     def construct(self, shape: str, names: Sequence[str]) -> str:
         """Add a constructed feature; return its name, empty if that was refused."""
         from measureapp.inspection.programming import edits

@@ -8,7 +8,7 @@ from typing import Literal
 
 from PySide6.QtCore import QEvent, QObject, QPointF, Qt
 from PySide6.QtGui import QMouseEvent, QWheelEvent
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QToolTip, QWidget
 
 from ui.viewport.clip_box import ClipBox
 from ui.viewport.overlay.handles import clip_handle_at, dragged_face
@@ -101,13 +101,19 @@ class Mouse(QObject):
             if face is not None:
                 self._mode, self._clip = "clip", (clip, face)
                 return
-        if stage.furniture.face_at(place, camera, stage.style):
+        if stage.furniture.face_at(place, camera, stage.style) or stage.furniture.collapsed_at(place, camera, stage.style):
             self._mode = "overlay"
+
+    def _collapsed_words(self, place: QPointF) -> str:
+        """Return a line for each flag that there is no room for, at the number that stands for them."""
+        found = self._stage.furniture.collapsed_at(place, self._stage.camera_view(), self._stage.style)
+        return "\n".join("  ".join(word for word in (one.sign, one.title, one.value) if word) for one in found)
 
     def _move(self, event: QMouseEvent) -> None:
         place = event.position()
         if event.buttons() == Qt.MouseButton.NoButton:
             self._hover(self._stage.furniture.face_at(place, self._stage.camera_view(), self._stage.style))
+            self._widget.setToolTip(self._collapsed_words(place))
             return
         if self._mode == "" or (
             self._mode != "overlay" and not self._has_moved(place) and self._mode in {"press", "flag", "legend", "clip"}
@@ -198,6 +204,8 @@ class Mouse(QObject):
             face = stage.furniture.face_at(place, stage.camera_view(), stage.style)
             if face:
                 stage.look_from(face)
+            elif words := self._collapsed_words(place):
+                QToolTip.showText(event.globalPosition().toPoint(), words, self._widget)
         stage.end_move()
 
     def _click(self, event: QMouseEvent) -> None:

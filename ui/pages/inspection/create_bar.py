@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt, Signal, Slot
-from PySide6.QtGui import QShortcut
+from PySide6.QtGui import QAction, QShortcut
 from PySide6.QtWidgets import QFrame, QMenu
 
 from ui.controllers.creating import CreatingController
@@ -39,6 +39,7 @@ class CreateBar(QFrame):
     """Creates from the selected features."""
 
     dimensionAdded = Signal(str)
+    previewed = Signal(object)  # Feature that the construction under the pointer would give; None: none is
 
     def __init__(self, look: Look, creating: CreatingController, features: FeatureTable) -> None:
         super().__init__()
@@ -58,6 +59,8 @@ class CreateBar(QFrame):
         self.tolerance = Button(
             "Tolerance…", look, "", "quiet", "Define a geometrical tolerance of the first selected feature, the others as its datums"
         )
+        self.menu.hovered.connect(self._preview)
+        self.menu.aboutToHide.connect(lambda: self.previewed.emit(None))
         self.add.clicked.connect(self.accept)
         QShortcut(Qt.Key.Key_Return, features, self.accept, context=Qt.ShortcutContext.WidgetShortcut)
         choose = row(self.choice, self.add, spacing=8)
@@ -82,7 +85,7 @@ class CreateBar(QFrame):
         shapes = self._creating.constructions(names)
         self.menu.clear()
         for shape in shapes:
-            self.menu.addAction(CONSTRUCTIONS[shape], lambda shape=shape: self._construct(shape))
+            self.menu.addAction(CONSTRUCTIONS[shape], lambda shape=shape: self._construct(shape)).setData(shape)
         self.construct.setVisible(bool(shapes))
 
     @Slot()
@@ -98,6 +101,10 @@ class CreateBar(QFrame):
     def _take(self, name: str) -> None:
         if self.pick.isChecked():
             self._features.toggle(name)
+
+    @Slot(QAction)
+    def _preview(self, action: QAction) -> None:
+        self.previewed.emit(self._creating.preview(str(action.data()), self._features.names()))
 
     def _construct(self, shape: str) -> None:
         name = self._creating.construct(shape, self._features.names())

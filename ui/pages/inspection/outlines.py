@@ -11,6 +11,8 @@ if TYPE_CHECKING:
 
 STEPS = 73
 CROSS_MM = 6.0
+AXIS_MM = 30.0  # half length of an axis in a preview
+DASH = 3  # steps of a dash, and of the gap behind it
 
 
 def outline(feature: Feature) -> np.ndarray:
@@ -20,6 +22,15 @@ def outline(feature: Feature) -> np.ndarray:
     if feature.boundary_mm is not None and len(feature.boundary_mm) >= 3:
         return _hull(feature.boundary_mm, feature.point_mm, _axis(feature))
     return _circle(feature.point_mm, _axis(feature), CROSS_MM)
+
+
+def preview_lines(feature: Feature) -> list[np.ndarray]:
+    """Return a constructed feature in dashes, as it is not there yet: its outline, and the axis of a line or cylinder."""
+    whole = [outline(feature)]
+    if feature.direction is not None and feature.shape in ("line", "cylinder", "cone"):
+        whole.append(feature.point_mm + np.linspace(-AXIS_MM, AXIS_MM, STEPS)[:, None] * _axis(feature))
+    dashes = [line[start : start + DASH + 1] for line in whole for start in range(0, len(line) - 1, 2 * DASH)]
+    return [dash for dash in dashes if len(dash) > 1]
 
 
 def _axis(feature: Feature) -> np.ndarray:

@@ -14,13 +14,15 @@ from ui.pages.inspection.deviation_display import DeviationDisplay
 from ui.pages.inspection.dimension_side import DimensionSide
 from ui.pages.inspection.feature_lines import OUTLINE, feature_lines, verdict_rgb
 from ui.pages.inspection.flags import DIMENSION, dimension_flags, extreme_flags
+from ui.pages.inspection.outlines import preview_lines
 from ui.pages.inspection.probing import Probing
 from ui.pages.layers import rgb
 from ui.session import Session
 from ui.viewport.cloud_view import CloudView
-from ui.viewport.layers import Label
+from ui.viewport.layers import Label, LineLayer
 
 if TYPE_CHECKING:
+    from measureapp.data.feature import Feature
     from measureapp.inspection.section_curves import SectionCurves
 
 WORST = {"fail": 0, "not proven": 1, "not measured": 2}
@@ -36,6 +38,8 @@ class PictureContent(QObject):
         self.point: Label | None = None  # of the last clicked point
         self.all_flags = False
         self.is_deviation = False
+        self._preview: Feature | None = None  # construction that is not confirmed yet
+        side.create.previewed.connect(self._show_preview)
         view.flagMoved.connect(self._pin)
         view.flagChosen.connect(self._choose)
         session.projectChanged.connect(self._pins.clear)
@@ -62,6 +66,8 @@ class PictureContent(QObject):
             comparison = self._session.comparison
             flags += self._probing.flags(self._pins)
             flags += extreme_flags(None if comparison is None else comparison.statistics, self._pins)
+        if self._preview is not None:
+            lines.append(LineLayer(tuple(preview_lines(self._preview)), accent, 2.0))
         self._view.set_lines([*lines, *self._cutting.lines, *self._clicking.lines(accent)])
         self._view.set_labels([*self._clicking.labels(theme), *([self.point] if self.point is not None else [])])
         self._view.set_flags(flags, "" if dimension is None else f"{DIMENSION}{dimension.name}")
@@ -76,6 +82,12 @@ class PictureContent(QObject):
 
     def _sections(self) -> SectionCurves | None:
         return None if self._session.comparison is None else self._session.comparison.sections
+
+    @Slot(object)
+    def _show_preview(self, feature: Feature | None) -> None:
+        if feature is not self._preview:
+            self._preview = feature
+            self.show()
 
     def _pin(self, key: str, middle: tuple[float, float]) -> None:
         self._pins[key] = middle

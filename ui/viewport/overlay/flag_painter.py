@@ -42,11 +42,15 @@ def paint_flags(
     painter.restore()
 
 
-def paint_more(painter: QPainter, count: int, corner: QPointF, style: OverlayStyle) -> QRectF:
-    """Draw how many flags are not shown, and return where."""
-    words = f"+{count}"
-    size = style.measure(words, 13, bold=True)
-    box = QRectF(corner.x(), corner.y(), size.width() + 16 * style.scale, size.height() + 8 * style.scale)
+def more_box(count: int, corner: QPointF, style: OverlayStyle) -> QRectF:
+    """Return where `paint_more` draws."""
+    size = style.measure(f"+{count}", 13, bold=True)
+    return QRectF(corner.x(), corner.y(), size.width() + 16 * style.scale, size.height() + 8 * style.scale)
+
+
+def paint_more(painter: QPainter, count: int, corner: QPointF, style: OverlayStyle) -> None:
+    """Draw how many flags are not shown."""
+    words, box = f"+{count}", more_box(count, corner, style)
     painter.save()
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
     painter.setPen(QPen(style.line, style.scale))
@@ -56,7 +60,6 @@ def paint_more(painter: QPainter, count: int, corner: QPointF, style: OverlaySty
     painter.setPen(style.text)
     painter.drawText(box, Qt.AlignmentFlag.AlignCenter, words)
     painter.restore()
-    return box
 
 
 def _colour(flag: Flag, style: OverlayStyle) -> QColor:

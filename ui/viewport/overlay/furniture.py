@@ -14,7 +14,7 @@ from ui.viewport.overlay.camera_view import CameraView
 from ui.viewport.overlay.cube import CORNER_PX, HALF_PX, face_at, paint_cube
 from ui.viewport.overlay.flag import Flag, flag_size
 from ui.viewport.overlay.flag_layout import Box, FlagPlaces, lay_out_flags
-from ui.viewport.overlay.flag_painter import paint_flags, paint_more
+from ui.viewport.overlay.flag_painter import more_box, paint_flags, paint_more
 from ui.viewport.overlay.label_painter import paint_labels
 from ui.viewport.overlay.legend import Legend
 from ui.viewport.overlay.legend_layout import LegendLayout, lay_out_legend, part_at
@@ -107,6 +107,17 @@ class Furniture:
         boxes = self.flag_places(camera, style).boxes
         return next((index for index, box in reversed(boxes.items()) if QRectF(*box).contains(place)), None)
 
+    def collapsed_at(self, place: QPointF, camera: CameraView, style: OverlayStyle) -> tuple[Flag, ...]:
+        """Return the flags that had no room in the last picture if their number is at a place; none elsewhere."""
+        collapsed = self._kept.collapsed if self._kept is not None and self.flags and self.has_flags else ()
+        if not collapsed or not more_box(len(collapsed), self._more_corner(camera, style), style).contains(place):
+            return ()
+        return tuple(self.flags[index] for index in collapsed)
+
+    def _more_corner(self, camera: CameraView, style: OverlayStyle) -> QPointF:
+        left, top, width, height = self._flag_room(camera, style)
+        return QPointF(left + width / 2, top + height)
+
     def legend_part_at(self, place: QPointF, camera: CameraView, style: OverlayStyle) -> str | None:
         """Return the handle of the legend at a place, ``"legend"`` elsewhere on it."""
         layout = self.legend_layout(camera, style)
@@ -133,8 +144,7 @@ class Furniture:
         anchors = camera.pixels(np.array([flag.anchor_mm for flag in self.flags], float).reshape(-1, 3))
         paint_flags(painter, self.flags, anchors, places, style, self.hidden, self.chosen)
         if places.collapsed:
-            left, top, width, height = self._flag_room(camera, style)
-            paint_more(painter, len(places.collapsed), QPointF(left + width / 2, top + height), style)
+            paint_more(painter, len(places.collapsed), self._more_corner(camera, style), style)
 
     def _paint_notices(self, painter: QPainter, camera: CameraView, style: OverlayStyle) -> None:
         use_letters(painter, style)
