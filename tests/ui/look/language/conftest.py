@@ -12,7 +12,7 @@ from ui.look.language.sources import core_texts, window_texts
 
 NAMES = re.compile(  # of files, devices, views, standards and people stay as they are
     r"demo-gypsum|[Gg]ypsum(-\d+)?|view-\d+|Camera (left|right|upper)|left|right|upper|Basler.*|ABB.*|TOYO.*|DLP.*|Paper rig \(virtual\)\.?|top|equator|Equator"
-    r"|RPS|English|view\d+|([Ff]ace [xy][+-]|[Aa]rm (side y[+-]|tops)|[Cc]entre top)( \(\))?|sample-gypsum|/.*|Robot [xyz] .*|Turn about .*|Linear guide [−+].*|Rotary table [−+].*|ISO 14253.*|[\d.,\s−…]*(mm|px|GB|bit|lens)\b.*|±.*ppm"
+    r"|RPS|English|No points lie near the feature\.|view\d+|([Ff]ace [xy][+-]|[Aa]rm (side y[+-]|tops)|[Cc]entre top)( \(\))?|sample-gypsum|/.*|Robot [xyz] .*|Turn about .*|Linear guide [−+].*|Rotary table [−+].*|ISO 14253.*|[\d.,\s−…]*(mm|px|GB|bit|lens)\b.*|±.*ppm"
     r"|\d.*|ChArUco|Paper rig \(virtual\),.*|note|rig|Stitch|Recommended\. .*|gypsum.*|(Ctrl|Alt|Shift)\+.*|(DICT|APRILTAG|ARUCO)_.*|.*\.toml|PASS|FAIL",
     re.DOTALL,
 )
