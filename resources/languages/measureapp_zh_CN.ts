@@ -8367,10 +8367,6 @@
       <translation>联合配准</translation>
     </message>
     <message>
-      <source>noise of {v1} mm</source>
-      <translation>噪声 {v1} mm</translation>
-    </message>
-    <message>
       <source>only {v1} of the visible surface has points</source>
       <translation>可见表面只有 {v1} 有点</translation>
     </message>
@@ -8385,6 +8381,10 @@
     <message>
       <source>only {v1} points: excluded</source>
       <translation>只有 {v1} 个点：已排除</translation>
+    </message>
+    <message>
+      <source>point noise of {v1} mm</source>
+      <translation>点噪声 {v1} mm</translation>
     </message>
     <message>
       <source>preparing set-ups</source>

@@ -65,7 +65,7 @@ def make_view(index: int) -> ViewResult:
         f"view-{index + 1:02d}",
     )
     accepted = index != 4
-    quality = CloudQuality(count, 3.2, 0.018, 0.004, 0.93, accepted, "" if accepted else "noise of 0.310 mm")
+    quality = CloudQuality(count, 3.2, 0.018, 0.004, 0.93, accepted, "" if accepted else "point noise of 0.310 mm")
     readback = AxisReadback(RigidTransform.identity("base", "flange"), 0.0, angle)
     return ViewResult(cloud.viewpoint_id, cloud, quality, part_from_camera, {}, (), {"behind the table": 120}, readback)
 

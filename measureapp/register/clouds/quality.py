@@ -59,7 +59,7 @@ def _list_shortfalls(
     if density < settings.least_density_per_mm2:
         found.append(f"only {density:.2f} points per mm²")
     if noise > settings.largest_noise_mm:
-        found.append(f"noise of {noise:.3f} mm")
+        found.append(f"point noise of {noise:.3f} mm")
     if outliers > settings.largest_outlier_ratio:
         found.append(f"{outliers:.1%} outliers")
     if distortion > settings.largest_distortion_mm:
