@@ -7,8 +7,6 @@ from dataclasses import replace
 from string import ascii_uppercase
 from typing import TYPE_CHECKING
 
-from measureapp.data.alignment_program import DatumAlignment
-
 if TYPE_CHECKING:
     from measureapp.data.dimension import Dimension
     from measureapp.data.dimension_program import DimensionProgram
@@ -77,6 +75,8 @@ def relettered(dimension: Dimension, letters: Mapping[str, str]) -> Dimension:
 
 
 def _used(program: InspectionProgram) -> Iterator[str]:
+    from measureapp.data.alignment_program import DatumAlignment  # needs pydantic, which help does without
+
     for alignment in (program.alignment, *(one.alignment for one in program.alignments)):
         if isinstance(alignment, DatumAlignment):
             yield from alignment.datums
