@@ -127,7 +127,7 @@ def test_the_scan_page_shows_each_viewpoint_in_its_state(filled):
     page = filled.pages["scan"]
     assert page.tiles.words() == ["Processed"] * 4 + ["Failed", "Processed"]
     assert "5 of 6 viewpoints processed, 1 failed" in page.state.text()
-    assert page.tiles.tiles[4].note.startswith("noise")
+    assert page.tiles.tiles[4].note.startswith("point noise")
 
 
 def test_the_scan_page_shows_the_newest_image_of_a_camera(filled, application):

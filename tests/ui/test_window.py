@@ -69,7 +69,7 @@ def test_the_demo_runs_from_its_button_and_ends_with_dimensions_shown(started, w
     assert "demo is complete" in window.strip.words
     assert not window.strip.cancel.isVisible()
     request = demo.requests[0]
-    assert request.rig.driver_settings == {"part": "gypsum", "seed": 1} and request.rig.cameras[0].width_px == 648
+    assert request.rig.driver_settings == {"part": "gypsum", "seed": 1, "conditions": "usual"} and request.rig.cameras[0].width_px == 648
     assert len(request.plan) == 8 and request.calibrate and request.resume
     assert "gypsum" in request.folder.name and request.created.nominal.is_file()
 
