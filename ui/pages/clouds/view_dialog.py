@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
+
 from PySide6.QtCore import Slot
 from PySide6.QtGui import QCloseEvent
 from PySide6.QtWidgets import QDialog, QHBoxLayout, QProgressBar, QWidget
@@ -38,25 +40,25 @@ class ViewDialog(QDialog):
         work.progressed.connect(self._show_progress)
         work.stopped.connect(self.show_stopped)
 
+    @abstractmethod
     def shown(self) -> OfView | None:
         """Return what is on display; None while there is nothing."""
-        raise NotImplementedError
 
+    @abstractmethod
     def steering(self) -> tuple[QWidget, ...]:
         """Return what can be used only while something is on display."""
-        raise NotImplementedError
 
+    @abstractmethod
     def show_found(self, found: OfView) -> None:
         """Show what was computed."""
-        raise NotImplementedError
 
+    @abstractmethod
     def show_stopped(self, reason: str) -> None:
         """Say that nothing was computed, and why; without a reason it was cancelled."""
-        raise NotImplementedError
 
+    @abstractmethod
     def change_camera(self) -> None:
         """Show another camera."""
-        raise NotImplementedError
 
     def lay_out(self, left: QHBoxLayout | QWidget, top: QHBoxLayout) -> None:
         """Put the content below the line with title and progress."""
