@@ -178,7 +178,8 @@ def view_uncertainty(
 def _gain(rig: RigUncertainty, readbacks: Sequence[AxisReadback]) -> FloatArray:
     """Return how the poses (6 V) follow the rows of `_sources`."""
     by_named, by_own, by_motions = _derivatives(rig, readbacks)
-    return np.hstack([np.vstack(by_named), block_diag(*by_own), np.vstack(by_motions)])
+    rows = POSE * len(readbacks)
+    return np.hstack([by_named.reshape(rows, -1), block_diag(*by_own), by_motions.reshape(rows, -1)])
 
 
 def _sources(rig: RigUncertainty, readbacks: Sequence[AxisReadback], approaches: Sequence[Hashable] | None) -> FloatArray:
