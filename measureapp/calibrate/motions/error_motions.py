@@ -6,7 +6,6 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.optimize import minimize
 
 from measureapp.arrays import BoolArray, FloatArray, IntArray
 from measureapp.calibrate.motions.axis_noise import AxisNoise
@@ -177,6 +176,8 @@ def refine_scales(model: MotionModel, precision: FloatArray, pull: FloatArray, s
     ----------
     .. [1] C. M. Bishop, Pattern Recognition and Machine Learning, 2006, section 3.5.
     """
+    from scipy.optimize import minimize
+
     kinds = [np.isin(model.components, kind) for kind in KINDS]
     kinds = [kind for kind in kinds if kind.any()]
     stated = model.prior_sigma
