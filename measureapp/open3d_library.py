@@ -16,7 +16,7 @@ def open3d() -> Any:
     for them, unless another program of this process has imported Open3D before.
     """
     if "open3d" not in sys.modules:
-        sys.modules.setdefault(VIEWERS, ModuleType(VIEWERS, "Left out."))
+        sys.modules.setdefault(VIEWERS, ModuleType(VIEWERS))
     import open3d as library
 
     return library
