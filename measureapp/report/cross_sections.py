@@ -44,10 +44,9 @@ def _section(
         (MARGIN, 10, WIDTH - 2 * MARGIN, HEIGHT - 20),
         (float(low[0] - edge), float(low[1] - edge), float(high[0] + edge), float(high[1] + edge)),
     )
-    for whisker, colour in zip(whiskers, colours, strict=True):
+    for whisker, colour in zip(whiskers.tolist(), colours, strict=True):
         panel.line(whisker, colour, 1.6)
-    for segment in segments:
-        panel.line(segment, INK, 0.9)
+    panel.lines(segments, INK, 0.9)
     caption = f"Section at {name} = {number(at_mm, 2)} mm: nominal in black, deviation enlarged {gain:.0f} times"
     return Picture(caption, svg(WIDTH, HEIGHT, [panel]).encode())
 

@@ -6,9 +6,8 @@ from collections.abc import Mapping
 from functools import partial
 
 import numpy as np
-from scipy.spatial import cKDTree
 
-from measureapp.arrays import BoolArray, FloatArray, in_bands
+from measureapp.arrays import BoolArray, FloatArray, IntArray, in_bands
 from measureapp.data.deviation_scale import DeviationScale
 from measureapp.data.mesh import Mesh
 from measureapp.inspection.surface.colour_scale import ColourScale
@@ -60,16 +59,13 @@ def summarise_deviation(
 
 def _maps(nominal: Mesh, deviation: Deviation, scale: ColourScale, extremes: Mapping[str, Extreme]) -> tuple[Picture, ...]:
     scene = SurfaceScene(nominal)
-    look_up = partial(_deviation_at, cKDTree(deviation.points_mm, balanced_tree=False, compact_nodes=False), deviation)
+    look_up = partial(_deviation_at, deviation)
     shown = {name: _shown_in(extreme, scene) for name, extreme in extremes.items()}
 
     def draw(view: int, _end: int) -> Picture:
         where, direction = VIEWS[view]
         seen = scene.see(direction, *WIDE)
-        values = _coarse(scene, seen, look_up)
-        colours = scale.colours(np.nan_to_num(values)) / 255.0
-        missing = np.isnan(values)
-        colours[missing] = _hatching(seen)[missing]
+        colours = _colours(scene, seen, look_up, scale)
         flags = tuple(_extreme_flag(name, extremes[name], seen, hidden=hidden) for name, (at, hidden) in shown.items() if at == view)
         return Picture(f"Deviation on the nominal, {where}", png(scene.picture(seen, colours, lit=False)), flags)
 
@@ -82,22 +78,26 @@ def _shown_in(extreme: Extreme, scene: SurfaceScene) -> tuple[int, bool]:
     return (0, True) if all(hidden) else (hidden.index(False), False)
 
 
-def _coarse(scene: SurfaceScene, seen: Seen, look_up: partial[FloatArray]) -> FloatArray:
-    """Return the deviation at the pixels that show the nominal, looked up for one pixel of each block of the supersampling."""
-    size = SUPERSAMPLING
-    rows, columns = np.nonzero(seen.hit)
-    _, first, block_of = np.unique((rows // size) * seen.frame.width + columns // size, return_index=True, return_inverse=True)
-    triangles = np.asarray(scene.mesh.triangles)[seen.triangle[seen.hit][first]]
-    corners = scene.mesh.vertices_mm[triangles]
-    points = np.einsum("nk,nkd->nd", seen.weights[seen.hit][first], corners)
+def _colours(scene: SurfaceScene, seen: Seen, look_up: partial[FloatArray], scale: ColourScale) -> FloatArray:
+    """Return the colours of the pixels that show the nominal; deviations are looked up for one pixel of each block of the supersampling."""
+    from measureapp.report.kernels import first_of_blocks
+
+    block_of, first = np.empty((2, len(seen.pixels)), np.int64)
+    chosen = seen.pixels[first[: first_of_blocks(seen.pixels, seen.frame.width, SUPERSAMPLING, block_of, first)]]
+    corners = scene.mesh.vertices_mm[np.asarray(scene.mesh.triangles)[seen.triangle.reshape(-1)[chosen]]]
+    points = np.einsum("nk,nkd->nd", seen.weights.reshape(-1, 3)[chosen], corners)
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-12)
-    return np.asarray(look_up(points, normals)[block_of])
+    values = look_up(points, normals)
+    colours = (scale.colours(np.nan_to_num(values)) / 255.0)[block_of]
+    missing = np.isnan(values)[block_of]
+    colours[missing] = _hatching(seen.pixels[missing], seen.frame.width)
+    return np.asarray(colours)
 
 
-def _deviation_at(tree: cKDTree, deviation: Deviation, points_mm: FloatArray, normals: FloatArray) -> FloatArray:
+def _deviation_at(deviation: Deviation, points_mm: FloatArray, normals: FloatArray) -> FloatArray:
     """Return the mean deviation (N,) of the nearest measured points on the same side of the part; NaN where there is none within 2 mm."""
-    distance, index = tree.query(points_mm, k=NEIGHBOURS, distance_upper_bound=NEAR_MM, workers=-1)
+    distance, index = deviation.tree.query(points_mm, k=NEIGHBOURS, distance_upper_bound=NEAR_MM, workers=-1)
     found = np.isfinite(distance)
     index = np.where(found, index, 0)
     facing = np.einsum("nkd,nd->nk", deviation.nominal_normals[index], normals.astype(np.float32)) > FACING
@@ -108,8 +108,8 @@ def _deviation_at(tree: cKDTree, deviation: Deviation, points_mm: FloatArray, no
         return np.where(total > 0, np.sum(weight * deviation.distances_mm[index], axis=1) / np.where(total > 0, total, 1), np.nan)
 
 
-def _hatching(seen: Seen) -> FloatArray:
-    rows, columns = np.nonzero(seen.hit)
+def _hatching(pixels: IntArray, width: int) -> FloatArray:
+    rows, columns = np.divmod(pixels, width)
     stripe: BoolArray = (rows + columns) % HATCH_PX < HATCH_PX // 2
     return np.where(stripe[:, None], HATCH_DARK, HATCH_LIGHT)
 

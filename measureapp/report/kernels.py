@@ -1,4 +1,4 @@
-"""Drawing of triangles into a depth buffer, a compiled loop: for long narrow triangles many times faster than a ray per pixel."""
+"""Drawing of triangles into a depth buffer and of what its pixels show: compiled loops, many times faster than a ray per pixel."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ import numpy as np
 from numba import njit
 
 EXACT: dict[str, Any] = {"nogil": True, "cache": True, "error_model": "numpy"}
+OUTLINE_SHADE = 0.45
 
 
 @njit(inline="always", **EXACT)
@@ -54,3 +55,116 @@ def draw_triangles(corners: Any, triangles: Any, depth: Any, shown: Any, weights
                 if away < depth[row, column]:
                     depth[row, column], shown[row, column] = away, t
                     weights[row, column, 0], weights[row, column, 1], weights[row, column, 2] = a, b, c
+
+
+@njit(**EXACT)
+def interpolate(values: Any, triangles: Any, pixels: Any, shown: Any, weights: Any, made: Any) -> None:
+    """Interpolate values of vertices at the pixels that show a mesh.
+
+    Parameters
+    ----------
+    values : (V, K)
+    triangles : (T, 3)
+    pixels : (N,) flat indices of the pixels
+    shown, weights : (H·W,) and (H·W, 3), as drawn
+    made : (N, K), filled
+    """
+    for n in range(len(pixels)):
+        pixel = pixels[n]
+        t, a, b, c = shown[pixel], weights[pixel, 0], weights[pixel, 1], weights[pixel, 2]
+        i, j, k = triangles[t, 0], triangles[t, 1], triangles[t, 2]
+        for channel in range(values.shape[1]):
+            made[n, channel] = a * values[i, channel] + b * values[j, channel] + c * values[k, channel]
+
+
+@njit(**EXACT)
+def smooth_normals(vertices: Any, triangles: Any, sums: Any, normals: Any) -> None:
+    """Compute normals at the corners of triangles, smoothed over neighbours that face the same way.
+
+    Parameters
+    ----------
+    vertices, triangles : (V, 3) and (T, 3)
+    sums : (V, 3, 3) zeros, filled with Σ area · n nᵀ of the triangles at a vertex
+    normals : (3T, 3), filled; of the corners of one triangle after the other
+    """
+    own, cross = np.empty(3), np.empty((len(triangles), 3))
+    for t in range(len(triangles)):
+        i, j, k = triangles[t, 0], triangles[t, 1], triangles[t, 2]
+        bx, by, bz = vertices[j, 0] - vertices[i, 0], vertices[j, 1] - vertices[i, 1], vertices[j, 2] - vertices[i, 2]
+        cx, cy, cz = vertices[k, 0] - vertices[i, 0], vertices[k, 1] - vertices[i, 1], vertices[k, 2] - vertices[i, 2]
+        cross[t, 0], cross[t, 1], cross[t, 2] = by * cz - bz * cy, bz * cx - bx * cz, bx * cy - by * cx
+        doubled = max(np.sqrt(cross[t, 0] ** 2 + cross[t, 1] ** 2 + cross[t, 2] ** 2), 1e-12)
+        for corner in range(3):
+            v = triangles[t, corner]
+            for row in range(3):
+                for column in range(3):
+                    sums[v, row, column] += cross[t, row] * cross[t, column] / doubled
+    for t in range(len(triangles)):
+        doubled = max(np.sqrt(cross[t, 0] ** 2 + cross[t, 1] ** 2 + cross[t, 2] ** 2), 1e-12)
+        for corner in range(3):
+            v, squared = triangles[t, corner], 0.0
+            for row in range(3):
+                own[row] = (sums[v, row, 0] * cross[t, 0] + sums[v, row, 1] * cross[t, 1] + sums[v, row, 2] * cross[t, 2]) / doubled
+                squared += own[row] ** 2
+            length = max(np.sqrt(squared), 1e-30)
+            for row in range(3):
+                normals[3 * t + corner, row] = own[row] / length
+
+
+@njit(**EXACT)
+def first_of_blocks(pixels: Any, width: int, size: int, number: Any, first: Any) -> int:
+    """Number the blocks of ``size`` × ``size`` pixels that hold any of ``pixels``; return how many there are.
+
+    Parameters
+    ----------
+    pixels : (N,) flat indices of pixels in a picture of ``width``, ascending
+    number : (N,), filled with the number of each pixel's block
+    first : (N,), its start filled with the place in ``pixels`` of each block's first pixel
+    """
+    of_column = np.full(width // size + 1, -1)
+    found, row_of_blocks = 0, -1
+    for n in range(len(pixels)):
+        row, column = pixels[n] // width // size, pixels[n] % width // size
+        if row != row_of_blocks:
+            of_column[:] = -1
+            row_of_blocks = row
+        if of_column[column] < 0:
+            of_column[column] = found
+            first[found] = n
+            found += 1
+        number[n] = of_column[column]
+    return found
+
+
+@njit(**EXACT)
+def average(colours: Any, shade: Any, depth: Any, jump: float, far: float, size: int, picture: Any) -> None:
+    """Average blocks of ``size`` × ``size`` pixels into a picture of 8 bits, with outlines where the depth jumps, on white.
+
+    Parameters
+    ----------
+    colours, shade : (N, 3) in 0…1 and (N,) of the pixels with a finite depth, row by row
+    depth : (H, W)
+    jump : difference in depth to a neighbour that is an outline's
+    far : depth of the background
+    picture : (H/size, W/size, 3) uint8, filled
+    """
+    height, width = depth.shape
+    n = 0
+    for row in range(height // size):
+        sums = np.zeros((width // size, 3))
+        for r in range(row * size, (row + 1) * size):
+            for c in range(width):
+                hit = np.isfinite(depth[r, c])
+                away = depth[r, c] if hit else far
+                outline = False
+                for down, across in ((-1, 0), (1, 0), (0, -1), (0, 1)):
+                    if 0 <= r + down < height and 0 <= c + across < width:
+                        beside = depth[r + down, c + across]
+                        outline |= (beside if np.isfinite(beside) else far) - away > jump
+                light = OUTLINE_SHADE if outline else 1.0
+                for channel in range(3):
+                    sums[c // size, channel] += light * colours[n, channel] * shade[n] if hit else light
+                n += hit
+        for column in range(width // size):
+            for channel in range(3):
+                picture[row, column, channel] = min(max(np.rint(sums[column, channel] / size**2 * 255), 0), 255)

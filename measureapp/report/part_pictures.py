@@ -145,7 +145,7 @@ def _anchor(points: FloatArray, visible: BoolArray, own: BoolArray, seen: Seen) 
 def _surface_colours(scene: SurfaceScene, seen: Seen) -> FloatArray:
     measured = scene.mesh.measured
     if measured is None or measured.all():
-        return np.broadcast_to(SURFACE_COLOUR, (int(seen.hit.sum()), 3))
+        return np.tile(SURFACE_COLOUR, (len(seen.pixels), 1))
     return scene.at_corners(seen, np.where(measured[:, None], SURFACE_COLOUR, FILLED_IN))
 
 

@@ -11,6 +11,7 @@ import numpy as np
 
 from measureapp.arrays import BoolArray, FloatArray, ImageArray, IntArray
 from measureapp.data.mesh import Mesh
+from measureapp.open3d_library import open3d
 
 SUPERSAMPLING = 2
 MARGIN = 1.06
@@ -50,8 +51,7 @@ class Frame:
     def around(cls, points_mm: FloatArray, direction: ViewDirection, width: int, height: int) -> Frame:
         """Frame all ``points_mm`` with a margin."""
         axes = direction.axes()
-        seen = points_mm @ axes.T
-        low, high = seen.min(axis=0), seen.max(axis=0)
+        low, high = _extent(points_mm, axes)
         extent = np.maximum(high - low, 1e-6) * MARGIN
         return cls(axes, (low + high) / 2, max(extent[0] / width, extent[1] / height), width, height)
 
@@ -63,7 +63,7 @@ class Frame:
         return np.column_stack([right, down]), seen[:, 2]
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, eq=False)
 class Seen:
     """What each pixel of a picture shows of a mesh; arrays of the H × W pixels, twice as fine as the finished picture."""
 
@@ -77,21 +77,25 @@ class Seen:
         """Whether a pixel shows the mesh (H, W)."""
         return np.isfinite(self.depth)
 
+    @cached_property
+    def pixels(self) -> IntArray:
+        """Flat indices (N,) of the pixels that show the mesh, row by row."""
+        return np.flatnonzero(self.hit)
+
 
 class SurfaceScene:
     """A mesh that is drawn several times."""
 
     def __init__(self, mesh: Mesh) -> None:
         self.mesh = mesh
-        self._used_mm = mesh.vertices_mm[np.unique(mesh.triangles)]
+        self._triangles: IntArray = np.asarray(mesh.triangles, dtype=np.int64)
+        self._used_mm = mesh.vertices_mm[np.bincount(self._triangles.ravel(), minlength=len(mesh.vertices_mm)) > 0]
         self._origin = self._used_mm.mean(axis=0)
-        self._normals: FloatArray | None = None
 
     @cached_property
     def _scene(self) -> Any:
         """The search structure for rays."""
-        import open3d as o3d
-
+        o3d = open3d()
         scene = o3d.t.geometry.RaycastingScene()
         vertices = (self.mesh.vertices_mm - self._origin).astype(np.float32)
         scene.add_triangles(o3d.core.Tensor.from_numpy(vertices), o3d.core.Tensor.from_numpy(self.mesh.triangles.astype(np.uint32)))
@@ -103,33 +107,42 @@ class SurfaceScene:
 
         frame = Frame.around(self._used_mm, direction, width * SUPERSAMPLING, height * SUPERSAMPLING)
         places = self.mesh.vertices_mm @ frame.axes.T - frame.centre
-        near = float((self._used_mm @ frame.axes[2]).max() - frame.centre[2]) + 1.0
+        near = _extent(self._used_mm, frame.axes)[1][2] - frame.centre[2] + 1.0
         column = places[:, 0] / frame.mm_per_px + frame.width / 2 - 0.5
         row = frame.height / 2 - 0.5 - places[:, 1] / frame.mm_per_px
         corners, size = np.column_stack([column, row, near - places[:, 2]]), (frame.height, frame.width)
         depth, triangle, weights = np.full(size, np.inf), np.zeros(size, np.int64), np.zeros((*size, 3))
-        draw_triangles(corners, np.asarray(self.mesh.triangles, dtype=np.int64), depth, triangle, weights)
+        draw_triangles(corners, self._triangles, depth, triangle, weights)
         return Seen(frame, depth, triangle, weights)
 
     def occluded(self, points_mm: FloatArray, towards: FloatArray, lift_mm: float) -> BoolArray:
         """Return which points (N, 3) the mesh hides from a viewer in direction ``towards``."""
-        import open3d as o3d
-
+        tensor = open3d().core.Tensor.from_numpy
         starts = points_mm - self._origin + lift_mm * towards
         rays = np.concatenate([starts, np.broadcast_to(towards, starts.shape)], axis=1).astype(np.float32)
-        hidden: BoolArray = self._scene.test_occlusions(o3d.core.Tensor.from_numpy(rays)).numpy()
+        hidden: BoolArray = self._scene.test_occlusions(tensor(rays)).numpy()
         return hidden
 
     def at_corners(self, seen: Seen, values: FloatArray) -> FloatArray:
         """Return values of vertices (V, K), interpolated at the pixels that show the mesh (N, K)."""
-        corners = values[np.asarray(self.mesh.triangles)[seen.triangle[seen.hit]]]
-        return np.einsum("nk,nkd->nd", seen.weights[seen.hit], corners)
+        return _interpolated(seen, values, self._triangles)
 
     def normals_at(self, seen: Seen) -> FloatArray:
         """Return smooth normals (N, 3) at the pixels that show the mesh."""
-        if self._normals is None:
-            self._normals = _shading_normals(self.mesh)
-        return np.einsum("nk,nkd->nd", seen.weights[seen.hit], self._normals[seen.triangle[seen.hit]])
+        return _interpolated(seen, self._normals, np.arange(self._triangles.size).reshape(-1, 3))
+
+    @cached_property
+    def _normals(self) -> FloatArray:
+        """Smooth normals (3T, 3) at the corners of each triangle, not smoothed over creases.
+
+        Neighbours are weighted by area and by the cosine to the triangle's own normal, so that those across an edge do not contribute:
+        Σ area · n (n·own) = M own with one matrix M = Σ area · n nᵀ per vertex.
+        """
+        from measureapp.report.kernels import smooth_normals
+
+        vertices, normals = self.mesh.vertices_mm, np.empty((self._triangles.size, 3))
+        smooth_normals(vertices, self._triangles, np.zeros((len(vertices), 3, 3)), normals)
+        return normals
 
     def picture(self, seen: Seen, colours: FloatArray | None = None, *, lit: bool = True) -> ImageArray:
         """Return the picture (H/2, W/2, 3) uint8 on white.
@@ -139,10 +152,9 @@ class SurfaceScene:
         colours : (N, 3) in 0…1 of the pixels that show the mesh; None: one colour for all
         lit : False shows the colours as they are, for a scale beside them
         """
-        colour = np.broadcast_to(SURFACE_COLOUR, (int(seen.hit.sum()), 3)) if colours is None else colours
-        image = np.ones((*seen.depth.shape, 3), np.float32)
-        image[seen.hit] = colour * _shade(self.normals_at(seen) @ seen.frame.axes.T)[:, None] if lit else colour
-        return _finish(image, np.where(seen.hit, seen.depth, np.inf), seen.frame)
+        colour = np.tile(SURFACE_COLOUR, (len(seen.pixels), 1)) if colours is None else colours
+        shade = _shade(self.normals_at(seen), seen.frame) if lit else np.ones(len(seen.pixels))
+        return _finish(colour, shade, seen.depth, seen.frame)
 
 
 def surface_picture(
@@ -167,40 +179,36 @@ def cloud_picture(
     frame = Frame.around(points_mm, direction, width, height)
     facing = np.ones(len(points_mm), bool) if normals is None else np.asarray(normals) @ frame.axes[2] > 0
     seen = points_mm[facing] @ frame.axes.T - frame.centre
-    shade = np.full(len(seen), 0.9) if normals is None else _shade(np.asarray(normals, float)[facing] @ frame.axes.T)
-    colour = (np.broadcast_to(SURFACE_COLOUR, (len(seen), 3)) if colours is None else colours[facing]) * shade[:, None]
+    shade = np.full(len(seen), 0.9) if normals is None else _shade(np.asarray(normals, float)[facing], frame)
+    colour = np.tile(SURFACE_COLOUR, (len(seen), 1)) if colours is None else colours[facing]
     column = np.clip(np.rint(seen[:, 0] / frame.mm_per_px + width / 2).astype(int), 0, width - 1)
     row = np.clip(np.rint(height / 2 - seen[:, 1] / frame.mm_per_px).astype(int), 0, height - 1)
     nearest = _splat(row, column, seen[:, 2], frame)
-    image = np.ones((height, width, 3), np.float32)
     filled = nearest >= 0
-    image[filled] = colour[nearest[filled]]
+    shown = nearest[filled]
     depth = np.full((height, width), np.inf)
-    depth[filled] = -seen[nearest[filled], 2]
-    return _finish(image, depth, frame)
+    depth[filled] = -seen[shown, 2]
+    return _finish(colour[shown], shade[shown], depth, frame)
 
 
-def _shading_normals(mesh: Mesh) -> FloatArray:
-    """Return smooth normals (T, 3, 3) at the corners of each triangle, not smoothed over creases.
-
-    Neighbours are weighted by area and by the cosine to the triangle's own normal, so that those across an edge do not contribute:
-    Σ area · n (n·own) = M own with one matrix M = Σ area · n nᵀ per vertex.
-    """
-    triangles = np.asarray(mesh.triangles)
-    corners = mesh.vertices_mm[triangles]
-    cross = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-    doubled = np.maximum(np.linalg.norm(cross, axis=1, keepdims=True), 1e-12)
-    own = cross / doubled
-    products = np.einsum("ti,tj->tij", own, cross).reshape(-1, 9)
-    sums = np.column_stack([np.bincount(triangles.ravel(), np.repeat(products[:, k], 3), len(mesh.vertices_mm)) for k in range(9)])
-    smooth = np.einsum("tkij,tj->tki", sums.reshape(-1, 3, 3)[triangles], own)
-    return (smooth / np.maximum(np.linalg.norm(smooth, axis=2, keepdims=True), 1e-30)).astype(np.float32)
+def _extent(points_mm: FloatArray, axes: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Return the lowest and highest coordinates (3,) of points along axes; one axis at a time, as NumPy is slow along short rows."""
+    along = [points_mm @ axis for axis in axes]
+    return np.array([one.min() for one in along]), np.array([one.max() for one in along])
 
 
-def _shade(normals: FloatArray) -> FloatArray:
-    """Return the brightness (N,) of surfaces with ``normals`` in the view's frame."""
-    key = np.clip(normals @ (KEY_LIGHT / np.linalg.norm(KEY_LIGHT)), 0, 1)
-    fill = np.clip(normals @ (FILL_LIGHT / np.linalg.norm(FILL_LIGHT)), 0, 1)
+def _interpolated(seen: Seen, values: FloatArray, triangles: IntArray) -> FloatArray:
+    """Return values (V, K) at the corners of triangles, interpolated at the pixels that show the mesh (N, K)."""
+    from measureapp.report.kernels import interpolate
+
+    made = np.empty((len(seen.pixels), values.shape[1]))
+    interpolate(values, triangles, seen.pixels, seen.triangle.reshape(-1), seen.weights.reshape(-1, 3), made)
+    return made
+
+
+def _shade(normals: FloatArray, frame: Frame) -> FloatArray:
+    """Return the brightness (N,) of surfaces with ``normals`` (N, 3)."""
+    key, fill = (np.clip(normals @ (frame.axes.T @ light / np.linalg.norm(light)), 0, 1) for light in (KEY_LIGHT, FILL_LIGHT))
     return np.clip(0.34 + 0.62 * key + 0.18 * fill, 0, 1.12)
 
 
@@ -223,21 +231,15 @@ def _splat(row: IntArray, column: IntArray, towards: FloatArray, frame: Frame) -
     return nearest
 
 
-def _finish(image: FloatArray, depth_mm: FloatArray, frame: Frame) -> ImageArray:
-    """Darken outlines, average down and convert to 8 bit."""
-    far = float(np.max(depth_mm[np.isfinite(depth_mm)], initial=0.0)) + 0.2 * frame.height * frame.mm_per_px
-    filled = np.where(np.isfinite(depth_mm), depth_mm, far)
-    jump = OUTLINE_JUMP * frame.height * frame.mm_per_px
-    outline = np.zeros(depth_mm.shape, bool)
-    for axis in (0, 1):
-        step = np.diff(filled, axis=axis)
-        lower, upper = (slice(None, -1), slice(1, None)) if axis == 0 else ((slice(None), slice(None, -1)), (slice(None), slice(1, None)))
-        outline[lower] |= step > jump
-        outline[upper] |= step < -jump
-    image[outline] *= 0.45
-    size = SUPERSAMPLING
-    averaged = image.reshape(frame.height // size, size, frame.width // size, size, 3).mean(axis=(1, 3))
-    return np.clip(np.rint(averaged * 255), 0, 255).astype(np.uint8)
+def _finish(colours: FloatArray, shade: FloatArray, depth_mm: FloatArray, frame: Frame) -> ImageArray:
+    """Return the picture of coloured pixels (N, 3) and their brightness (N,) where there is a depth (H, W): with outlines, averaged down."""
+    from measureapp.report.kernels import average
+
+    height_mm = frame.height * frame.mm_per_px
+    far = float(np.max(depth_mm, initial=0.0, where=np.isfinite(depth_mm))) + 0.2 * height_mm
+    made = np.empty((frame.height // SUPERSAMPLING, frame.width // SUPERSAMPLING, 3), np.uint8)
+    average(colours, shade, depth_mm, OUTLINE_JUMP * height_mm, far, SUPERSAMPLING, made)
+    return made
 
 
 def png(image: ImageArray) -> bytes:

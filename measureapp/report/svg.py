@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from html import escape
 
+import numpy as np
+
 from measureapp.arrays import FloatArray
 
 Point = tuple[float, float]
@@ -34,6 +36,13 @@ class Panel:
             f'<polyline points="{self._points(points)}" fill="none" stroke="{colour}" stroke-width="{width:g}" stroke-linejoin="round"'
             f' stroke-linecap="round"{dashes}/>'
         )
+
+    def lines(self, segments: FloatArray, colour: str, width: float = 1.0) -> None:
+        """Draw many straight lines (N, 2, 2) of one colour, as one path."""
+        if len(segments):
+            places = np.array([self._x0, self._y0]) + self.scale * np.array([1.0, -1.0]) * segments
+            path = ("M%.1f,%.1fL%.1f,%.1f" * len(segments)) % tuple(places.ravel().tolist())
+            self.parts.append(f'<path d="{path}" fill="none" stroke="{colour}" stroke-width="{width:g}" stroke-linecap="round"/>')
 
     def polygon(self, points: Iterable[Sequence[float] | FloatArray], fill: str, stroke: str = "none", *, opacity: float = 1.0) -> None:
         """Draw a closed shape."""

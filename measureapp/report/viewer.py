@@ -15,6 +15,7 @@ from measureapp.data.feature import Feature
 from measureapp.data.mesh import Mesh
 from measureapp.inspection.surface.colour_scale import BEYOND_SHADE, GO, NO_GO, RAMPS, ColourScale
 from measureapp.inspection.surface.deviation import Deviation
+from measureapp.open3d_library import open3d
 from measureapp.report.deviation_pictures import NEAR_MM
 from measureapp.report.model import ReportModel
 from measureapp.report.part_pictures import flag_text, on_feature, placed_mesh
@@ -80,8 +81,7 @@ def simplify(mesh: Mesh) -> Mesh:
     """Return the mesh with at most `MOST_TRIANGLES`; what was not measured is known by the nearest vertex."""
     if len(mesh.triangles) <= MOST_TRIANGLES:
         return mesh
-    import open3d as o3d
-
+    o3d = open3d()
     whole = o3d.geometry.TriangleMesh(
         o3d.utility.Vector3dVector(np.array(mesh.vertices_mm)), o3d.utility.Vector3iVector(np.array(mesh.triangles))
     )
@@ -93,7 +93,7 @@ def simplify(mesh: Mesh) -> Mesh:
 
 def deviation_at(mesh: Mesh, compared: Deviation) -> FloatArray:
     """Return the deviation at every vertex (V,), of the nearest measured point; NaN where nothing was measured."""
-    distance, index = cKDTree(compared.points_mm).query(mesh.vertices_mm, distance_upper_bound=NEAR_MM, workers=-1)
+    distance, index = compared.tree.query(mesh.vertices_mm, distance_upper_bound=NEAR_MM, workers=-1)
     found = np.where(np.isfinite(distance), compared.distances_mm[np.minimum(index, len(compared.distances_mm) - 1)], np.nan)
     return found if mesh.measured is None else np.where(mesh.measured, found, np.nan)
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from measureapp.arrays import BoolArray, FloatArray, IntArray
 from measureapp.geometry.transform import RigidTransform
+from measureapp.open3d_library import open3d
 from measureapp.simulate import kernels
 from measureapp.simulate.effects.bounce import SENDERS, Bounce, Places, bounce
 from measureapp.simulate.optics import OUTLINE_SAMPLES, ProjectorLight, SeeingCamera, image_box, lens_parameters
@@ -136,9 +137,7 @@ class Surface:
 
 
 def _ray_scene(part: Part) -> tuple[Any, Callable[[FloatArray], Any]]:
-    import open3d
-
-    tensor: Callable[[Any], Any] = open3d.core.Tensor.from_numpy
-    scene = open3d.t.geometry.RaycastingScene()
+    tensor: Callable[[Any], Any] = open3d().core.Tensor.from_numpy
+    scene = open3d().t.geometry.RaycastingScene()
     scene.add_triangles(tensor(part.mesh.vertices_mm.astype(np.float32)), tensor(part.mesh.triangles.astype(np.uint32)))
     return scene, tensor

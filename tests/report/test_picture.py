@@ -7,6 +7,7 @@ import numpy as np
 
 from measureapp.data.mesh import Mesh
 from measureapp.inspection.measured_points import sample_mesh
+from measureapp.report.kernels import average, first_of_blocks
 from measureapp.report.picture import SurfaceScene, ViewDirection, cloud_picture, png, surface_picture
 
 TOP = ViewDirection(-90.0, 89.99)
@@ -74,3 +75,56 @@ def test_each_pixel_shows_the_triangle_that_a_ray_meets_first() -> None:
     assert not scene.occluded(at, towards, 1e-2)[np.linalg.norm(at, axis=1) < 39].any()  # nothing lies before what is seen
     filled = seen.hit.astype(np.uint8)
     assert np.array_equal(cv2.morphologyEx(filled, cv2.MORPH_CLOSE, np.ones((3, 3), np.uint8)), filled)  # nothing shows between triangles
+
+
+def test_smooth_normals_are_those_of_their_statement() -> None:
+    """Σ area · n (n·own) over the triangles at a corner: what faces another way does not contribute."""
+    import trimesh
+
+    made = trimesh.creation.cylinder(30.0, 20.0, sections=24)
+    mesh = Mesh(made.vertices, made.faces, "nominal")
+    triangles = np.asarray(mesh.triangles)
+    corners = mesh.vertices_mm[triangles]
+    cross = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    own = cross / np.linalg.norm(cross, axis=1, keepdims=True)
+    stated = np.array(
+        [
+            [sum(cross[t] * (own[t] @ own[k]) for t in np.flatnonzero((triangles == v).any(axis=1))) for v in triangles[k]]
+            for k in range(len(triangles))
+        ]
+    )
+    stated /= np.linalg.norm(stated, axis=2, keepdims=True)
+    scene = SurfaceScene(mesh)
+    seen = scene.see(ViewDirection(-58, 34), 60, 40)
+    expected = np.einsum("nk,nkd->nd", seen.weights[seen.hit], stated[seen.triangle[seen.hit]])
+    assert len(expected) > 1000
+    np.testing.assert_allclose(scene.normals_at(seen), expected, atol=1e-12)
+
+
+def test_blocks_are_averaged_on_white_and_darkened_where_the_depth_jumps() -> None:
+    rng = np.random.default_rng(2)
+    depth = np.where(rng.random((8, 12)) < 0.3, np.inf, rng.integers(0, 4, (8, 12)) / 2)
+    hit = np.isfinite(depth)
+    colours, shade = rng.random((hit.sum(), 3)), rng.uniform(0.3, 1.1, hit.sum())
+    made = np.empty((4, 6, 3), np.uint8)
+    average(colours, shade, depth, 0.75, 9.0, 2, made)
+    image = np.ones((8, 12, 3))
+    image[hit] = colours * shade[:, None]
+    filled = np.pad(np.where(hit, depth, 9.0), 1, mode="edge")
+    middle = filled[1:-1, 1:-1]
+    beside = (filled[:-2, 1:-1], filled[2:, 1:-1], filled[1:-1, :-2], filled[1:-1, 2:])
+    image[np.any([other - middle > 0.75 for other in beside], axis=0)] *= 0.45
+    expected = np.clip(np.rint(image.reshape(4, 2, 6, 2, 3).mean(axis=(1, 3)) * 255), 0, 255)
+    assert np.abs(made - expected).max() <= 1  # rounding
+
+
+def test_blocks_are_numbered_once_each_with_their_first_pixel() -> None:
+    pixels = np.flatnonzero(np.random.default_rng(3).random((10, 16)) < 0.4)
+    number, first = np.empty((2, len(pixels)), np.int64)
+    count = first_of_blocks(pixels, 16, 2, number, first)
+    rows, columns = np.divmod(pixels, 16)
+    blocks = rows // 2 * 8 + columns // 2
+    assert count == len(set(blocks))
+    for block in range(count):
+        own = np.flatnonzero(number == block)
+        assert len(set(blocks[own])) == 1 and first[block] == own[0]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from xml.etree import ElementTree
 
+import numpy as np
 import pytest
 
 from measureapp.data.plan import ScanPlan
@@ -53,3 +54,11 @@ def test_a_plan_of_thousands_of_viewpoints_is_drawn_without_numbers():
 def test_only_pictures_are_written(tmp_path):
     with pytest.raises(InputError, match="not the name of a picture"):
         write_plan_picture(tmp_path / "plan.pdf", SAMPLE, RIG)
+
+
+def test_many_lines_are_one_path_at_their_places_on_the_page() -> None:
+    panel = Panel((0, 0, 200, 100), (0, 0, 20, 10))
+    panel.lines(np.array([[[0.0, 0.0], [20.0, 10.0]], [[10.0, 5.0], [10.0, 0.0]]]), RED, 2.0)
+    panel.lines(np.empty((0, 2, 2)), RED)
+    (path,) = panel.parts
+    assert 'd="M0.0,100.0L200.0,0.0M100.0,50.0L100.0,100.0"' in path and f'stroke="{RED}" stroke-width="2"' in path

@@ -17,6 +17,7 @@ from measureapp.report.csv import csv_text
 from measureapp.report.json_document import report_document
 from measureapp.report.model import Details
 from measureapp.report.xlsx import COLUMNS, DIMENSIONS, METADATA, write_xlsx
+from tests.report.conftest import SHARES_OF_LENGTH
 
 NUMBERS = ("nominal", "measured", "error", "relative_error", "uncertainty", "lower_tolerance", "upper_tolerance")
 AT = "2026-05-04T12:00:00+00:00"
@@ -56,8 +57,13 @@ def test_csv_xlsx_and_json_hold_the_same_numbers(model, tmp_path: Path) -> None:
 def test_a_workbook_has_a_frozen_header_and_everything_else_that_is_stated(model, tmp_path: Path) -> None:
     path = write_xlsx(model, tmp_path / "r.xlsx")
     book = openpyxl.load_workbook(path)
-    assert book[DIMENSIONS].freeze_panes == "E2" and book[DIMENSIONS].auto_filter.ref is not None
-    assert book[DIMENSIONS]["G2"].number_format == "0.000"
+    sheet, keys = book[DIMENSIONS], [key for _, key, _, _ in COLUMNS]
+    first = tuple(zip(keys, next(sheet.iter_rows(min_row=2)), strict=True))
+    assert sheet.freeze_panes == first[keys.index("name") + 1][1].coordinate  # number and name of a dimension stay in view
+    assert sheet.auto_filter.ref == f"A1:{first[-1][1].column_letter}{sheet.max_row}"
+    forms = {key: cell.number_format for key, cell in first if cell.value is not None}
+    assert {forms[key] for key in NUMBERS if key != "relative_error"} == {"0.000"} and forms["relative_error"] == "0.000%"
+    assert {forms[f"uncertainty_{share}"] for share in SHARES_OF_LENGTH} == {"0.0000"}
     book.close()
     stated = dict(cells(path, METADATA))
     assert stated["Serial number"] == "=7+1" and stated["Operator"] == "Ö" and stated["Verdict"] == "fail"

@@ -7,7 +7,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.linalg import solve_triangular
-from scipy.optimize import minimize
 
 from measureapp.arrays import BoolArray, FloatArray, IntArray
 from measureapp.calibrate.motions.axis_noise import AxisNoise
@@ -178,6 +177,8 @@ def refine_scales(model: MotionModel, precision: FloatArray, pull: FloatArray, s
     ----------
     .. [1] C. M. Bishop, Pattern Recognition and Machine Learning, 2006, section 3.5.
     """
+    from scipy.optimize import minimize
+
     kinds = [np.isin(model.components, kind) for kind in KINDS]
     kinds = [kind for kind in kinds if kind.any()]
     stated = model.prior_sigma

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from scipy.spatial import cKDTree
@@ -34,6 +34,7 @@ class Deviation:
     max_mm: float
     unmeasured_share: float  # of the nominal's area without a measured point nearby
     alignment: Alignment
+    tree: cKDTree = field(repr=False)  # search tree of the points
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "points_mm", read_only(self.points_mm, np.float64, (None, 3)))
@@ -68,7 +69,8 @@ def compute_deviation(
         chunk = slice(start, start + CHUNK)
         own = None if points.normals is None else points.normals[chunk]
         distances[chunk], normals[chunk] = distances_and_normals(points.points_mm[chunk], own, surface)
-    unmeasured = unmeasured_share(points.points_mm, nominal, near_mm)
+    tree = cKDTree(points.points_mm, balanced_tree=False, compact_nodes=False)  # three times faster to build
+    unmeasured = unmeasured_share(tree, nominal, near_mm)
     if unmeasured > 0.5 or np.median(np.abs(distances)) > NEAR_SHARE * surface.diagonal_mm:
         check_unit_against(points, surface)  # a cloud that covers its nominal is in the right unit
     progress.report(1, 1, "distances from the nominal")
@@ -83,6 +85,7 @@ def compute_deviation(
         float(distances.max()),
         unmeasured,
         alignment,
+        tree,
     )
 
 
@@ -113,9 +116,8 @@ def _from_closest(points_mm: FloatArray, surface: NominalSurface) -> tuple[Float
     return side * np.linalg.norm(offset, axis=1), closest.normals
 
 
-def unmeasured_share(points_mm: FloatArray, nominal: Mesh, near_mm: float) -> float:
-    """Return the share of the nominal's area without a point nearby."""
+def unmeasured_share(tree: cKDTree, nominal: Mesh, near_mm: float) -> float:
+    """Return the share of the nominal's area without a point of the tree nearby."""
     places = sample_mesh(nominal, COVERAGE_SAMPLES).points_mm
-    tree = cKDTree(points_mm, balanced_tree=False, compact_nodes=False)  # three times faster to build
     distance, _ = tree.query(places, distance_upper_bound=near_mm, workers=-1)
     return float(np.mean(~np.isfinite(distance)))

@@ -22,10 +22,10 @@ class DeviationIndex:
 
     found: Deviation
 
-    @cached_property
+    @property
     def tree(self) -> cKDTree:
         """Search tree of the points."""
-        return cKDTree(self.found.points_mm, balanced_tree=False, compact_nodes=False)  # three times faster to build
+        return self.found.tree
 
     @cached_property
     def spacing_mm(self) -> float:

@@ -13,6 +13,7 @@ from measureapp.arrays import FloatArray, IntArray
 from measureapp.data.mesh import Mesh
 from measureapp.errors import InspectionError
 from measureapp.inspection.surface.closest.hierarchy import TriangleHierarchy
+from measureapp.open3d_library import open3d
 
 SHARP_DEG = 25.0
 STEEP = 1e-3  # cosine between ray and normal above which the plane of a triangle tells where a ray meets it
@@ -66,8 +67,7 @@ class NominalSurface:
     @cached_property
     def _ray_scene(self) -> Any:
         """The search structure for rays, in single precision."""
-        import open3d as o3d
-
+        o3d = open3d()
         scene = o3d.t.geometry.RaycastingScene()
         single = (self.vertices_mm - self._offset).astype(np.float32)
         scene.add_triangles(o3d.core.Tensor.from_numpy(single), o3d.core.Tensor.from_numpy(self.triangles.astype(np.uint32)))
@@ -92,11 +92,10 @@ class NominalSurface:
 
         Which triangle is hit is found in single precision, how far it is along the ray in double precision.
         """
-        import open3d as o3d
-
+        from_numpy = open3d().core.Tensor.from_numpy
         rays = np.empty((len(points_mm), 6), np.float32)
         rays[:, :3], rays[:, 3:] = points_mm - self._offset, directions
-        answer = self._ray_scene.cast_rays(o3d.core.Tensor.from_numpy(rays))
+        answer = self._ray_scene.cast_rays(from_numpy(rays))
         found = answer["t_hit"].numpy().astype(np.float64)
         triangles = np.minimum(answer["primitive_ids"].numpy().astype(np.int64), len(self.triangles) - 1)  # a miss has an invalid id
         normals = self.normals[triangles]

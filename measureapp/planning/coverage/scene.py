@@ -11,6 +11,7 @@ import numpy as np
 from measureapp.arrays import BoolArray, FloatArray
 from measureapp.data.mesh import Mesh
 from measureapp.data.rig import RigDescription
+from measureapp.open3d_library import open3d
 
 RAY_OFFSET_MM = 0.05  # of the origin of a ray above the surface
 TABLE_BELOW_MM = 0.2  # so that rays which start just below a part that stands on the table are above it
@@ -62,14 +63,9 @@ def table_top(rig: RigDescription) -> Mesh:
 
 
 def _scene(meshes: Sequence[Mesh]) -> Any:
-    import open3d
-
-    scene = open3d.t.geometry.RaycastingScene()
+    scene, tensor = open3d().t.geometry.RaycastingScene(), open3d().core.Tensor.from_numpy
     for mesh in meshes:
-        scene.add_triangles(
-            open3d.core.Tensor.from_numpy(mesh.vertices_mm.astype(np.float32)),
-            open3d.core.Tensor.from_numpy(mesh.triangles.astype(np.uint32)),
-        )
+        scene.add_triangles(tensor(mesh.vertices_mm.astype(np.float32)), tensor(mesh.triangles.astype(np.uint32)))
     return scene
 
 
@@ -78,6 +74,4 @@ def _escape(scene: Any, points_mm: FloatArray, directions: FloatArray) -> BoolAr
 
 
 def _tensor(rays: FloatArray) -> Any:
-    import open3d
-
-    return open3d.core.Tensor.from_numpy(np.ascontiguousarray(rays, np.float32))
+    return open3d().core.Tensor.from_numpy(np.ascontiguousarray(rays, np.float32))

@@ -217,7 +217,8 @@ def _check_file(path: Path, kinds: tuple[str, ...] = KINDS) -> tuple[Path, str]:
 def _sound(path: Path, points_mm: FloatArray, columns: dict[str, Any], **labels: Any) -> PlainPoints:
     """Leave out what is not a number, scale normals to unit length, and refuse a file without points."""
     points = np.asarray(points_mm, np.float64)
-    good = np.all(np.abs(points) < LARGEST_MM, axis=1)  # False for NaN as well
+    x, y, z = (np.abs(coordinate) < LARGEST_MM for coordinate in points.T)  # False for NaN as well
+    good = x & y & z
     if not good.any():
         raise InputError(f"{path} holds no points.", EXPORT_AGAIN)
     kept = {name: column if good.all() else column[good] for name, column in columns.items() if column is not None}
@@ -225,15 +226,19 @@ def _sound(path: Path, points_mm: FloatArray, columns: dict[str, Any], **labels:
         kept["normals"] = unit(kept["normals"])
     if "sigma_mm" in kept:
         kept["sigma_mm"] = np.where(np.isfinite(kept["sigma_mm"]) & (kept["sigma_mm"] > 0), kept["sigma_mm"], 0).astype(np.float32)
-    return PlainPoints(points[good], dropped=int(np.count_nonzero(~good)), **kept, **labels)
+    return PlainPoints(points if good.all() else points[good], dropped=int(np.count_nonzero(~good)), **kept, **labels)
 
 
 def unit(normals: FloatArray) -> FloatArray:
     """Return normals of unit length, zero where there is no direction; those that are of unit length but for rounding stay as they are."""
-    vectors = np.nan_to_num(np.asarray(normals, np.float64), nan=0.0, posinf=0.0, neginf=0.0)
-    length = np.linalg.norm(vectors, axis=1, keepdims=True)
+    vectors = np.asarray(normals, np.float64)
+    if not np.isfinite(vectors).all():
+        vectors = np.nan_to_num(vectors, nan=0.0, posinf=0.0, neginf=0.0)
+    x, y, z = vectors.T
+    length = np.sqrt(x * x + y * y + z * z)
     length[np.abs(length - 1.0) < UNIT_ROUNDING] = 1.0
-    return np.divide(vectors, length, out=np.zeros_like(vectors), where=length > 1e-12).astype(np.float32)
+    length[length <= 1e-12] = np.inf
+    return (vectors / length[:, None]).astype(np.float32)
 
 
 def _ply_points(path: Path, ply: Ply) -> PlainPoints:
