@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Protocol
 
@@ -97,8 +98,22 @@ def thin_indices(points_mm: FloatArray, count: int) -> IntArray:
     """
     if len(points_mm) <= count:
         return np.arange(len(points_mm))
-    lots = np.random.default_rng(SAMPLE_SEED).permutation(len(points_mm))[: CANDIDATES_PER_POINT * count]
-    offsets = points_mm[lots] - points_mm.min(axis=0)
+    return thin_candidates(len(points_mm), points_mm.min(axis=0), lambda lots: points_mm[lots], count)
+
+
+def thin_candidates(number: int, lowest_mm: FloatArray, points_of: Callable[[IntArray], FloatArray], count: int) -> IntArray:
+    """As `thin_indices`, of points that are not in memory together.
+
+    Parameters
+    ----------
+    number : of all points
+    lowest_mm : smallest coordinates of all points, (3,)
+    points_of : returns the points (M, 3) of some indices, which are not in order
+    """
+    if number <= count:
+        return np.arange(number)
+    lots = np.random.default_rng(SAMPLE_SEED).permutation(number)[: CANDIDATES_PER_POINT * count]
+    offsets = points_of(lots) - lowest_mm
     size = float(offsets.max()) / np.sqrt(count)
     for _ in range(12):
         taken, points = _first_of_each_cell(offsets, size)

@@ -5,12 +5,12 @@ What stands still while the table turns would pull the views apart, and what tur
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
-from measureapp.arrays import BoolArray, FloatArray
+from measureapp.arrays import BoolArray, FloatArray, IntArray
 from measureapp.data.calibration import RigCalibration
 from measureapp.data.cell import Fixture
 from measureapp.data.measurement import ViewResult
@@ -20,7 +20,7 @@ from measureapp.data.rig import RigDescription
 from measureapp.data.surroundings import ABOVE_TABLE_MM, Surroundings
 from measureapp.errors import InspectionError
 from measureapp.inspection.alignment.best_fit import best_fit
-from measureapp.inspection.measured_points import MeasuredPoints
+from measureapp.inspection.measured_points import MeasuredPoints, thin_candidates
 from measureapp.inspection.surface.deviation import signed_distances
 from measureapp.inspection.surface.nominal import NominalSurface
 from measureapp.pipeline.part_on_table import assumed_pose, table_level_mm
@@ -37,6 +37,38 @@ FAR_MM, FAR_SHARE = 5.0, 0.02  # distance from the nominal, and share of its dia
 SEEN_SHARE = 0.003  # of all points, above which the surroundings are in the picture: fewer are stray
 ALIGNED_POINTS = 60_000
 UP = np.array([0.0, 0.0, 1.0])
+ALL = slice(None)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class PlacedView:
+    """A view where the axes place it. Its points are placed whenever they are asked for: those of all views would take twice their memory."""
+
+    view: ViewResult
+    kept: BoolArray  # (N,), what was not taken out yet
+
+    @classmethod
+    def of(cls, view: ViewResult) -> PlacedView:
+        """Return a view of which everything is kept."""
+        return cls(view, np.ones(len(view.cloud), np.bool_))
+
+    def points_mm(self, rows: IntArray | slice = ALL) -> FloatArray:
+        """Return the points (M, 3) of some rows, in the frame `part`."""
+        return self.view.part_from_camera.apply(self.view.cloud.points_mm[rows])
+
+    def normals(self, rows: IntArray | slice = ALL) -> FloatArray:
+        """Return the normals (M, 3) of some rows, in the frame `part`."""
+        return self.view.part_from_camera.rotate(np.asarray(self.view.cloud.normals[rows], float))
+
+    def remove(self, foreign: BoolArray) -> int:
+        """Take foreign points (N,) out of what is kept, and return how many were."""
+        removed = int(np.count_nonzero(self.kept & foreign))
+        np.logical_and(self.kept, ~foreign, out=self.kept)
+        return removed
+
+    def result(self) -> ViewResult:
+        """Return the view with the points that are kept."""
+        return self.view if self.kept.all() else replace(self.view, cloud=self.view.cloud.where(self.kept))
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -76,11 +108,9 @@ class PartRoom:
             inside |= around
         return inside
 
-    def table_top(self, points_mm: FloatArray, normals: FloatArray) -> FloatArray | None:
+    def table_top(self, placed: Sequence[PlacedView]) -> FloatArray | None:
         """Return the plane of the table's top, z = p[0] + p[1] x + p[2] y, from points beside the part; None where it was not seen."""
-        beside = np.hypot(points_mm[:, 0], points_mm[:, 1]) > self.beside_mm
-        level = (normals @ UP > STEEPEST_COSINE) & (np.abs(points_mm[:, 2] - self.level_mm) < LEVEL_MM)
-        seen = points_mm[beside & level]
+        seen = np.vstack([self._level_points(view) for view in placed])
         if len(seen) < LEAST_TABLE_POINTS:
             return None
         counts, edges = np.histogram(seen[:, 2], np.arange(self.level_mm - LEVEL_MM, self.level_mm + LEVEL_MM + BIN_MM, BIN_MM))
@@ -93,6 +123,13 @@ class PartRoom:
             return np.array([height, 0.0, 0.0])
         design = np.column_stack([np.ones(len(seen)), seen[:, :2]])
         return np.asarray(np.linalg.lstsq(design, seen[:, 2], rcond=None)[0])
+
+    def _level_points(self, placed: PlacedView) -> FloatArray:
+        """Return the points (M, 3) of a view that may be the table's top: beside the part, near its level, and level."""
+        points = placed.points_mm()
+        near = (np.hypot(points[:, 0], points[:, 1]) > self.beside_mm) & (np.abs(points[:, 2] - self.level_mm) < LEVEL_MM)
+        rows = np.flatnonzero(placed.kept & near)
+        return np.asarray(points[rows[placed.normals(rows) @ UP > STEEPEST_COSINE]])
 
 
 def exclude_surroundings(
@@ -109,45 +146,52 @@ def exclude_surroundings(
     pose : of the part as planned; None: upright in the middle of the table
     """
     assumed = assumed_pose(nominal, pose, calibration, rig)
-    placed = [view.part_from_camera.apply(view.cloud.points_mm) for view in views]
     room = PartRoom.of(assumed.apply(nominal.vertices_mm[np.unique(nominal.triangles)]), table_level_mm(calibration, rig), rig)
-    kept = [np.ones(len(points), np.bool_) for points in placed]
-    found = {"background": _remove(kept, [room.is_background(points) for points in placed])}
-    normals = [view.part_from_camera.rotate(np.asarray(view.cloud.normals, float)) for view in views]
-    top = room.table_top(*(np.vstack([part[own] for part, own in zip(parts, kept, strict=True)]) for parts in (placed, normals)))
+    placed = [PlacedView.of(view) for view in views]
+    found = {"background": sum(view.remove(room.is_background(view.points_mm())) for view in placed)}
+    top = room.table_top(placed)
     if top is not None:
-        found["table"] = _remove(kept, [points @ [-top[1], -top[2], 1.0] - top[0] < ABOVE_TABLE_MM for points in placed])
-    found["fixtures"] = _remove(kept, [room.is_fixture(points) for points in placed])
-    points = sum(map(len, placed))
+        found["table"] = sum(view.remove(view.points_mm() @ [-top[1], -top[2], 1.0] - top[0] < ABOVE_TABLE_MM) for view in placed)
+    found["fixtures"] = sum(view.remove(room.is_fixture(view.points_mm())) for view in placed) if room.fixtures else 0
+    points = sum(len(view.kept) for view in placed)
     if sum(found.values()) > SEEN_SHARE * points:
-        found["far"] = _remove_far(kept, placed, normals, nominal)
+        found["far"] = _remove_far(placed, nominal)
     if not any(found.values()):
         return list(views), Surroundings()
-    part = [view if own.all() else replace(view, cloud=view.cloud.where(own)) for view, own in zip(views, kept, strict=True)]
-    return part, Surroundings(points, tuple(found.items()))
+    return [view.result() for view in placed], Surroundings(points, tuple(found.items()))
 
 
-def _remove(kept: Sequence[BoolArray], foreign: Sequence[BoolArray]) -> int:
-    """Take foreign points out of what is kept, and return how many were."""
-    removed = 0
-    for own, other in zip(kept, foreign, strict=True):
-        removed += int(np.count_nonzero(own & other))
-        np.logical_and(own, ~other, out=own)
-    return removed
-
-
-def _remove_far(kept: Sequence[BoolArray], placed: Sequence[FloatArray], normals: Sequence[FloatArray], nominal: Mesh) -> int:
-    """Take points far from the nominal out of what is kept; none where the nominal does not fit."""
+def _remove_far(placed: Sequence[PlacedView], nominal: Mesh) -> int:
+    """Take points far from the nominal out of what is kept, and return how many were; none where the nominal does not fit."""
     surface = NominalSurface(nominal)
-    points, directions = (np.vstack([part[own] for part, own in zip(parts, kept, strict=True)]) for parts in (placed, normals))
     try:
-        fitted = best_fit(MeasuredPoints(points, directions).thin(ALIGNED_POINTS), surface)
+        fitted = best_fit(_evenly_spread(placed), surface)
     except InspectionError:
         return 0  # said by the inspection, in its words
     limit = max(FAR_MM, FAR_SHARE * surface.diagonal_mm)
-    far = []
-    for part, own in zip(placed, kept, strict=True):
-        foreign = np.zeros(len(part), np.bool_)
-        foreign[own] = np.abs(signed_distances(fitted.nominal_from_part.apply(part[own]), surface)) > limit
-        far.append(foreign)
-    return _remove(kept, far)
+    removed = 0
+    for view in placed:
+        foreign = np.zeros(len(view.kept), np.bool_)
+        distances = signed_distances(fitted.nominal_from_part.apply(view.points_mm()[view.kept]), surface)
+        foreign[view.kept] = np.abs(distances) > limit
+        removed += view.remove(foreign)
+    return removed
+
+
+def _evenly_spread(placed: Sequence[PlacedView]) -> MeasuredPoints:
+    """Return some of the points that are kept, evenly spread over their surface."""
+    rows = [np.flatnonzero(view.kept) for view in placed]
+    starts = np.cumsum([0, *map(len, rows)])
+
+    def gather(chosen: IntArray, of_view: Callable[[PlacedView, IntArray], FloatArray]) -> FloatArray:
+        found = np.empty((len(chosen), 3))
+        for view, own, start, stop in zip(placed, rows, starts[:-1], starts[1:], strict=True):
+            here = (chosen >= start) & (chosen < stop)
+            found[here] = of_view(view, own[chosen[here] - start])
+        return found
+
+    lowest = [view.points_mm()[own].min(axis=0) for view, own in zip(placed, rows, strict=True) if len(own)]
+    if not lowest:
+        return MeasuredPoints(np.empty((0, 3)), np.empty((0, 3)))
+    chosen = thin_candidates(int(starts[-1]), np.min(lowest, axis=0), lambda lots: gather(lots, PlacedView.points_mm), ALIGNED_POINTS)
+    return MeasuredPoints(gather(chosen, PlacedView.points_mm), gather(chosen, PlacedView.normals))
