@@ -108,9 +108,8 @@ class PartRoom:
             inside |= around
         return inside
 
-    def table_top(self, placed: Sequence[PlacedView]) -> FloatArray | None:
-        """Return the plane of the table's top, z = p[0] + p[1] x + p[2] y, from points beside the part; None where it was not seen."""
-        seen = np.vstack([self._level_points(view) for view in placed])
+    def table_top(self, seen: FloatArray) -> FloatArray | None:
+        """Return the plane of the table's top, z = p[0] + p[1] x + p[2] y, from the `level_points` (N, 3) of all views; None where it was not seen."""
         if len(seen) < LEAST_TABLE_POINTS:
             return None
         counts, edges = np.histogram(seen[:, 2], np.arange(self.level_mm - LEVEL_MM, self.level_mm + LEVEL_MM + BIN_MM, BIN_MM))
@@ -124,12 +123,11 @@ class PartRoom:
         design = np.column_stack([np.ones(len(seen)), seen[:, :2]])
         return np.asarray(np.linalg.lstsq(design, seen[:, 2], rcond=None)[0])
 
-    def _level_points(self, placed: PlacedView) -> FloatArray:
-        """Return the points (M, 3) of a view that may be the table's top: beside the part, near its level, and level."""
-        points = placed.points_mm()
-        near = (np.hypot(points[:, 0], points[:, 1]) > self.beside_mm) & (np.abs(points[:, 2] - self.level_mm) < LEVEL_MM)
-        rows = np.flatnonzero(placed.kept & near)
-        return np.asarray(points[rows[placed.normals(rows) @ UP > STEEPEST_COSINE]])
+    def level_points(self, placed: PlacedView, points_mm: FloatArray) -> FloatArray:
+        """Return those points (M, 3) of a view's (N, 3) that may be the table's top: kept, beside the part, near its level, and level."""
+        near = np.abs(points_mm[:, 2] - self.level_mm) < LEVEL_MM
+        rows = np.flatnonzero(placed.kept & near & (np.hypot(points_mm[:, 0], points_mm[:, 1]) > self.beside_mm))
+        return np.asarray(points_mm[rows[placed.normals(rows) @ UP > STEEPEST_COSINE]])
 
 
 def exclude_surroundings(
@@ -148,11 +146,18 @@ def exclude_surroundings(
     assumed = assumed_pose(nominal, pose, calibration, rig)
     room = PartRoom.of(assumed.apply(nominal.vertices_mm[np.unique(nominal.triangles)]), table_level_mm(calibration, rig), rig)
     placed = [PlacedView.of(view) for view in views]
-    found = {"background": sum(view.remove(room.is_background(view.points_mm())) for view in placed)}
-    top = room.table_top(placed)
-    if top is not None:
-        found["table"] = sum(view.remove(view.points_mm() @ [-top[1], -top[2], 1.0] - top[0] < ABOVE_TABLE_MM) for view in placed)
-    found["fixtures"] = sum(view.remove(room.is_fixture(view.points_mm())) for view in placed) if room.fixtures else 0
+    background, level = 0, []
+    for view in placed:
+        at = view.points_mm()
+        background += view.remove(room.is_background(at))
+        level.append(room.level_points(view, at))
+    top = room.table_top(np.vstack(level))
+    found = {"background": background, **({} if top is None else {"table": 0}), "fixtures": 0}
+    for view in placed if top is not None or room.fixtures else ():
+        at = view.points_mm()
+        if top is not None:
+            found["table"] += view.remove(at @ [-top[1], -top[2], 1.0] - top[0] < ABOVE_TABLE_MM)
+        found["fixtures"] += view.remove(room.is_fixture(at))
     points = sum(len(view.kept) for view in placed)
     if sum(found.values()) > SEEN_SHARE * points:
         found["far"] = _remove_far(placed, nominal)
@@ -171,9 +176,9 @@ def _remove_far(placed: Sequence[PlacedView], nominal: Mesh) -> int:
     limit = max(FAR_MM, FAR_SHARE * surface.diagonal_mm)
     removed = 0
     for view in placed:
+        rows = np.flatnonzero(view.kept)
         foreign = np.zeros(len(view.kept), np.bool_)
-        distances = signed_distances(fitted.nominal_from_part.apply(view.points_mm()[view.kept]), surface)
-        foreign[view.kept] = np.abs(distances) > limit
+        foreign[rows] = np.abs(signed_distances(fitted.nominal_from_part.apply(view.points_mm(rows)), surface)) > limit
         removed += view.remove(foreign)
     return removed
 
@@ -190,7 +195,7 @@ def _evenly_spread(placed: Sequence[PlacedView]) -> MeasuredPoints:
             found[here] = of_view(view, own[chosen[here] - start])
         return found
 
-    lowest = [view.points_mm()[own].min(axis=0) for view, own in zip(placed, rows, strict=True) if len(own)]
+    lowest = [view.points_mm(own).min(axis=0) for view, own in zip(placed, rows, strict=True) if len(own)]
     if not lowest:
         return MeasuredPoints(np.empty((0, 3)), np.empty((0, 3)))
     chosen = thin_candidates(int(starts[-1]), np.min(lowest, axis=0), lambda lots: gather(lots, PlacedView.points_mm), ALIGNED_POINTS)
