@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Generic, TypeVar
 
 import numpy as np
+from scipy.linalg.lapack import dpocon, dpotrf, dpotri, dpotrs
 
 from measureapp.arrays import FloatArray
 from measureapp.errors import CalibrationError
@@ -17,6 +18,7 @@ FIRST_DAMPING = 1e-4
 LARGEST_DAMPING = 1e10
 RELATIVE_DECREASE = 1e-11
 NULL_EIGENVALUE = 1e-13
+SURELY_REGULAR = 1e3 * NULL_EIGENVALUE  # reciprocal condition number
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -46,12 +48,11 @@ class Minimum(Generic[State]):
             Some combination of parameters does not change any residual.
         """
         scale = _scale_of(self.hessian)
-        values, vectors = np.linalg.eigh(self.hessian / np.outer(scale, scale))
-        if values[0] <= NULL_EIGENVALUE * values[-1]:
+        inverse = _inverse(self.hessian / np.outer(scale, scale))
+        if inverse is None:
             raise CalibrationError(
                 "The observations leave a parameter undetermined.", "Add observations from other distances, tilts and positions."
             )
-        inverse = (vectors / values) @ vectors.T
         return np.asarray(variance * inverse / np.outer(scale, scale))
 
 
@@ -105,13 +106,35 @@ def _better_state(
     scale = _scale_of(normal.hessian)
     scaled = normal.hessian / np.outer(scale, scale)
     while damping < LARGEST_DAMPING:
-        step = -np.linalg.solve(scaled + damping * np.eye(len(scale)), normal.gradient / scale) / scale
+        factor, failed = dpotrf(scaled + damping * np.eye(len(scale)), lower=1)
+        if failed:  # rounding made it indefinite
+            damping *= 10
+            continue
+        step = -dpotrs(factor, normal.gradient / scale, lower=1)[0] / scale
         tried = moved(state, step)
         cost = cost_of(tried)
         if np.isfinite(cost) and cost < normal.cost:
             return tried, max(damping / 10, 1e-12), cost
         damping *= 10
     return None
+
+
+def _inverse(scaled: FloatArray) -> FloatArray | None:
+    """Return the inverse of a symmetric matrix with a diagonal of ones; None where it is singular to `NULL_EIGENVALUE`.
+
+    By Cholesky's factor, in a tenth of the time that eigenvalues take. LAPACK's estimate of the condition in the 1-norm is no smaller than
+    that in the 2-norm by more than its own inaccuracy; whatever comes near the limit is decided by the eigenvalues.
+    """
+    factor, failed = dpotrf(scaled, lower=1)
+    if not failed:
+        reciprocal, _ = dpocon(factor, np.abs(scaled).sum(axis=0).max(), uplo="L")
+        if reciprocal > SURELY_REGULAR:
+            lower, _ = dpotri(factor, lower=1)
+            return np.asarray(np.tril(lower) + np.tril(lower, -1).T)
+    values, vectors = np.linalg.eigh(scaled)
+    if values[0] <= NULL_EIGENVALUE * values[-1]:
+        return None
+    return np.asarray((vectors / values) @ vectors.T)
 
 
 def _scale_of(hessian: FloatArray) -> FloatArray:

@@ -90,6 +90,11 @@ class CollectedObservation(Observation):
         """Reasons of refused images, in sentences."""
         return " ".join(f"{device_title(camera)}: {refusal.message} {refusal.hint}" for camera, refusal in self.refused.items())
 
+    @property
+    def unclear(self) -> tuple[str, ...]:
+        """The cameras that see an ambiguous part of the board, which calibrated cameras may identify; none where it was removed."""
+        return () if self.status == "removed" else tuple(camera for camera, refusal in self.refused.items() if refusal.cause == "part")
+
     def with_fit(self, solved: Solved) -> CollectedObservation:
         """Return the observation with its fit to a solution that it entered."""
         return replace(

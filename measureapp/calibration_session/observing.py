@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 from measureapp.arrays import ImageArray
 from measureapp.calibrate.boards.observation import Observation
 from measureapp.calibrate.draft.draft import Draft, Setup, Solved
-from measureapp.calibrate.draft.solve import solve
+from measureapp.calibrate.draft.solve import solve, solve_cameras_alone
 from measureapp.calibrate.rig.joint import number_approaches
 from measureapp.calibrate.sightings import Sighting, explain_by_refused
 from measureapp.calibration_session.detection import DETECTION_THREADS, Detection, DetectionContext, detect, identify_parts
@@ -125,13 +125,19 @@ def identify_ambiguous(observed: Observed, board: BoardDescription, cameras: Cam
 def solve_observed(
     observed: Observed, setup: Setup, sizes_px: Mapping[str, tuple[int, int]], progress: Progress
 ) -> tuple[Observed, Solved]:
-    """Solve, and once more where the cameras that this calibrates identify further parts of the board. Raises CalibrationError."""
+    """Solve with all parts of the board that the cameras, which this calibrates, identify. Raises CalibrationError."""
+    draft = observed.draft(setup, sizes_px)
     try:
-        solved = solve(observed.draft(setup, sizes_px), PartOf(progress, 0.0, 1.0))
-        further = identify_ambiguous(observed, setup.board, solved.cameras) if setup.cameras is None else observed
-        if further is not observed:
-            solved = solve(further.draft(setup, sizes_px), progress)
-        return further, solved
+        if setup.cameras is not None or not observed.unclear:
+            return observed, solve(draft, progress)
+        first, second = PartOf(progress, 0.0, 0.5), PartOf(progress, 0.5, 1.0)
+        alone = solve_cameras_alone(draft, first)
+        if alone is not None:
+            observed = identify_ambiguous(observed, setup.board, alone)
+            return observed, solve(observed.draft(setup, sizes_px), second)
+        solved = solve(draft, first)
+        further = identify_ambiguous(observed, setup.board, solved.cameras)
+        return further, solved if further is observed else solve(further.draft(setup, sizes_px), second)
     except CalibrationError as error:
         raise observed.explain_failure(error) from error
 

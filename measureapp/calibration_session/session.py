@@ -9,6 +9,7 @@ from threading import RLock
 
 from measureapp.arrays import ImageArray
 from measureapp.calibrate.draft.draft import Draft, Setup, Solved
+from measureapp.calibrate.draft.solve import solve_cameras_alone
 from measureapp.calibrate.sightings import Sighting
 from measureapp.calibration_session.board_in_fringes import projector_size_px
 from measureapp.calibration_session.detection import (
@@ -22,6 +23,7 @@ from measureapp.calibration_session.detection import (
 from measureapp.calibration_session.observation import CollectedObservation
 from measureapp.calibration_session.snapshot import Snapshot
 from measureapp.calibration_session.store import Act, Action, Store
+from measureapp.data.calibration import CameraArrayCalibration
 from measureapp.data.fringe import FringeStack, Readback
 from measureapp.errors import CalibrationError, InputError
 from measureapp.progress import NoProgress, Progress
@@ -197,15 +199,21 @@ class CalibrationSession:
         names = {camera: image.name for camera, image in other.images.items()}
         return self._keep(found, other.readback, names, name=other.id, temperature_c=other.temperature_c)
 
-    def identify_parts(self) -> tuple[str, ...]:
-        """Examine images of ambiguous parts of the board again, after more is known; return the observations that gained marks."""
+    def identify_parts(self, cameras: CameraArrayCalibration | None = None) -> tuple[str, ...]:
+        """Examine images of ambiguous parts of the board again, after more is known; return the observations that gained marks.
+
+        Parameters
+        ----------
+        cameras : as they were just calibrated; default: as last solved, or as known before
+        """
         gained = []
         for one in self.observations:
-            unclear = [camera for camera, refusal in one.refused.items() if refusal.cause == "part"]
-            if one.status == "removed" or not unclear:
+            if not one.unclear:
                 continue
-            images = {camera: one.images[camera].pixels() for camera in unclear}
-            found = identify_parts(images, one.seen, one.readback, self.setup.board, self._context(one.id))
+            images = {camera: one.images[camera].pixels() for camera in one.unclear}
+            context = self._context(one.id)
+            context = context if cameras is None else replace(context, cameras=cameras)
+            found = identify_parts(images, one.seen, one.readback, self.setup.board, context)
             seen = {camera: marks for camera, marks in found.items() if isinstance(marks, Sighting)}
             if seen:
                 refused = {camera: refusal for camera, refusal in one.refused.items() if camera not in seen}
@@ -246,7 +254,13 @@ class CalibrationSession:
         return solved
 
     def solve_with_parts(self, progress: Progress | None = None, *, afresh: bool = False) -> Solved:
-        """Solve, and once more where the calibrated cameras identify further parts of the board. Raises as `solve`."""
+        """Solve with all parts of the board that the cameras, which this calibrates, identify. Raises as `solve`."""
+        draft, unclear = self.draft, any(one.unclear for one in self.observations)
+        if draft.cameras is None and unclear:
+            alone = solve_cameras_alone(draft, progress, afresh=afresh)
+            if alone is not None:
+                self.identify_parts(alone)
+                return self.solve(progress, afresh=afresh)
         found = self.solve(progress, afresh=afresh)
         return self.solve(progress, afresh=afresh) if self.identify_parts() else found
 

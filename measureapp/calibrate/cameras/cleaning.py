@@ -92,8 +92,8 @@ def reject_corners(bundle: Bundle, state: BundleState, names: Names) -> Cleaned:
 
 def _fit_alone(bundle: Bundle, state: BundleState, sight: IndexedSighting) -> _Alone:
     residual, jacobian, _ = bundle.linearise_sighting(state, sight)
-    by_board = jacobian[:, :, bundle.layout.lens : bundle.layout.lens + POSE]
-    sigma, spread = bundle.sigmas_of(sight), spread_of(sight)
+    by_board, spread = jacobian[:, :, -POSE:], spread_of(sight)
+    sigma = bundle.sigma_px(sight.camera) * spread
     left, far, limits_px = residual, np.zeros(len(residual), bool), BAD_VIEW_FLOOR_PX * spread
     for _ in range(3):  # far corners bias the step, so they are excluded from the next
         used = sight.used & ~far

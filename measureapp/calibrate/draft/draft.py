@@ -257,6 +257,16 @@ class Kind(ABC):
     def solve(self, draft: Draft, progress: Progress) -> Solved:
         """Solve what was collected; the last solution of the draft is the start, where it has one. Raises CalibrationError."""
 
+    def solve_cameras_alone(self, draft: Draft, progress: Progress) -> CameraArrayCalibration | None:  # noqa: ARG002 - a default
+        """Calibrate the cameras without what else is solved, to identify further parts of the board; None where there is nothing else.
+
+        Raises
+        ------
+        CalibrationError
+            The observations do not determine the cameras.
+        """
+        return None
+
     @abstractmethod
     def shortfalls(self, draft: Draft) -> tuple[str, ...]:
         """Say what the observations still lack."""

@@ -30,7 +30,7 @@ from measureapp.calibrate.motions.axis_motion import rigid_motion
 from measureapp.calibrate.rig.joint import number_approaches, shortfalls, solve_rig
 from measureapp.calibrate.rig.joint_solution import RigSolution
 from measureapp.calibrate.sightings import rms
-from measureapp.data.calibration import HandEye, RigCalibration
+from measureapp.data.calibration import CameraArrayCalibration, HandEye, RigCalibration
 from measureapp.data.fringe import AxisReadback
 from measureapp.data.uncertainty import COVERAGE_FACTOR
 from measureapp.errors import CalibrationError
@@ -78,6 +78,10 @@ class Rig(Kind):
         except CalibrationError as error:
             raise explain_by_rejected(error, seen) from error
         return _with_view_gaps(draft, solved_axes(draft, seen, rig, _predict_boards(rig), rig.rejected))
+
+    @override
+    def solve_cameras_alone(self, draft: Draft, progress: Progress) -> CameraArrayCalibration | None:
+        return solve_cameras(draft, progress).cameras if draft.setup.cameras is None else None
 
     @override
     def shortfalls(self, draft: Draft) -> tuple[str, ...]:

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
+from scipy.linalg import solve_triangular
 
 from measureapp.arrays import BoolArray, FloatArray, IntArray
 from measureapp.calibrate.motions.axis_noise import AxisNoise
@@ -190,7 +191,7 @@ def refine_scales(model: MotionModel, precision: FloatArray, pull: FloatArray, s
         sigma = scaled(logs)
         inner = np.eye(len(sigma)) + sigma[:, None] * precision * sigma
         root = np.linalg.cholesky(inner)
-        explained = np.linalg.solve(root, sigma * pull)
+        explained = solve_triangular(root, sigma * pull, lower=True, check_finite=False)
         return float(np.sum(np.log(np.diag(root))) - 0.5 * explained @ explained + 0.5 * np.sum((logs / spread) ** 2))
 
     found = minimize(cost, np.zeros(len(kinds)), method="L-BFGS-B", bounds=[(-limit, limit)] * len(kinds)).x
@@ -206,9 +207,11 @@ def refine_scales(model: MotionModel, precision: FloatArray, pull: FloatArray, s
 def _curvature(cost: Callable[[FloatArray], float], at: FloatArray) -> FloatArray:
     """Return the second derivatives (K, K) of ``cost``, by differences, kept positive definite."""
     steps = CURVATURE_STEP * np.eye(len(at))
-    second = np.array([[cost(at + a + b) - cost(at + a - b) - cost(at - a + b) + cost(at - a - b) for b in steps] for a in steps]) / (
-        4 * CURVATURE_STEP**2
-    )
+    second = np.zeros((len(at), len(at)))
+    for row, column in zip(*np.triu_indices(len(at)), strict=True):
+        a, b = steps[row], steps[column]
+        second[row, column] = cost(at + a + b) - cost(at + a - b) - cost(at - a + b) + cost(at - a - b)
+    second = (second + np.triu(second, 1).T) / (4 * CURVATURE_STEP**2)
     values, vectors = np.linalg.eigh(second)
     return np.asarray((vectors * np.maximum(values, LEAST_CURVATURE)) @ vectors.T)
 

@@ -177,8 +177,9 @@ def view_uncertainty(
 
 def _gain(rig: RigUncertainty, readbacks: Sequence[AxisReadback]) -> FloatArray:
     """Return how the poses (6 V) follow the rows of `_sources`."""
-    by_named, by_own, by_motions = zip(*(_derivatives(rig, readback) for readback in readbacks), strict=True)
-    return np.hstack([np.vstack(by_named), block_diag(*by_own), np.vstack(by_motions)])
+    by_named, by_own, by_motions = _derivatives(rig, readbacks)
+    rows = POSE * len(readbacks)
+    return np.hstack([by_named.reshape(rows, -1), block_diag(*by_own), by_motions.reshape(rows, -1)])
 
 
 def _sources(rig: RigUncertainty, readbacks: Sequence[AxisReadback], approaches: Sequence[Hashable] | None) -> FloatArray:
@@ -257,58 +258,86 @@ def _table_sources(rig: RigUncertainty, readbacks: Sequence[AxisReadback], rest:
             rest[np.ix_([row], rows[np.abs(angles - angle) <= SAME_ANGLE_RAD])] = chain.noise.table_rad**2
 
 
-def _derivatives(rig: RigUncertainty, readback: AxisReadback) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Return how ``part_from_camera`` changes with the named parameters (6, P), the errors of robot and table (6, 7) and the error motions (6, M)."""
+def _derivatives(rig: RigUncertainty, readbacks: Sequence[AxisReadback]) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Return how ``part_from_camera`` of V views changes with the named parameters, the errors of robot and table, and the error motions.
+
+    Returns
+    -------
+    by_named, by_own, by_motions : (V, 6, P), (V, 6, 7) and (V, 6, M), by central differences
+    """
     chain, state = rig.chain, rig.state
-    station = rig.calibration.station(readback)
-    flange = (readback.base_from_flange if station is None else station.true).matrix
-    named = len(chain.labels) - POSE
-    moved = _moved(chain, state, readback)
-    still = np.zeros(MOVED) if moved is None else np.concatenate([moved.table[0], moved.guide[0]])
+    moved = _moved(chain, state, readbacks)
+    still = np.zeros((len(readbacks), MOVED)) if moved is None else np.hstack([moved.table, moved.guide])
     pivot = np.zeros(3) if moved is None else moved.model.point_mm
+    placed = _Placed.at(rig, readbacks, pivot)
 
-    def pose(shifted: FloatArray, own: FloatArray, motion: FloatArray) -> FloatArray:
-        return _view_pose(chain.apply_step(state, shifted), flange, readback, own, still + motion, pivot)
+    def poses(of: ChainState, error: FloatArray) -> FloatArray:
+        return placed.poses(of, np.tile(error[:OWN], (len(readbacks), 1)), still + error[OWN:])
 
-    nothing = (np.zeros(chain.size), np.zeros(OWN), np.zeros(MOVED))
-    at = pose(*nothing)
+    nothing = np.zeros(OWN + MOVED)
+    at = poses(state, nothing)
 
-    def change(step: float, part: int, index: int) -> FloatArray:
-        moves = [step * np.eye(len(zero))[index] if number == part else zero for number, zero in enumerate(nothing)]
-        there, back = (pose(*(sign * move for move in moves)) for sign in (1.0, -1.0))
-        return (change_between(at[None], there[None]) - change_between(at[None], back[None]))[0] / (2 * step)
+    def change(there: FloatArray, back: FloatArray, step: float) -> FloatArray:
+        return (change_between(at, there) - change_between(at, back)) / (2 * step)
 
+    by_named = np.zeros((len(readbacks), POSE, len(chain.labels) - POSE))
+    for index, step in enumerate(_named_steps(chain)):
+        shift = step * np.eye(1, chain.size, index)[0]
+        there, back = chain.apply_step(state, shift), chain.apply_step(state, -shift)
+        by_named[:, :, index] = change(poses(there, nothing), poses(back, nothing), step)
+    steps = (*POSE_STEPS, TURN_STEP, *(POSE_STEPS * 2 if moved is not None else ()))
+    shifts = [step * np.eye(1, len(nothing), index)[0] for index, step in enumerate(steps)]
+    by_error = np.stack([change(poses(state, by), poses(state, -by), step) for by, step in zip(shifts, steps, strict=True)], axis=2)
+    if moved is None:
+        return by_named, by_error, np.zeros((len(readbacks), POSE, 0))
+    return by_named, by_error[:, :, :OWN], by_error[:, :, OWN:] @ np.concatenate([moved.by_table, moved.by_guide], axis=1)
+
+
+def _named_steps(chain: Chain) -> list[float]:
+    """Return the step of each named parameter, the board excepted, by which its derivative is found."""
     steps = [*POSE_STEPS] if chain.free.hand_eye else []
     steps += [TURN_STEP, TURN_STEP, SCALE_STEP] if chain.free.guide else []
-    steps += [TURN_STEP, TURN_STEP, LENGTH_STEP, LENGTH_STEP] if chain.free.axis else []
-    by_named, by_own, by_moved = (
-        np.array([change(step, part, index) for index, step in enumerate(chosen)]).reshape(-1, POSE).T
-        for part, chosen in enumerate((steps, (*POSE_STEPS, TURN_STEP), POSE_STEPS * 2 if moved is not None else ()))
-    )
-    by_motions = np.zeros((POSE, 0)) if moved is None else by_moved @ np.vstack([moved.by_table[0], moved.by_guide[0]])
-    return by_named.reshape(POSE, named), by_own, by_motions
+    return steps + ([TURN_STEP, TURN_STEP, LENGTH_STEP, LENGTH_STEP] if chain.free.axis else [])
 
 
-def _moved(chain: Chain, state: ChainState, readback: AxisReadback) -> MovedAxes | None:
-    """Return the error motions at a read-back."""
+def _moved(chain: Chain, state: ChainState, readbacks: Sequence[AxisReadback]) -> MovedAxes | None:
+    """Return the error motions at the read-backs."""
     if chain.motions is None:
         return None
-    return MovedAxes.at(chain.motions, state.motions, np.array([readback.table_rad]), np.array([readback.guide_mm]))
+    angles, positions = (np.array([getattr(one, name) for one in readbacks]) for name in ("table_rad", "guide_mm"))
+    return MovedAxes.at(chain.motions, state.motions, angles, positions)
 
 
-def _view_pose(
-    state: ChainState, flange: FloatArray, readback: AxisReadback, own: FloatArray, motion: FloatArray, pivot_mm: FloatArray
-) -> FloatArray:
-    """Return part_from_camera (4, 4) of a state, with an error of the robot (6) and of the table's angle, and motions (12) of table top and base."""
-    axis = RotationAxis(state.axis_point_mm, state.axis_direction, "guide")
-    shift = apply_changes(np.eye(4), motion[POSE:])
-    shift[:3, 3] += state.guide_direction * state.guide_scale * readback.guide_mm
-    robot = flange @ apply_changes(np.eye(4), own[:POSE])
-    back = np.eye(4)
-    back[:3, :3] = Rotation.from_rotvec([0, 0, -(readback.table_rad + own[POSE])]).as_matrix()
-    lift = apply_changes(np.eye(4), motion[:POSE])
-    lift[:3, 3] += pivot_mm - lift[:3, :3] @ pivot_mm
-    return np.asarray(back @ invert_poses(lift @ _guide_from_table(axis)) @ shift @ robot @ state.flange_from_camera)
+@dataclass(frozen=True, slots=True, eq=False)
+class _Placed:
+    """Where the axes of V views stand."""
+
+    flanges: FloatArray  # (V, 4, 4), base ← flange
+    guide_mm: FloatArray  # (V,)
+    table_rad: FloatArray  # (V,)
+    pivot_mm: FloatArray  # (3,), of the motion of the table top
+
+    @classmethod
+    def at(cls, rig: RigUncertainty, readbacks: Sequence[AxisReadback], pivot_mm: FloatArray) -> _Placed:
+        """Return the axes as read back, the robot where the calibration knows it better."""
+        stations = [rig.calibration.station(readback) for readback in readbacks]
+        flanges = [(one.base_from_flange if at is None else at.true).matrix for one, at in zip(readbacks, stations, strict=True)]
+        return cls(
+            np.array(flanges), np.array([one.guide_mm for one in readbacks]), np.array([one.table_rad for one in readbacks]), pivot_mm
+        )
+
+    def poses(self, state: ChainState, own: FloatArray, motions: FloatArray) -> FloatArray:
+        """Return part_from_camera (V, 4, 4) of a state, with errors (V, 7) of robot and table, and motions (V, 12) of table top and base."""
+        axis = RotationAxis(state.axis_point_mm, state.axis_direction, "guide")
+        still = np.tile(np.eye(4), (len(own), 1, 1))
+        shift = apply_changes(still, motions[:, POSE:])
+        shift[:, :3, 3] += self.guide_mm[:, None] * (state.guide_direction * state.guide_scale)
+        robot = self.flanges @ apply_changes(still, own[:, :POSE])
+        back = still.copy()
+        back[:, :3, :3] = Rotation.from_rotvec(-(self.table_rad + own[:, POSE])[:, None] * [0.0, 0.0, 1.0]).as_matrix()
+        lift = apply_changes(still, motions[:, :POSE])
+        lift[:, :3, 3] += self.pivot_mm - lift[:, :3, :3] @ self.pivot_mm
+        return np.asarray(back @ invert_poses(lift @ _guide_from_table(axis)) @ shift @ robot @ state.flange_from_camera)
 
 
 def _guide_from_table(axis: RotationAxis) -> FloatArray:
