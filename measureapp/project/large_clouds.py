@@ -32,7 +32,7 @@ def map_large(cloud: PointCloud, folder: Path) -> PointCloud:
             for name, array in arrays.items():
                 file.write(bytes(-file.tell() % ALIGNMENT))
                 starts[name] = file.tell()
-                file.write(memoryview(array).cast("B"))
+                file.write(array.data)
             file.flush()
             mapped = mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ)  # keeps the file open by itself
     except OSError:
