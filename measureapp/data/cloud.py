@@ -50,8 +50,8 @@ class PointCloud:
             )
         return replace(self, points_mm=transform.apply(self.points_mm), normals=transform.rotate(self.normals), frame=transform.to_frame)
 
-    def where(self, keep: BoolArray | IntArray) -> PointCloud:
-        """Return the points chosen by a mask or by indices."""
+    def where(self, keep: BoolArray | IntArray | slice) -> PointCloud:
+        """Return the points chosen by a mask, by indices or by a slice."""
         return replace(
             self,
             points_mm=self.points_mm[keep],

@@ -8,10 +8,10 @@ SURROUNDINGS = "surroundings"  # key of the settings of a measurement, under whi
 SURROUNDINGS_KEPT = "Points of table, fixtures and background were kept, by choice."
 ABOVE_TABLE_MM = 1.0  # excluded with the table
 KINDS = {  # in the order in which points are looked at, with how each is told
-    "background": "background",
-    "table": f"the table's top, and all within {ABOVE_TABLE_MM:g} mm above it",
-    "fixtures": "fixtures of the rig description",
-    "far": "others far from the nominal, such as clamps",
+    "background": "{share} background",
+    "table": "{share} the table's top, and all within {above} mm above it",
+    "fixtures": "{share} fixtures of the rig description",
+    "far": "{share} others far from the nominal, such as clamps",
 }
 
 
@@ -25,5 +25,5 @@ class Surroundings:
     @property
     def sentence(self) -> str:
         """What was excluded, in words; empty where nothing was."""
-        told = [f"{count / self.points:.1%} {KINDS[kind]}" for kind, count in self.found if count]
+        told = [KINDS[kind].format(share=f"{count / self.points:.1%}", above=f"{ABOVE_TABLE_MM:g}") for kind, count in self.found if count]
         return f"Excluded as surroundings of the part, of all points: {'; '.join(told)}." if told else ""

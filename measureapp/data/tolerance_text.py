@@ -61,7 +61,7 @@ def parse_tolerance(text: str, *, kind: str, nominal: float, is_zone: bool) -> T
     if match := FIT.fullmatch(given):
         _require_length(given, kind)
         return Tolerance(*tolerance_class(match[1], int(match[2]), abs(nominal)), given)
-    raise ValueError(_refusal(given))
+    raise _refusal(given)
 
 
 def _zone(given: str) -> Tolerance:
@@ -93,7 +93,7 @@ def _general(name: str, second: str, kind: str, nominal: float, given: str) -> T
 
 def _require_length(given: str, kind: str) -> None:
     if kind not in LENGTHS:
-        raise ValueError(f"{given!r} applies to linear sizes; for {kind.replace('_', ' ')} enter the limits as numbers, such as ±0.5")
+        raise ValueError(f"{given!r} applies to linear sizes only: enter the limits as numbers, such as ±0.5")
 
 
 def _positive(number: str, given: str) -> float:
@@ -103,11 +103,11 @@ def _positive(number: str, given: str) -> float:
     return value
 
 
-def _refusal(given: str) -> str:
+def _refusal(given: str) -> ValueError:
     if re.search(r"22081", given):
-        return f"{given!r}: with ISO 22081 the drawing states the values: enter them, such as ±0.3"
+        return ValueError(f"{given!r}: with ISO 22081 the drawing states the values: enter them, such as ±0.3")
     if MAXIMUM.fullmatch(given):
-        return f"{given!r}: max applies to the width of a tolerance zone; for a size enter both limits, such as 0/-0.2"
+        return ValueError(f"{given!r}: max applies to the width of a tolerance zone; for a size enter both limits, such as 0/-0.2")
     if re.fullmatch(rf"[+-]?(?:{NUMBER})", given):
-        return f"{given!r} is one number: enter ±{given.lstrip('+-')}, or both limits, such as +{given.lstrip('+-')}/0"
-    return f"{given!r} is not a tolerance: enter {EXAMPLES}"
+        return ValueError(f"{given!r} is one number: enter ±{given.lstrip('+-')}, or both limits, such as +{given.lstrip('+-')}/0")
+    return ValueError(f"{given!r} is not a tolerance: enter {EXAMPLES}")

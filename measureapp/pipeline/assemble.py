@@ -39,6 +39,7 @@ from measureapp.progress import PartOf, Progress
 from measureapp.project.folder import ProjectFolder
 from measureapp.project.geometry.files import read_mesh
 from measureapp.project.identification_file import read_identification
+from measureapp.project.large_clouds import map_large
 from measureapp.register.joint.axis_doubt import AxisPattern
 from measureapp.register.joint.pose_prior import PosePrior
 from measureapp.register.joint.registration_cache import RegistrationCache
@@ -185,7 +186,12 @@ def _without_surroundings(
         return views, Surroundings()
     plan = project.plan()
     pose = None if plan is None else plan.part_pose
-    return exclude_surroundings(views, read_mesh(project.nominal, "nominal"), pose, calibrated, project.rig())
+    part, surroundings = exclude_surroundings(views, read_mesh(project.nominal, "nominal"), pose, calibrated, project.rig())
+    return [own if own is view else _on_disk(project, own) for view, own in zip(views, part, strict=True)], surroundings
+
+
+def _on_disk(project: ProjectFolder, view: ViewResult) -> ViewResult:
+    return replace(view, cloud=map_large(view.cloud, project.path))
 
 
 def _with_surroundings(settings: Mapping[str, Any], said: str) -> dict[str, Any]:

@@ -26,6 +26,7 @@ from measureapp.pipeline.stack_findings import blur_findings, stack_findings
 from measureapp.pipeline.watch import Stopwatch
 from measureapp.progress import PartOf, Progress
 from measureapp.project.folder import ProjectFolder
+from measureapp.project.large_clouds import map_large
 from measureapp.reconstruct.diagnosis.camera_shift import camera_shift
 from measureapp.reconstruct.diagnosis.diagnose import diagnose
 from measureapp.reconstruct.projector.with_projector import reconstruct_view_with_projector
@@ -94,11 +95,17 @@ def compute_stored(
     """Compute the cloud of a viewpoint from its stored images; where that fails, return why: the others are computed without it."""
     try:
         view = compute_cloud(project.frames.load(viewpoint_id), calibration, progress, rectifier, None, memory, settings)
-        return replace(view, made_from=made_from(project, viewpoint_id, calibration.cameras, settings or DecodeSettings()))
+        return stored_view(project, view, calibration, settings or DecodeSettings())
     except StorageError as error:
         return ViewFailed(viewpoint_id, str(error), damaged=True)
     except (DecodeError, ReconstructError) as error:
         return ViewFailed(viewpoint_id, str(error))
+
+
+def stored_view(project: ProjectFolder, view: ViewResult, calibration: RigCalibration, settings: DecodeSettings) -> ViewResult:
+    """Return a view computed from stored images with what it was made from, its cloud on disk where it is large."""
+    made = made_from(project, view.viewpoint_id, calibration.cameras, settings)
+    return replace(view, cloud=map_large(view.cloud, project.path), made_from=made)
 
 
 def compute_cloud(

@@ -12,12 +12,13 @@ from measureapp.errors import InputError, StorageError
 from measureapp.memory import GIB, available_bytes
 from measureapp.pipeline.events import Event, MemoryShort
 from measureapp.project.folder import ProjectFolder
+from measureapp.project.large_clouds import LARGE_BYTES
 
 PROGRAM_BYTES = 500_000_000  # with its libraries and compiled kernels
 DETECTION_BYTES = 120  # of a pixel of the two images that a thread searches for the board
 VIEW_BYTES = 130  # of a pixel of each camera of the view that is decoded, matched and cleaned
-CLOUD_BYTES = 53  # of a point, which stays
-STITCHING_BYTES = 300  # of a point, while clouds are registered, merged and checked with the error model, and the part is inspected
+CLOUD_BYTES = 53  # of a point; large clouds are on disk
+STITCHING_BYTES = 90  # of a point, while clouds are registered and merged; everything after it needs less
 SAMPLED_VIEWS, ROWS, COLUMNS = 3, 16, 4  # of views, and of rows and columns of their images, lit pixels are counted
 LIT = 0.04  # of saturation: a pixel that changes by so much from pattern to pattern may become a point
 
@@ -62,7 +63,7 @@ def memory_need(project: ProjectFolder) -> Need:
     rig, views, boards = project.rig(), project.stored_viewpoints(), project.board_view_count()
     sizes = [camera.width_px * camera.height_px for camera in rig.cameras]
     points = round(len(views) * max(sizes) * _lit_share(project, views))
-    held = PROGRAM_BYTES + CLOUD_BYTES * points
+    held = PROGRAM_BYTES + min(CLOUD_BYTES * points, LARGE_BYTES * len(views))
     return Need(
         calibration=PROGRAM_BYTES + boards * sum(sizes) + DETECTION_BYTES * max(sizes),
         detection=DETECTION_BYTES * max(sizes),

@@ -17,9 +17,8 @@ from measureapp.data.measurement import ViewResult
 from measureapp.errors import DecodeError, ReconstructError, StorageError
 from measureapp.pipeline.clock_watch import ClockWatch
 from measureapp.pipeline.events import Event, ViewFailed, ViewReady
-from measureapp.pipeline.kept_views import made_from
 from measureapp.pipeline.live_decoding import LiveDecoding, LiveMaps
-from measureapp.pipeline.measure import compute_cloud
+from measureapp.pipeline.measure import compute_cloud, stored_view
 from measureapp.pipeline.noise import decode_settings_of
 from measureapp.pipeline.watch import Stopwatch
 from measureapp.pipeline.worker import LEAVE_S, STOPPED_WITHIN_S, Worker
@@ -149,7 +148,7 @@ class Processing:
         if stack is None or maps is None:
             stack = self._project.frames.load(viewpoint_id)
         view = compute_cloud(stack, self._calibration, NoProgress(), self._rectifier, maps, self._memory, self._settings)
-        view = replace(view, made_from=made_from(self._project, viewpoint_id, self._calibration.cameras, self._settings))
+        view = stored_view(self._project, view, self._calibration, self._settings)
         if live is None:
             return view
         return replace(view, timings_s={LAST_IMAGE_TO_CLOUD: time.monotonic() - live.last_image_s})

@@ -37,6 +37,7 @@ from measureapp.project.documents import (
 from measureapp.project.geometry.files import read_mesh, read_point_cloud, read_stitched, write_cloud, write_mesh
 from measureapp.project.journal.entries import Entry
 from measureapp.project.journal.state import RESULTS, Compared
+from measureapp.project.large_clouds import map_large
 from measureapp.project.text_document import check_version
 
 DOCUMENT, STITCHED, MESH = "measurement.json", "stitched_cloud.ply", "mesh.ply"
@@ -154,7 +155,7 @@ def _view_document(view: ViewResult) -> dict[str, Any]:
 def _view_from(folder: Path, document: Mapping[str, Any]) -> ViewResult:
     return ViewResult(
         viewpoint_id=_known_id(document["viewpoint_id"]),
-        cloud=read_point_cloud(cloud_path(folder, document["viewpoint_id"])),
+        cloud=map_large(read_point_cloud(cloud_path(folder, document["viewpoint_id"])), folder),
         quality=CloudQuality(**document["quality"]),
         part_from_camera=transform_from(document["part_from_camera"]),
         decode=document["decode"],

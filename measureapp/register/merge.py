@@ -15,7 +15,7 @@ from measureapp.data.cloud import PointCloud
 from measureapp.geometry.transform import RigidTransform
 from measureapp.progress import NoProgress, Progress
 from measureapp.register.clouds.filters import in_large_components
-from measureapp.register.grid.voxels import VoxelSums
+from measureapp.register.grid.voxels import CHUNK, VoxelSums
 
 # columns of the sums of one voxel
 WEIGHT, POSITION, NORMAL, GREY, NOISE, ALONG = 0, slice(1, 4), slice(4, 7), 7, 8, 9
@@ -24,6 +24,8 @@ GRAZING = 0.15  # lower limit of the cosine in a point's weight
 LEAST_SIGMA_MM = 0.005
 LAYER_GAP = 1.5  # in voxels: layers of one face closer than this along its axis are one surface
 SPARSE_FACTOR = 3.0
+MOST_AT_ONCE = 4  # clouds
+QUERIED_AT_ONCE = 200_000  # points whose neighbours are in memory
 GOLDEN = (5**0.5 - 1) / 2
 
 
@@ -71,30 +73,43 @@ def merge(
     """
     progress = progress or NoProgress()
     numbers = list(views) if views is not None else list(range(len(clouds)))
-    sums = VoxelSums(WIDTH)
-    parts: list[tuple[IntArray, FloatArray]] = []
     places: Sequence[RigidTransform | None] = poses or [None] * len(clouds)
-    placed = list(zip(clouds, places, origins_mm, strict=True))
-    at_once = os.cpu_count() or 1  # limits the memory for sums waiting to be added
-    with ThreadPoolExecutor(at_once) as pool:
-        for start in range(0, len(placed), at_once):
-            progress.report(start, len(placed), "merging")
-            for keys, rows in pool.map(lambda one: _sum_cloud(one[0], one[1], one[2], voxel_mm), placed[start : start + at_once]):
-                sums.add(keys, rows)
-                parts.append((keys, rows[:, WEIGHT].astype(np.float32)))
-    keys, rows = sums.sorted()
-    merged = _merge_layers(keys, rows, parts, numbers, voxel_mm)
+    merged = _merge_layers(_sum_clouds(list(zip(clouds, places, origins_mm, strict=True)), voxel_mm, progress), numbers, voxel_mm)
     merged = merged.where(_not_sparse(merged.points_mm)) if len(merged.points_mm) > 10 else merged
     merged = merged.where(in_large_components(merged.points_mm, voxel_mm, island_mm2)) if island_mm2 > 0 else merged
     progress.report(1, 1, "merged")
     return merged
 
 
+@dataclass(slots=True, eq=False)
+class _Summed:
+    """All clouds in voxels; its arrays are given up one by one, as soon as they are no longer needed."""
+
+    keys: IntArray  # (V,), ascending
+    rows: FloatArray  # (V, WIDTH)
+    parts: list[tuple[IntArray, FloatArray]]  # of every cloud, its keys and the weight of each
+
+
+def _sum_clouds(placed: Sequence[tuple[PointCloud, RigidTransform | None, FloatArray]], voxel_mm: float, progress: Progress) -> _Summed:
+    sums = VoxelSums(WIDTH)
+    parts: list[tuple[IntArray, FloatArray]] = []
+    at_once = min(os.cpu_count() or 1, MOST_AT_ONCE)  # limits the memory for sums waiting to be added
+    with ThreadPoolExecutor(at_once) as pool:
+        for start in range(0, len(placed), at_once):
+            progress.report(start, len(placed), "merging")
+            for keys, rows in pool.map(lambda one: _sum_cloud(one[0], one[1], one[2], voxel_mm), placed[start : start + at_once]):
+                sums.add(keys, rows)
+                parts.append((keys, rows[:, WEIGHT].astype(np.float32)))
+    return _Summed(*sums.pop_sorted(), parts)
+
+
 def _sum_cloud(cloud: PointCloud, pose: RigidTransform | None, origin_mm: FloatArray, voxel_mm: float) -> tuple[IntArray, FloatArray]:
     """Return the sorted voxel keys of one cloud, at its place, and the sums of their rows."""
     single = VoxelSums(WIDTH)
-    single.add(*_weight_points(cloud if pose is None else cloud.seen_from(pose), np.asarray(origin_mm), voxel_mm))
-    return single.sorted()
+    for start in range(0, len(cloud), CHUNK):  # a row is larger than a point
+        part = cloud.where(slice(start, start + CHUNK))
+        single.add(*_weight_points(part if pose is None else part.seen_from(pose), np.asarray(origin_mm), voxel_mm))
+    return single.pop_sorted()
 
 
 def _weight_points(cloud: PointCloud, origin_mm: FloatArray, voxel_mm: float) -> tuple[IntArray, FloatArray]:
@@ -145,23 +160,27 @@ def _sample_views(
     return view
 
 
-def _merge_layers(
-    keys: IntArray, rows: FloatArray, parts: list[tuple[IntArray, FloatArray]], numbers: list[int], voxel_mm: float
-) -> MergedPoints:
-    """Merge voxels of one column and face that hold the same surface."""
+def _merge_layers(summed: _Summed, numbers: list[int], voxel_mm: float) -> MergedPoints:
+    """Merge voxels of one column and face that hold the same surface; what was summed is given up on the way."""
+    keys, rows = summed.keys, summed.rows
     if len(keys) == 0:
         none = np.empty(0, np.int16)
         return MergedPoints(np.empty((0, 3)), np.empty((0, 3)), np.empty(0), np.empty(0), none, none)
-    view = _dominant_views(keys, parts, numbers)
-    axis = (keys >> 61).astype(np.int64)
+    axis = keys >> 61
     depth = np.take_along_axis(rows[:, POSITION], axis[:, None], axis=1)[:, 0] / rows[:, WEIGHT]
-    same_column = (keys[1:] >> 20) == (keys[:-1] >> 20)
-    begins = np.concatenate([[True], ~same_column | (np.abs(np.diff(depth)) > LAYER_GAP * voxel_mm)])
+    begins = np.ones(len(keys), np.bool_)
+    begins[1:] = ((keys[1:] >> 20) != (keys[:-1] >> 20)) | (np.abs(np.diff(depth)) > LAYER_GAP * voxel_mm)
+    del axis, depth
     first = np.flatnonzero(begins)
-    group = np.cumsum(begins) - 1
-    heaviest = np.lexsort((rows[:, WEIGHT], group))[np.append(first[1:], len(keys)) - 1]
-    total = np.add.reduceat(rows, first, axis=0)
+    heaviest = _heaviest(rows[:, WEIGHT], first)
+    total = rows[: len(first)]
+    for column in range(WIDTH):  # in the place of what is added up
+        total[:, column] = np.add.reduceat(rows[:, column], first)
+    view = _dominant_views(keys, summed.parts, numbers)[heaviest]
     weight = total[:, WEIGHT]
+    sampled = _sample_views(keys, np.cumsum(begins, dtype=np.int32) - 1, weight, summed.parts, numbers)
+    del keys, begins, first, heaviest
+    summed.keys, summed.rows, summed.parts = np.empty(0, np.int64), np.empty((0, WIDTH)), []
     mean = total[:, POSITION] / weight[:, None]
     normals = total[:, NORMAL]
     # the mean of points on a curved surface lies inside it, by half their mean offset from it along their own normals
@@ -172,13 +191,23 @@ def _merge_layers(
         normals.astype(np.float32),
         (np.sqrt(total[:, NOISE]) / weight).astype(np.float32),
         np.clip(total[:, GREY] / weight, 0, 1).astype(np.float32),
-        view[heaviest],
-        _sample_views(keys, group, weight, parts, numbers),
+        view,
+        sampled,
     )
+
+
+def _heaviest(weight: FloatArray, first: IntArray) -> IntArray:
+    """Return the row (G,) of largest weight in each group of rows, which begin at ``first`` (G,); of equal ones the last."""
+    most = np.repeat(np.maximum.reduceat(weight, first), np.diff(np.append(first, len(weight))))
+    rows = np.where(weight == most, np.arange(len(weight)), -1)
+    return np.asarray(np.maximum.reduceat(rows, first))
 
 
 def _not_sparse(points_mm: FloatArray) -> BoolArray:
     """Return which points have a mean neighbour distance of at most three times the median."""
-    distances, _ = cKDTree(points_mm).query(points_mm, 7, workers=-1)
-    mean = distances[:, 1:].mean(axis=1)
+    tree, mean = cKDTree(points_mm, copy_data=False), np.empty(len(points_mm))
+    for start in range(0, len(points_mm), QUERIED_AT_ONCE):
+        part = slice(start, start + QUERIED_AT_ONCE)
+        distances, _ = tree.query(points_mm[part], 7, workers=-1)
+        mean[part] = distances[:, 1:].mean(axis=1)
     return np.asarray(mean <= SPARSE_FACTOR * np.median(mean))

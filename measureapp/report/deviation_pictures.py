@@ -26,6 +26,7 @@ VIEWS = (("oblique view", OBLIQUE), ("from the opposite side, below", ViewDirect
 WIDE = (760, 500)
 NEAR_MM = 2.0  # as in the unmeasured share
 NEIGHBOURS = 6
+BLUR_MM = 0.05  # distance within which neighbours weigh alike
 FACING = 0.3  # cosine between the nominal's normal here and at the point
 FLAG = "#182126"
 
@@ -97,15 +98,12 @@ def _colours(scene: SurfaceScene, seen: Seen, look_up: partial[FloatArray], scal
 
 def _deviation_at(deviation: Deviation, points_mm: FloatArray, normals: FloatArray) -> FloatArray:
     """Return the mean deviation (N,) of the nearest measured points on the same side of the part; NaN where there is none within 2 mm."""
-    distance, index = deviation.tree.query(points_mm, k=NEIGHBOURS, distance_upper_bound=NEAR_MM, workers=-1)
-    found = np.isfinite(distance)
-    index = np.where(found, index, 0)
-    facing = np.einsum("nkd,nd->nk", deviation.nominal_normals[index], normals.astype(np.float32)) > FACING
-    used = found & facing
-    weight = used / (0.05 + np.where(found, distance, 1.0))
-    total = weight.sum(axis=1)
-    with np.errstate(invalid="ignore"):
-        return np.where(total > 0, np.sum(weight * deviation.distances_mm[index], axis=1) / np.where(total > 0, total, 1), np.nan)
+    from measureapp.report.kernels import mean_of_facing
+
+    away, near = deviation.tree.query(points_mm, k=NEIGHBOURS, distance_upper_bound=NEAR_MM, workers=-1)
+    made = np.empty(len(points_mm))
+    mean_of_facing(away, near, deviation.nominal_normals, normals, deviation.distances_mm, FACING, BLUR_MM, made)
+    return made
 
 
 def _hatching(pixels: IntArray, width: int) -> FloatArray:

@@ -168,3 +168,27 @@ def average(colours: Any, shade: Any, depth: Any, jump: float, far: float, size:
         for column in range(width // size):
             for channel in range(3):
                 picture[row, column, channel] = min(max(np.rint(sums[column, channel] / size**2 * 255), 0), 255)
+
+
+@njit(**EXACT)
+def mean_of_facing(away: Any, near: Any, normals: Any, towards: Any, values: Any, facing: float, blur: float, means: Any) -> None:
+    """Average values of neighbours that face the same way, weighted by 1 / (blur + distance).
+
+    Parameters
+    ----------
+    away, near : (N, K) distances and indices of neighbours, nearest first; infinite where there is no further one
+    normals, values : (M, 3) and (M,) of the neighbours
+    towards : (N, 3) normals of the places; of neighbours that count, the cosine to it is above ``facing``
+    means : (N,), filled; NaN where no neighbour counts
+    """
+    for n in range(len(near)):
+        total, weights = 0.0, 0.0
+        for k in range(near.shape[1]):
+            if not np.isfinite(away[n, k]):
+                break
+            m = near[n, k]
+            if normals[m, 0] * towards[n, 0] + normals[m, 1] * towards[n, 1] + normals[m, 2] * towards[n, 2] > facing:
+                weight = 1.0 / (blur + away[n, k])
+                total += weight * values[m]
+                weights += weight
+        means[n] = total / weights if weights > 0.0 else np.nan

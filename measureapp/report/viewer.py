@@ -81,12 +81,13 @@ def simplify(mesh: Mesh) -> Mesh:
     """Return the mesh with at most `MOST_TRIANGLES`; what was not measured is known by the nearest vertex."""
     if len(mesh.triangles) <= MOST_TRIANGLES:
         return mesh
-    o3d = open3d()
-    whole = o3d.geometry.TriangleMesh(
-        o3d.utility.Vector3dVector(np.array(mesh.vertices_mm)), o3d.utility.Vector3iVector(np.array(mesh.triangles))
+    o3d, centre = open3d(), mesh.vertices_mm.mean(axis=0)  # in single precision
+    tensor = o3d.core.Tensor.from_numpy
+    whole = o3d.t.geometry.TriangleMesh(
+        tensor((mesh.vertices_mm - centre).astype(np.float32)), tensor(np.array(mesh.triangles, dtype=np.int64))
     )
-    made = whole.simplify_quadric_decimation(MOST_TRIANGLES)
-    vertices, triangles = np.asarray(made.vertices), np.asarray(made.triangles)
+    made = whole.simplify_quadric_decimation(1.0 - MOST_TRIANGLES / len(mesh.triangles))
+    vertices, triangles = made.vertex.positions.numpy() + centre, made.triangle.indices.numpy()
     measured = None if mesh.measured is None else np.asarray(mesh.measured)[cKDTree(mesh.vertices_mm).query(vertices, workers=-1)[1]]
     return Mesh(vertices, triangles, mesh.frame, measured)
 

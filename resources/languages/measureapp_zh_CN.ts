@@ -3786,8 +3786,32 @@
   <context>
     <name>core.data</name>
     <message>
+      <source>Deviations by {v1} exceed the error model by {v2} mm (k = 1), which is added to U. Likely cause: {v3}.</source>
+      <translation>按{v1}归类的偏差超出误差模型 {v2} mm (k = 1)，已计入 U。可能原因：{v3}。</translation>
+    </message>
+    <message>
+      <source>Excluded as surroundings of the part, of all points: {v1}.</source>
+      <translation>作为工件周围物体而去除，占所有点：{v1}。</translation>
+    </message>
+    <message>
       <source>Give robot pose, guide position and table angle.</source>
       <translation>请给出机器人位姿、导轨位置和转台角度。</translation>
+    </message>
+    <message>
+      <source>ISO 2768-{v1} is defined for sizes from 0.5 to 4000 mm, not {v2} mm: enter the limits as numbers</source>
+      <translation>ISO 2768-{v1} 的定义范围是 0.5 至 4000 mm，不包括 {v2} mm：请以数字输入极限</translation>
+    </message>
+    <message>
+      <source>ISO 2768-{v1} states no tolerance for {v2} mm: enter the limits as numbers</source>
+      <translation>ISO 2768-{v1} 对 {v2} mm 未规定公差：请以数字输入极限</translation>
+    </message>
+    <message>
+      <source>Points of table, fixtures and background were kept, by choice.</source>
+      <translation>按选择保留了转台、夹具和背景的点。</translation>
+    </message>
+    <message>
+      <source>The measurement agrees with its error model.</source>
+      <translation>测量结果与其误差模型一致。</translation>
     </message>
     <message>
       <source>The read-back of an axis is missing.</source>
@@ -3806,12 +3830,180 @@
       <translation>请将其变换到导轨坐标系。</translation>
     </message>
     <message>
+      <source>`count` is the number of copies that `{{k}}` in `of` runs over; it excludes `repeat`</source>
+      <translation>`count` 是 `of` 中 `{{k}}` 所遍历的副本数；不能与 `repeat` 同时使用</translation>
+    </message>
+    <message>
+      <source>`datum_letters`: {v1} is not a datum letter: use a capital such as A, or one twice, such as AA</source>
+      <translation>`datum_letters`：{v1} 不是基准字母：请用大写字母，如 A，或重复两次，如 AA</translation>
+    </message>
+    <message>
+      <source>`datum_material` names {v1} twice: remove one of them</source>
+      <translation>`datum_material` 两次列出 {v1}：请去掉其中一个</translation>
+    </message>
+    <message>
+      <source>`datum_material` names {v1}, which is not one of the `datums`: use a name of that list</source>
+      <translation>`datum_material` 列出的 {v1} 不在 `datums` 中：请用该列表中的名称</translation>
+    </message>
+    <message>
+      <source>`direction` has length 0</source>
+      <translation>`direction` 的长度为 0</translation>
+    </message>
+    <message>
+      <source>`grow` does not apply to {v1}</source>
+      <translation>`grow` 不适用于 {v1}</translation>
+    </message>
+    <message>
+      <source>`material_condition` and `size_limits_mm` need each other</source>
+      <translation>`material_condition` 与 `size_limits_mm` 必须同时给出</translation>
+    </message>
+    <message>
+      <source>`normal` has length 0</source>
+      <translation>`normal` 的长度为 0</translation>
+    </message>
+    <message>
+      <source>`tolerance` {v1} gives {v2} = {v3}, but {v4} is stated: remove one of them</source>
+      <translation>`tolerance` {v1} 给出 {v2} = {v3}，而所述为 {v4}：请去掉其中一个</translation>
+    </message>
+    <message>
+      <source>`zone_offset_mm` applies to a line_profile or surface_profile only: remove it</source>
+      <translation>`zone_offset_mm` 只适用于 line_profile 或 surface_profile：请去掉它</translation>
+    </message>
+    <message>
+      <source>`{v1}` must not be 0 or parallel to `direction`</source>
+      <translation>`{v1}` 不得为 0，也不得平行于 `direction`</translation>
+    </message>
+    <message>
+      <source>`{{k}}` needs `count`, the number of copies</source>
+      <translation>`{{k}}` 需要 `count`，即副本数</translation>
+    </message>
+    <message>
+      <source>a cone needs `half_angle_deg`</source>
+      <translation>圆锥需要 `half_angle_deg`</translation>
+    </message>
+    <message>
+      <source>a constructed {v1} needs {v2} features in `of`</source>
+      <translation>构造的{v1}在 `of` 中需要 {v2} 个特征</translation>
+    </message>
+    <message>
+      <source>a constructed {v1} {v2}</source>
+      <translation>构造的{v1}{v2}</translation>
+    </message>
+    <message>
+      <source>a line lies on one face: give one of `normals`</source>
+      <translation>直线位于一个面上：请给出 `normals` 中的一个</translation>
+    </message>
+    <message>
+      <source>a line_profile needs `section`, its section plane</source>
+      <translation>line_profile 需要 `section`，即其截面</translation>
+    </message>
+    <message>
+      <source>a material condition applies to a position only: remove it, or use kind = position</source>
+      <translation>实体要求只适用于位置度：请去掉它，或用 kind = position</translation>
+    </message>
+    <message>
+      <source>a nominal needs `point_mm`; remove direction and sizes of a feature without nominal position</source>
+      <translation>名义值需要 `point_mm`；没有名义位置的特征请去掉方向和尺寸</translation>
+    </message>
+    <message>
+      <source>a slot is longer than wide; otherwise use a circle</source>
+      <translation>槽的长度大于宽度；否则请用圆</translation>
+    </message>
+    <message>
+      <source>a slot needs `along`, its long direction, `length_mm` and `width_mm`</source>
+      <translation>槽需要 `along`（其长度方向）、`length_mm` 和 `width_mm`</translation>
+    </message>
+    <message>
+      <source>a {v1} has no datums</source>
+      <translation>{v1} 没有基准</translation>
+    </message>
+    <message>
+      <source>a {v1} has one datum</source>
+      <translation>{v1} 只有一个基准</translation>
+    </message>
+    <message>
+      <source>a {v1} is the width of a tolerance zone: its nominal is 0, `upper_tolerance` the width allowed</source>
+      <translation>{v1} 是公差带的宽度：其名义值为 0，`upper_tolerance` 为允许的宽度</translation>
+    </message>
+    <message>
+      <source>a {v1} needs `datums`</source>
+      <translation>{v1} 需要 `datums`</translation>
+    </message>
+    <message>
+      <source>a {v1} needs `direction`</source>
+      <translation>{v1}需要 `direction`</translation>
+    </message>
+    <message>
+      <source>a {v1} needs `length_mm` and `normals`, the outward normals of its faces</source>
+      <translation>{v1}需要 `length_mm` 和 `normals`，即其各面的外法线</translation>
+    </message>
+    <message>
+      <source>a {v1} needs `point_mm`, or `grow` with a seed</source>
+      <translation>{v1}需要 `point_mm`，或带种子的 `grow`</translation>
+    </message>
+    <message>
+      <source>a {v1} needs `radius_mm`</source>
+      <translation>{v1}需要 `radius_mm`</translation>
+    </message>
+    <message>
+      <source>an edge needs the `normals` of both faces; a free edge has one, and needs `loss_mm`: fringe window and blur end the points before the material ends</source>
+      <translation>边需要两个面的 `normals`；自由边只有一个，并需要 `loss_mm`：由于条纹窗口和模糊，点在材料结束之前就结束</translation>
+    </message>
+    <message>
+      <source>datum {v1} names feature {v2}, which is not defined</source>
+      <translation>基准 {v1} 引用的特征 {v2} 没有定义</translation>
+    </message>
+    <message>
+      <source>dimension {v1} names the alignment {v2}, which is not defined</source>
+      <translation>尺寸 {v1} 引用的对齐 {v2} 没有定义</translation>
+    </message>
+    <message>
+      <source>dimension {v1} needs feature {v2}, which is not defined</source>
+      <translation>尺寸 {v1} 需要特征 {v2}，它没有定义</translation>
+    </message>
+    <message>
+      <source>dimension {v1}: {v2} is a free_form, which allows only a surface_profile or line_profile</source>
+      <translation>尺寸 {v1}：{v2} 是 free_form，只允许 surface_profile 或 line_profile</translation>
+    </message>
+    <message>
+      <source>dimension {v1}: {v2} {v3}; a {v4} cannot be evaluated on it</source>
+      <translation>尺寸 {v1}：{v2} {v3}；不能在其上评定 {v4}</translation>
+    </message>
+    <message>
       <source>error motions of the guide: {v1}</source>
       <translation>导轨的运动误差：{v1}</translation>
     </message>
     <message>
       <source>error motions of the table: {v1}</source>
       <translation>转台的运动误差：{v1}</translation>
+    </message>
+    <message>
+      <source>feature {v1} has two datum letters, {v2} and {v3}: remove one of them</source>
+      <translation>特征 {v1} 有两个基准字母 {v2} 和 {v3}：请去掉其中一个</translation>
+    </message>
+    <message>
+      <source>feature {v1} is constructed from {v2}, a free_form: use a plane, an axis or a centre</source>
+      <translation>特征 {v1} 由 free_form {v2} 构造：请用平面、轴线或中心</translation>
+    </message>
+    <message>
+      <source>feature {v1} is constructed from {v2}, which is not defined before it</source>
+      <translation>特征 {v1} 由 {v2} 构造，而后者没有在它之前定义</translation>
+    </message>
+    <message>
+      <source>feature {v1}: its pattern must be about the z axis; other patterns apply to measured shapes</source>
+      <translation>特征 {v1}：其阵列必须绕 z 轴；其他阵列适用于测量的形状</translation>
+    </message>
+    <message>
+      <source>kind {v1} needs `nominal`</source>
+      <translation>类型 {v1} 需要 `nominal`</translation>
+    </message>
+    <message>
+      <source>kind {v1} needs {v2}</source>
+      <translation>类型 {v1} 需要{v2}</translation>
+    </message>
+    <message>
+      <source>lower_tolerance is greater than upper_tolerance</source>
+      <translation>lower_tolerance 大于 upper_tolerance</translation>
     </message>
     <message>
       <source>radial ± {v1}, axial ± {v2}, tilt ± {v3}″</source>
@@ -3822,8 +4014,128 @@
       <translation>直线度 ± {v1}，俯仰、偏摆和滚转 ± {v2}″</translation>
     </message>
     <message>
+      <source>the faces of an edge must not be parallel</source>
+      <translation>边的两个面不得平行</translation>
+    </message>
+    <message>
+      <source>the lower end of range_mm is not below the upper one</source>
+      <translation>range_mm 的下限不低于上限</translation>
+    </message>
+    <message>
+      <source>the lower end of tolerance_mm is above the upper one</source>
+      <translation>tolerance_mm 的下限高于上限</translation>
+    </message>
+    <message>
       <source>they move the board by {v1} rms between the views of the calibration; positions are corrected for them</source>
       <translation>在标定的各视图之间它们使标定板移动 {v1} rms；位置已作修正</translation>
+    </message>
+    <message>
+      <source>two alignments have the same name</source>
+      <translation>两个对齐有相同的名称</translation>
+    </message>
+    <message>
+      <source>two dimensions have the same name</source>
+      <translation>两个尺寸有相同的名称</translation>
+    </message>
+    <message>
+      <source>two features have the name {v1}</source>
+      <translation>两个特征都名为 {v1}</translation>
+    </message>
+    <message>
+      <source>with a material condition the mean of several positions is meaningless: use `statistic = "max"`</source>
+      <translation>有实体要求时，多个位置度的平均值没有意义：请用 `statistic = "max"`</translation>
+    </message>
+    <message>
+      <source>{share} background</source>
+      <translation>{share} 为背景</translation>
+    </message>
+    <message>
+      <source>{share} fixtures of the rig description</source>
+      <translation>{share} 为设备描述中的夹具</translation>
+    </message>
+    <message>
+      <source>{share} others far from the nominal, such as clamps</source>
+      <translation>{share} 为远离名义模型的其他点，如压板</translation>
+    </message>
+    <message>
+      <source>{share} the table's top, and all within {above} mm above it</source>
+      <translation>{share} 为转台台面及其上方 {above} mm 以内的所有点</translation>
+    </message>
+    <message>
+      <source>{v1} applies to linear sizes only: enter the limits as numbers, such as ±0.5</source>
+      <translation>{v1} 只适用于线性尺寸：请以数字输入极限，如 ±0.5</translation>
+    </message>
+    <message>
+      <source>{v1} is defined for sizes up to {v2} mm, not {v3} mm: enter the limits as numbers</source>
+      <translation>{v1} 的定义范围为 {v2} mm 以下，不包括 {v3} mm：请以数字输入极限</translation>
+    </message>
+    <message>
+      <source>{v1} is not a tolerance: enter {v2}</source>
+      <translation>{v1} 不是公差：请输入 {v2}</translation>
+    </message>
+    <message>
+      <source>{v1} is not available: the grades are IT{v2} to IT{v3}; enter the limits as numbers</source>
+      <translation>没有 {v1}：等级为 IT{v2} 至 IT{v3}；请以数字输入极限</translation>
+    </message>
+    <message>
+      <source>{v1} is not the width of a tolerance zone: enter one number, such as max 0.05</source>
+      <translation>{v1} 不是公差带的宽度：请输入一个数字，如 max 0.05</translation>
+    </message>
+    <message>
+      <source>{v1} is one number: enter ±{v2}, or both limits, such as +{v3}/0</source>
+      <translation>{v1} 是单个数字：请输入 ±{v2}，或两个极限，如 +{v3}/0</translation>
+    </message>
+    <message>
+      <source>{v1} mm found, {v2} mm expected</source>
+      <translation>实测 {v1} mm，预期 {v2} mm</translation>
+    </message>
+    <message>
+      <source>{v1} needs feature {v2}, which is not defined</source>
+      <translation>{v1} 需要特征 {v2}，它没有定义</translation>
+    </message>
+    <message>
+      <source>{v1} uses {v2}, a free_form: use another feature, or a region of the best fit</source>
+      <translation>{v1} 使用 free_form {v2}：请用其他特征，或最佳拟合的区域</translation>
+    </message>
+    <message>
+      <source>{v1}: a tolerance of zero width cannot be verified; enter a number above 0</source>
+      <translation>{v1}：宽度为零的公差无法验证；请输入大于 0 的数字</translation>
+    </message>
+    <message>
+      <source>{v1}: both limits are equal; give a range</source>
+      <translation>{v1}：两个极限相等；请给出范围</translation>
+    </message>
+    <message>
+      <source>{v1}: explained</source>
+      <translation>{v1}：可解释</translation>
+    </message>
+    <message>
+      <source>{v1}: give both limits a sign, such as +{v2}</source>
+      <translation>{v1}：请为两个极限都加上符号，如 +{v2}</translation>
+    </message>
+    <message>
+      <source>{v1}: max applies to the width of a tolerance zone; for a size enter both limits, such as 0/-0.2</source>
+      <translation>{v1}：max 用于公差带的宽度；对于尺寸请输入两个极限，如 0/-0.2</translation>
+    </message>
+    <message>
+      <source>{v1}: the classes of ISO 2768-1 are f, m, c and v</source>
+      <translation>{v1}：ISO 2768-1 的等级为 f、m、c 和 v</translation>
+    </message>
+    <message>
+      <source>{v1}: with ISO 22081 the drawing states the values: enter them, such as ±0.3</source>
+      <translation>{v1}：按 ISO 22081，数值由图样给出：请输入这些数值，如 ±0.3</translation>
+    </message>
+    <message>
+      <source>{v1}: {v2} is the class of geometrical tolerances; for a size enter 2768-{v3}</source>
+      <translation>{v1}：{v2} 是几何公差的等级；对于尺寸请输入 2768-{v3}</translation>
+    </message>
+    <message>
+      <source>{v1}: {v2} mm not explained; likely cause: {v3}</source>
+      <translation>{v1}：{v2} mm 无法解释；可能原因：{v3}</translation>
+    </message>
+    <message>
+      <source>{v1}{v2} is not available: the classes are {v3}; enter the limits as numbers</source>
+      <translation>没有 {v1}{v2}：可用的公差带代号为 {v3}；请以数字输入极限</translation>
     </message>
   </context>
   <context>
@@ -4495,12 +4807,48 @@
   <context>
     <name>core.geometry</name>
     <message>
+      <source>A {v1} cannot be fitted.</source>
+      <translation>无法拟合{v1}。</translation>
+    </message>
+    <message>
+      <source>A {v1} needs at least {v2} points; there are {v3}.</source>
+      <translation>{v1}至少需要 {v2} 个点；现有 {v3} 个。</translation>
+    </message>
+    <message>
+      <source>Correct its nominal, or its limits.</source>
+      <translation>请更正其名义值或其范围。</translation>
+    </message>
+    <message>
       <source>Correct the numbers after joint 6.</source>
       <translation>请更正关节 6 之后的数字。</translation>
     </message>
     <message>
       <source>Correct the numbers of this joint.</source>
       <translation>请更正此关节的数字。</translation>
+    </message>
+    <message>
+      <source>Give its direction.</source>
+      <translation>请给出其方向。</translation>
+    </message>
+    <message>
+      <source>Give more points.</source>
+      <translation>请给出更多点。</translation>
+    </message>
+    <message>
+      <source>Give one weight per point.</source>
+      <translation>请为每个点给出一个权重。</translation>
+    </message>
+    <message>
+      <source>Give points spread over more of the cone, or fit a cylinder.</source>
+      <translation>请给出分布在圆锥更大部分上的点，或拟合圆柱。</translation>
+    </message>
+    <message>
+      <source>Give points spread over more of the {v1}.</source>
+      <translation>请给出分布在{v1}更大部分上的点。</translation>
+    </message>
+    <message>
+      <source>Give the normal of its plane or face.</source>
+      <translation>请给出其平面或面的法线。</translation>
     </message>
     <message>
       <source>Joint {v1} of {v2} has {v3}.</source>
@@ -4515,6 +4863,26 @@
       <translation>请将限位缩小到所用圈数：最多 {v1} 个等效位置。</translation>
     </message>
     <message>
+      <source>Points for a fit must be rows of three finite numbers.</source>
+      <translation>拟合用的点必须是每行三个有限数。</translation>
+    </message>
+    <message>
+      <source>Remove lines that are not points.</source>
+      <translation>请去掉不是点的行。</translation>
+    </message>
+    <message>
+      <source>Select the points of one surface only, or give a start.</source>
+      <translation>请只选择一个表面的点，或给出初值。</translation>
+    </message>
+    <message>
+      <source>The contour {v1} has no direction.</source>
+      <translation>轮廓 {v1} 没有方向。</translation>
+    </message>
+    <message>
+      <source>The contour {v1} has no normal.</source>
+      <translation>轮廓 {v1} 没有法线。</translation>
+    </message>
+    <message>
       <source>The flange of {v1} has no rigid transform.</source>
       <translation>{v1} 的法兰没有刚性变换。</translation>
     </message>
@@ -4523,12 +4891,44 @@
       <translation>{v1} 的关节限位对一个位姿允许 {v2} 个相差整圈的等效位置。</translation>
     </message>
     <message>
+      <source>The minimum-zone fit did not converge.</source>
+      <translation>最小区域拟合未收敛。</translation>
+    </message>
+    <message>
+      <source>The points are not on a {v1}.</source>
+      <translation>这些点不在{v1}上。</translation>
+    </message>
+    <message>
+      <source>The points do not determine a cone.</source>
+      <translation>这些点不能确定圆锥。</translation>
+    </message>
+    <message>
+      <source>The points do not determine a {v1}.</source>
+      <translation>这些点不能确定{v1}。</translation>
+    </message>
+    <message>
+      <source>The points do not determine a {v1}: the fit does not converge.</source>
+      <translation>这些点不能确定{v1}：拟合不收敛。</translation>
+    </message>
+    <message>
+      <source>The weights of a fit must be positive, one per point.</source>
+      <translation>拟合的权重必须为正，每点一个。</translation>
+    </message>
+    <message>
+      <source>Use the least-squares criterion, or remove outliers first.</source>
+      <translation>请用最小二乘准则，或先去除离群点。</translation>
+    </message>
+    <message>
       <source>{v1} has no spherical wrist, so its poses have no configuration data.</source>
       <translation>{v1} 没有球形腕，因此其位姿没有构型数据。</translation>
     </message>
   </context>
   <context>
     <name>core.inspection</name>
+    <message>
+      <source>, small segment: Monte Carlo, {v1} draws</source>
+      <translation>，弧段小：蒙特卡洛，{v1} 次抽样</translation>
+    </message>
     <message>
       <source>A line profile needs a section plane: state `section` in the text of the program.</source>
       <translation>线轮廓度需要截面：请在程序文本中给出 `section`。</translation>
@@ -4666,6 +5066,18 @@
       <translation>请将其作为平面、圆柱或圆锥测量。</translation>
     </message>
     <message>
+      <source>Monte Carlo</source>
+      <translation>蒙特卡洛</translation>
+    </message>
+    <message>
+      <source>Monte Carlo, {v1} trials</source>
+      <translation>蒙特卡洛，{v1} 次试验</translation>
+    </message>
+    <message>
+      <source>Most of U is what the error model does not explain: a contradicted model proves nothing; see the checks of the error model</source>
+      <translation>U 的大部分是误差模型不能解释的：与实测矛盾的模型什么也证明不了；请参见误差模型的检验</translation>
+    </message>
+    <message>
       <source>Move it further inside the surface.</source>
       <translation>请将其移到表面更内侧。</translation>
     </message>
@@ -4710,12 +5122,32 @@
       <translation>请重命名，使引用随之更改。</translation>
     </message>
     <message>
+      <source>Scale of lengths {v1}: {v2}.</source>
+      <translation>长度比例 {v1}：{v2}。</translation>
+    </message>
+    <message>
+      <source>Scan its other side as well.</source>
+      <translation>请也扫描其另一侧。</translation>
+    </message>
+    <message>
+      <source>Scan the blade more densely.</source>
+      <translation>请更密地扫描叶片。</translation>
+    </message>
+    <message>
       <source>Scan the part first, or check the file.</source>
       <translation>请先扫描工件，或检查文件。</translation>
     </message>
     <message>
       <source>Scan these features, or choose others.</source>
       <translation>请扫描这些特征，或选择其他特征。</translation>
+    </message>
+    <message>
+      <source>Scan this area from another side.</source>
+      <translation>请从另一侧扫描此区域。</translation>
+    </message>
+    <message>
+      <source>Scan this area more densely.</source>
+      <translation>请更密地扫描此区域。</translation>
     </message>
     <message>
       <source>Scan this feature, or align by features that were measured.</source>
@@ -4770,6 +5202,10 @@
       <translation>{v1} 的名义值在 {v2} 之间不同：{v3}。</translation>
     </message>
     <message>
+      <source>The part's temperature is not stated: its lengths are those at the temperature of the scan.</source>
+      <translation>未给出工件温度：其长度为扫描温度下的长度。</translation>
+    </message>
+    <message>
       <source>The points span {v1} mm, the nominal {v2} mm: they are not of the same part.</source>
       <translation>点的范围为 {v1} mm，名义模型为 {v2} mm：不是同一工件。</translation>
     </message>
@@ -4788,6 +5224,10 @@
     <message>
       <source>The tolerance from {v1} to {v2} mm is empty.</source>
       <translation>从 {v1} 到 {v2} mm 的公差为空。</translation>
+    </message>
+    <message>
+      <source>The tolerance of {v1} {v2} is smaller than {v3} U ({v4} {v5}): this measurement can hardly prove it</source>
+      <translation>公差 {v1} {v2} 小于 {v3} U ({v4} {v5})：此测量几乎无法证明</translation>
     </message>
     <message>
       <source>The width of the zone must be greater than 0.</source>
@@ -4818,16 +5258,84 @@
       <translation>请使用平面、球、圆柱或圆锥。</translation>
     </message>
     <message>
+      <source>a radius</source>
+      <translation>半径</translation>
+    </message>
+    <message>
+      <source>a radius and an axis</source>
+      <translation>半径和轴线</translation>
+    </message>
+    <message>
+      <source>about the average blade, rotated onto it about the axis</source>
+      <translation>相对于平均叶片，绕轴旋转与之重合</translation>
+    </message>
+    <message>
+      <source>about the nominal, located by the alignment</source>
+      <translation>相对于名义模型，由对齐定位</translation>
+    </message>
+    <message>
       <source>aligning the points to the nominal</source>
       <translation>正在将点与名义模型对齐</translation>
+    </message>
+    <message>
+      <source>assumed: calibration ± {v1} mm and {v2} ppm of the length (k = 1)</source>
+      <translation>假定：标定 ± {v1} mm 和长度的 {v2} ppm (k = 1)</translation>
+    </message>
+    <message>
+      <source>assumed: position of each view ± {v1} mm (k = 1), as the cloud has no error model</source>
+      <translation>假定：每个视图的位置 ± {v1} mm (k = 1)，因为点云没有误差模型</translation>
+    </message>
+    <message>
+      <source>deviation from the shape</source>
+      <translation>形状偏差</translation>
     </message>
     <message>
       <source>distances from the nominal</source>
       <translation>到名义模型的距离</translation>
     </message>
     <message>
+      <source>end of the measured points</source>
+      <translation>测量点的尽头</translation>
+    </message>
+    <message>
+      <source>end of the points, displaced by half the stated loss of {v1} mm</source>
+      <translation>点的尽头，移动所述损失 {v1} mm 的一半</translation>
+    </message>
+    <message>
+      <source>faces up to {v1} mm beside the edge</source>
+      <translation>边两侧 {v1} mm 以内的面</translation>
+    </message>
+    <message>
+      <source>grown from seed to {v1} points within {v2} mm (noise {v3} mm)</source>
+      <translation>由种子生长为 {v2} mm 以内的 {v1} 个点（噪声 {v3} mm）</translation>
+    </message>
+    <message>
       <source>inspection complete</source>
       <translation>检测完成</translation>
+    </message>
+    <message>
+      <source>is a region of the nominal mesh, and the program has no `nominal`</source>
+      <translation>是名义网格的区域，而程序没有 `nominal`</translation>
+    </message>
+    <message>
+      <source>its edge is not round</source>
+      <translation>其边缘不是圆的</translation>
+    </message>
+    <message>
+      <source>its edge is not round, or was not measured</source>
+      <translation>其边缘不是圆的，或没有测到</translation>
+    </message>
+    <message>
+      <source>its edge was measured only partly</source>
+      <translation>其边缘只测到一部分</translation>
+    </message>
+    <message>
+      <source>its edge was not measured</source>
+      <translation>其边缘没有测到</translation>
+    </message>
+    <message>
+      <source>its points cover too small a part of the {v1} to determine it at their noise</source>
+      <translation>其点只覆盖{v1}的很小部分，在其噪声下无法确定</translation>
     </message>
     <message>
       <source>its region did not converge</source>
@@ -4838,8 +5346,24 @@
       <translation>其种子位于边上，或该处表面不是{v1}</translation>
     </message>
     <message>
+      <source>length scale ± {v1} ppm (k = 1), from {v2}</source>
+      <translation>长度比例 ± {v1} ppm (k = 1)，来自{v2}</translation>
+    </message>
+    <message>
+      <source>medians over {v1} mm, {v2}</source>
+      <translation>{v1} mm 上的中位数，{v2}</translation>
+    </message>
+    <message>
       <source>no measured surface lies within {v1} mm of its seed</source>
       <translation>其种子 {v1} mm 内没有测量的表面</translation>
+    </message>
+    <message>
+      <source>of the features are found</source>
+      <translation>的特征已找到</translation>
+    </message>
+    <message>
+      <source>only one side of the blade was measured</source>
+      <translation>只测到叶片的一侧</translation>
     </message>
     <message>
       <source>only {v1} points around its seed form one surface, {v2} are needed</source>
@@ -4854,8 +5378,56 @@
       <translation>其种子周围只测量了 {v1} 个点，需要 {v2} 个</translation>
     </message>
     <message>
+      <source>only {v1} points were measured on its edge</source>
+      <translation>其边缘只测到 {v1} 个点</translation>
+    </message>
+    <message>
+      <source>only {v1} points were measured on its edge, {v2} are needed</source>
+      <translation>其边缘只测到 {v1} 个点，需要 {v2} 个</translation>
+    </message>
+    <message>
+      <source>surface tilted</source>
+      <translation>表面倾斜</translation>
+    </message>
+    <message>
+      <source>taken as exact</source>
+      <translation>视为准确</translation>
+    </message>
+    <message>
+      <source>the alignment {v1} failed: {v2}</source>
+      <translation>对齐 {v1} 失败：{v2}</translation>
+    </message>
+    <message>
+      <source>the blade continues there</source>
+      <translation>叶片在那里延续</translation>
+    </message>
+    <message>
+      <source>the fitted radius differs by {v1} mm from its nominal</source>
+      <translation>拟合半径与名义值相差 {v1} mm</translation>
+    </message>
+    <message>
+      <source>the fitted {v1} is tilted by {v2}° against its nominal</source>
+      <translation>拟合的{v1}相对名义倾斜 {v2}°</translation>
+    </message>
+    <message>
       <source>the nominal of a {v1} does not follow from features</source>
       <translation>{v1}的名义值不能由特征得出</translation>
+    </message>
+    <message>
+      <source>the points do not cover the section from one edge to the other</source>
+      <translation>这些点没有从一边到另一边覆盖截面</translation>
+    </message>
+    <message>
+      <source>the points do not determine this value</source>
+      <translation>这些点不能确定此值</translation>
+    </message>
+    <message>
+      <source>the points of the patch do not determine a surface</source>
+      <translation>该区块的点不能确定表面</translation>
+    </message>
+    <message>
+      <source>the points of the patch do not surround the nominal point</source>
+      <translation>该区块的点没有包围名义点</translation>
     </message>
     <message>
       <source>the region grown from its seed covers the whole part ({v1} of {v2} points)</source>
@@ -4900,6 +5472,10 @@
     <message>
       <source>{v1} do not have the same dimensions: only one has {v2}.</source>
       <translation>{v1} 的尺寸不相同：只有一个有 {v2}。</translation>
+    </message>
+    <message>
+      <source>{v1} features: {v2} points, {v3} rejected</source>
+      <translation>{v1} 个特征：{v2} 个点，{v3} 个被剔除</translation>
     </message>
     <message>
       <source>{v1} has no dimensions.</source>
@@ -5038,6 +5614,18 @@
       <translation>{v1} 按不同程序检测：{v2}。</translation>
     </message>
     <message>
+      <source>{v1}, face</source>
+      <translation>{v1}，面</translation>
+    </message>
+    <message>
+      <source>{v1}, face {v2}</source>
+      <translation>{v1}，面 {v2}</translation>
+    </message>
+    <message>
+      <source>{v1}, loss</source>
+      <translation>{v1}，损失</translation>
+    </message>
+    <message>
       <source>{v1}: `along` is perpendicular to the plane, which has no lines in that direction</source>
       <translation>{v1}：`along` 垂直于平面，平面在该方向没有直线</translation>
     </message>
@@ -5078,6 +5666,10 @@
       <translation>{v1}：偏置需要平面，而 {v2} 是{v3}</translation>
     </message>
     <message>
+      <source>{v1}: constructed</source>
+      <translation>{v1}：构造的</translation>
+    </message>
+    <message>
       <source>{v1}: its axis has only {v2} complete sections, {v3} are needed</source>
       <translation>{v1}：其轴线只有 {v2} 个完整截面，需要 {v3} 个</translation>
     </message>
@@ -5094,6 +5686,10 @@
       <translation>{v1}：其点重合</translation>
     </message>
     <message>
+      <source>{v1}: its points cover too small a segment to determine {v2} at their noise</source>
+      <translation>{v1}：其点覆盖的弧段太小，在其噪声下无法确定{v2}</translation>
+    </message>
+    <message>
       <source>{v1}: no line is long enough for {v2} cells of {v3} mm</source>
       <translation>{v1}：没有直线足够长以容纳 {v2} 个 {v3} mm 的单元</translation>
     </message>
@@ -5102,12 +5698,20 @@
       <translation>{v1}：没有截面在其圆周的 {v2} 以上被测量，需要 {v3}</translation>
     </message>
     <message>
+      <source>{v1}: not found</source>
+      <translation>{v1}：未找到</translation>
+    </message>
+    <message>
       <source>{v1}: only {v2} cells have enough points, {v3} are needed</source>
       <translation>{v1}：只有 {v2} 个单元有足够的点，需要 {v3} 个</translation>
     </message>
     <message>
       <source>{v1}: only {v2} of the circumference is measured, {v3} are needed</source>
       <translation>{v1}：只测量了圆周的 {v2}，需要 {v3}</translation>
+    </message>
+    <message>
+      <source>{v1}: only {v2} points were measured there, {v3} are needed</source>
+      <translation>{v1}：该处只测到 {v2} 个点，需要 {v3} 个</translation>
     </message>
     <message>
       <source>{v1}: only {v2} segments of its sides have enough points, {v3} are needed</source>
@@ -5134,6 +5738,10 @@
       <translation>{v1}：两平面平行，不相交</translation>
     </message>
     <message>
+      <source>{v1}: the points along the edge are too few or too uneven, {v2} are needed</source>
+      <translation>{v1}：沿边的点太少或太不均匀，需要 {v2} 个</translation>
+    </message>
+    <message>
       <source>{v1}: the points look like {v2}.</source>
       <translation>{v1}：这些点看来像 {v2}。</translation>
     </message>
@@ -5156,6 +5764,18 @@
     <message>
       <source>{v1}: {v2} is undefined, as {v3} ({v4} end)</source>
       <translation>{v1}：{v2}没有定义，因为 {v3}（{v4}端）</translation>
+    </message>
+    <message>
+      <source>{v1}: {v2} points, {v3} rejected</source>
+      <translation>{v1}：{v2} 个点，{v3} 个被剔除</translation>
+    </message>
+    <message>
+      <source>{v1}; border: {v2}</source>
+      <translation>{v1}；边界：{v2}</translation>
+    </message>
+    <message>
+      <source>± {v1} ppm (k = 2)</source>
+      <translation>± {v1} ppm (k = 2)</translation>
     </message>
   </context>
   <context>
@@ -5517,12 +6137,32 @@
       <translation>相机 {v3} 的视图 {v1} 与 {v2} 是同一图像：会计算两次。</translation>
     </message>
     <message>
+      <source>axes that move otherwise than calibrated, such as run-out of the table, or a part that moved</source>
+      <translation>轴的运动与标定不同，如转台跳动，或工件移动过</translation>
+    </message>
+    <message>
+      <source>blur or light that depends on the direction of the surface, such as a part less sharp than the board</source>
+      <translation>与表面方向有关的模糊或光照，如工件不如标定板清晰</translation>
+    </message>
+    <message>
       <source>board view {v1}</source>
       <translation>标定板视图 {v1}</translation>
     </message>
     <message>
+      <source>camera pixel</source>
+      <translation>相机像素</translation>
+    </message>
+    <message>
+      <source>cameras or projector that drift while they warm up</source>
+      <translation>相机或投影仪在预热时漂移</translation>
+    </message>
+    <message>
       <source>compiling: {v1}</source>
       <translation>正在编译：{v1}</translation>
+    </message>
+    <message>
+      <source>error motions of the table, or a part that moved</source>
+      <translation>转台的误差运动，或工件移动过</translation>
     </message>
     <message>
       <source>holes explained</source>
@@ -5535,6 +6175,14 @@
     <message>
       <source>improvements predicted</source>
       <translation>改进已预测</translation>
+    </message>
+    <message>
+      <source>light scattered below the surface, gloss, or a camera that responds nonlinearly</source>
+      <translation>表面下散射的光、光泽，或响应非线性的相机</translation>
+    </message>
+    <message>
+      <source>loop closure</source>
+      <translation>闭环</translation>
     </message>
     <message>
       <source>measured by {v1}</source>
@@ -5567,6 +6215,18 @@
     <message>
       <source>samples of the nominal</source>
       <translation>名义模型的采样</translation>
+    </message>
+    <message>
+      <source>surface direction</source>
+      <translation>表面方向</translation>
+    </message>
+    <message>
+      <source>table angle</source>
+      <translation>转台角度</translation>
+    </message>
+    <message>
+      <source>the lens model of the cameras, or a camera that moved since the calibration</source>
+      <translation>相机的镜头模型，或标定后移动过的相机</translation>
     </message>
     <message>
       <source>trying {v1}</source>
@@ -10610,8 +11270,16 @@
       <translation>标定板</translation>
     </message>
     <message>
+      <source>brightness</source>
+      <translation>亮度</translation>
+    </message>
+    <message>
       <source>dimension</source>
       <translation>个尺寸</translation>
+    </message>
+    <message>
+      <source>dimension {name}</source>
+      <translation>尺寸 {name}</translation>
     </message>
     <message>
       <source>dimensions</source>
@@ -10626,12 +11294,28 @@
       <translation>导轨</translation>
     </message>
     <message>
+      <source>is a blade_section</source>
+      <translation>是 blade_section</translation>
+    </message>
+    <message>
+      <source>is not a blade_section</source>
+      <translation>不是 blade_section</translation>
+    </message>
+    <message>
       <source>just now</source>
       <translation>刚刚</translation>
     </message>
     <message>
       <source>no tolerance</source>
       <translation>无公差</translation>
+    </message>
+    <message>
+      <source>one feature</source>
+      <translation>一个特征</translation>
+    </message>
+    <message>
+      <source>or nothing for no verdict</source>
+      <translation>或留空以不作判定</translation>
     </message>
     <message>
       <source>part</source>
@@ -10652,6 +11336,26 @@
     <message>
       <source>table</source>
       <translation>转台</translation>
+    </message>
+    <message>
+      <source>the alignment</source>
+      <translation>对齐</translation>
+    </message>
+    <message>
+      <source>the alignment {name}</source>
+      <translation>对齐 {name}</translation>
+    </message>
+    <message>
+      <source>the program</source>
+      <translation>程序</translation>
+    </message>
+    <message>
+      <source>time</source>
+      <translation>时间</translation>
+    </message>
+    <message>
+      <source>two features</source>
+      <translation>两个特征</translation>
     </message>
     <message>
       <source>{days} days ago</source>

@@ -13,10 +13,11 @@ from measureapp.errors import InputError
 from measureapp.memory import GIB
 from measureapp.pipeline import memory_need as module
 from measureapp.pipeline.events import Event, MemoryShort
-from measureapp.pipeline.memory_need import CLOUD_BYTES, PROGRAM_BYTES, STITCHING_BYTES, Need, detection_threads, memory_need
+from measureapp.pipeline.memory_need import PROGRAM_BYTES, STITCHING_BYTES, Need, detection_threads, memory_need
 from measureapp.pipeline.run import process_project
 from measureapp.progress import NoProgress
 from measureapp.project.folder import ProjectFolder
+from measureapp.project.large_clouds import LARGE_BYTES
 from tests.fringe_project import WIDTH, fringe_project, shiny_stack
 
 
@@ -27,22 +28,23 @@ def project(tmp_path: Path) -> ProjectFolder:
 
 def test_the_need_follows_views_pixels_and_lit_pixels(project: ProjectFolder, tmp_path: Path) -> None:
     two, one = memory_need(project), memory_need(fringe_project(tmp_path / "q", "view01"))
-    of_points, camera = CLOUD_BYTES + STITCHING_BYTES, project.rig().cameras[0]
+    camera = project.rig().cameras[0]
     pixels = camera.width_px * camera.height_px
-    assert two.stitching - PROGRAM_BYTES == pytest.approx(2 * pixels * of_points, rel=0.02)
-    assert one.stitching - PROGRAM_BYTES == pytest.approx(pixels * of_points, rel=0.02)
+    one_view = pixels * STITCHING_BYTES + LARGE_BYTES  # what is more of a cloud is on disk
+    assert two.stitching - PROGRAM_BYTES == pytest.approx(2 * one_view, rel=0.02)
+    assert one.stitching - PROGRAM_BYTES == pytest.approx(one_view, rel=0.02)
     assert "2 views by" in two.words and "million points" in two.words
     for name in ("view01", "view02"):
         lit = shiny_stack(name)
         darkened = {camera: np.where(np.arange(WIDTH) < WIDTH // 4, images, 7) for camera, images in lit.images.items()}
         project.frames.store(replace(lit, images=darkened))
-    assert memory_need(project).stitching - PROGRAM_BYTES == pytest.approx(2 * pixels * of_points / 4, rel=0.1)
+    assert memory_need(project).stitching - PROGRAM_BYTES == pytest.approx(2 * (pixels * STITCHING_BYTES / 4 + LARGE_BYTES), rel=0.1)
 
 
 def test_without_images_every_pixel_counts_as_lit(project: ProjectFolder) -> None:
     for path in project.path.glob("stacks/*/*.npy"):
         path.unlink()
-    assert np.isclose(memory_need(project).stitching, PROGRAM_BYTES + 2 * 2592 * 1944 * (CLOUD_BYTES + STITCHING_BYTES))
+    assert np.isclose(memory_need(project).stitching, PROGRAM_BYTES + 2 * (LARGE_BYTES + 2592 * 1944 * STITCHING_BYTES))
 
 
 @pytest.mark.parametrize(("gib", "threads"), [(9.0, 2), (7.0, 2), (6.9, 1), (5.0, 1)])

@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+import tracemalloc
 from dataclasses import replace
 
 import numpy as np
@@ -135,3 +136,15 @@ def test_curvature_and_edges_are_no_distortion():
     turned = replace(upright, points_mm=np.asarray(upright.points_mm)[:, [2, 1, 0]], normals=np.asarray(upright.normals)[:, [2, 1, 0]])
     for cloud in (ball, concatenate_clouds([plane(18_000, 0.02, 1), turned])):
         assert assess_cloud(cloud).distortion_mm < 0.05
+
+
+def test_merging_needs_less_than_twice_the_memory_of_the_clouds() -> None:
+    """Measured 75 bytes of a point, three quarters of which are the clouds of two threads being added up."""
+    views = [plane(60_000, 0.04, seed) for seed in range(12)]
+    merge(views[:2], [ABOVE] * 2, 0.25)
+    tracemalloc.start()
+    merged = merge(views, [ABOVE] * 12, 0.25)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert len(merged.points_mm) > 50_000
+    assert peak / sum(len(view) for view in views) < 2 * 53

@@ -4,10 +4,11 @@ import io
 
 import cv2
 import numpy as np
+import pytest
 
 from measureapp.data.mesh import Mesh
 from measureapp.inspection.measured_points import sample_mesh
-from measureapp.report.kernels import average, first_of_blocks
+from measureapp.report.kernels import average, first_of_blocks, mean_of_facing
 from measureapp.report.picture import SurfaceScene, ViewDirection, cloud_picture, png, surface_picture
 
 TOP = ViewDirection(-90.0, 89.99)
@@ -128,3 +129,12 @@ def test_blocks_are_numbered_once_each_with_their_first_pixel() -> None:
     for block in range(count):
         own = np.flatnonzero(number == block)
         assert len(set(blocks[own])) == 1 and first[block] == own[0]
+
+
+def test_neighbours_that_face_the_same_way_are_averaged_by_their_distance() -> None:
+    normals, values = np.array([[0, 0, 1], [0, 0, 1], [0, 0, -1]], np.float32), np.array([0.1, 0.4, 9.0])
+    away = np.array([[0.0, 0.1, 0.2], [0.3, np.inf, np.inf], [np.inf, np.inf, np.inf]])
+    near, means = np.array([[0, 2, 1], [2, 3, 3], [3, 3, 3]]), np.empty(3)  # 3: none, as the search tree says
+    mean_of_facing(away, near, normals, np.tile([0.0, 0.0, 1.0], (3, 1)), values, 0.3, 0.05, means)
+    assert means[0] == pytest.approx((0.1 / 0.05 + 0.4 / 0.25) / (1 / 0.05 + 1 / 0.25))
+    assert np.isnan(means[1:]).all()

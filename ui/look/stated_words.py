@@ -30,3 +30,6 @@ STAGES = (
 )
 REASONS = (later("Unmatched"), later("Ambiguous"), later("Contradicted"), later("Uncertain"), later("Outlier"))  # of pixels without a point
 CONTRIBUTIONS = (later("Systematic"),)
+CHECKS = (later("brightness"), later("time"))  # of the error model, whose other names are several words
+NEEDED = ("one feature", "two features", "is not a blade_section", "is a blade_section", "or nothing for no verdict")
+SUBJECTS = ("the program", "the alignment", "the alignment {name}", "dimension {name}")  # of refused changes

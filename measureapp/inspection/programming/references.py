@@ -43,7 +43,9 @@ def program_from(document: Document) -> InspectionProgram:
     try:
         program = InspectionProgram.model_validate(stated)
     except ValidationError as error:
-        raise InputError(f"The change is not possible: {first_problem(error, 'program')}.", "Change the entry it names first.") from error
+        raise InputError(
+            f"The change is not possible: {first_problem(error, 'the program')}.", "Change the entry it names first."
+        ) from error
     letters = _by_letter(letters_of(program))
     return program if letters == dict(program.datum_letters) else program.model_copy(update={"datum_letters": letters})
 

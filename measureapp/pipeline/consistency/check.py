@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from measureapp.arrays import FloatArray, IntArray
-from measureapp.data.cloud import LoopClosure, StitchedCloud
+from measureapp.data.cloud import LoopClosure, StitchedCloud, ViewPlacement
 from measureapp.data.consistency import Consistency, ConsistencyCheck
 from measureapp.data.measurement import ViewResult
 from measureapp.pipeline.consistency.dependence import Dependence, compare_with_expected, estimate_dependence
@@ -21,7 +21,7 @@ TIMES = 6  # classes of consecutive views
 ANGLES, HEIGHTS = 12, 3  # classes of the table's angle, and of the height on the part
 
 Classes = tuple[IntArray, IntArray]  # (N,) of the own and of the other point
-PROPERTIES: dict[str, tuple[Callable[[Sequence[ViewResult], Deviations, Sequence[FloatArray]], Classes], str]]
+PROPERTIES: dict[str, tuple[Callable[[Sequence[ViewResult], Deviations, Sequence[ViewPlacement]], Classes], str]]
 
 
 def check_consistency(views: Sequence[ViewResult], stitched: StitchedCloud) -> Consistency:
@@ -54,12 +54,9 @@ def with_unexplained(stitched: StitchedCloud, consistency: Consistency) -> Stitc
 
 
 def _check_properties(views: Sequence[ViewResult], deviations: Deviations, stitched: StitchedCloud) -> list[ConsistencyCheck]:
-    heights = [
-        placement.part_from_camera.apply(view.cloud.points_mm)[:, 2] for view, placement in zip(views, stitched.placements, strict=True)
-    ]
     checks = []
     for name, (classify, cause) in PROPERTIES.items():
-        own, other = classify(views, deviations, heights)
+        own, other = classify(views, deviations, stitched.placements)
         found = estimate_dependence(deviations.distance_mm, deviations.expected_mm, own, other)
         if found is not None:
             checks.append(_check(name, found, cause))
@@ -77,42 +74,50 @@ def _check_loop(closure: LoopClosure) -> ConsistencyCheck:
     return _check("loop closure", found, cause)
 
 
-def _of_points(deviations: Deviations, values: Sequence[IntArray]) -> Classes:
-    """Return the classes of both points from those of all points of each view."""
-    sides = ((deviations.own_view, deviations.own_point), (deviations.other_view, deviations.other_point))
-    starts = np.cumsum([0, *(len(part) for part in values[:-1])])
-    every = np.concatenate(values).astype(np.int64)
-    own, other = (every[starts[view] + point] for view, point in sides)
-    return own, other
+def _of_points(deviations: Deviations, classify: Callable[[int, IntArray], FloatArray | IntArray]) -> Classes:
+    """Return the classes of both points from ``classify``, which gives those of some points of a view; never of whole clouds at once."""
+    found = []
+    for views, points in ((deviations.own_view, deviations.own_point), (deviations.other_view, deviations.other_point)):
+        classes = np.empty(len(views), np.int64)
+        for view in np.unique(views):
+            rows = views == view
+            classes[rows] = classify(int(view), points[rows])
+        found.append(classes)
+    return found[0], found[1]
 
 
-def _by_pixel(views: Sequence[ViewResult], deviations: Deviations, _heights: Sequence[FloatArray]) -> Classes:
+def _by_pixel(views: Sequence[ViewResult], deviations: Deviations, _placements: Sequence[ViewPlacement]) -> Classes:
     highest = np.maximum(np.max([view.cloud.pixel.max(axis=0) for view in views if len(view.cloud)], axis=0), 1)
-    cells = []
-    for view in views:
-        pixel = np.asarray(view.cloud.pixel)
+
+    def classify(view: int, points: IntArray) -> IntArray:
+        pixel = np.asarray(views[view].cloud.pixel[points], np.int64)
         cell = np.minimum(PIXEL_CELLS * pixel // (highest + 1), PIXEL_CELLS - 1)
-        cells.append(np.where(pixel.min(axis=1) < 0, -1, PIXEL_CELLS * cell[:, 0] + cell[:, 1]))
-    return _of_points(deviations, cells)
+        return np.where(pixel.min(axis=1) < 0, -1, PIXEL_CELLS * cell[:, 0] + cell[:, 1])
+
+    return _of_points(deviations, classify)
 
 
-def _by_direction(views: Sequence[ViewResult], deviations: Deviations, _heights: Sequence[FloatArray]) -> Classes:
+def _by_direction(views: Sequence[ViewResult], deviations: Deviations, _placements: Sequence[ViewPlacement]) -> Classes:
     steps = round(2 / TILT_STEP)
-    cells = [np.clip((np.asarray(view.cloud.normals[:, :2]) + 1) // TILT_STEP, 0, steps - 1).astype(np.int64) for view in views]
-    return _of_points(deviations, [steps * cell[:, 0] + cell[:, 1] for cell in cells])
+
+    def classify(view: int, points: IntArray) -> FloatArray:
+        cell = np.clip((np.asarray(views[view].cloud.normals[points, :2]) + 1) // TILT_STEP, 0, steps - 1)
+        return steps * cell[:, 0] + cell[:, 1]
+
+    return _of_points(deviations, classify)
 
 
-def _by_brightness(views: Sequence[ViewResult], deviations: Deviations, _heights: Sequence[FloatArray]) -> Classes:
+def _by_brightness(views: Sequence[ViewResult], deviations: Deviations, _placements: Sequence[ViewPlacement]) -> Classes:
     borders = np.quantile(np.concatenate([view.cloud.grey[::50] for view in views]), np.arange(1, GREYS) / GREYS)
-    return _of_points(deviations, [np.searchsorted(borders, view.cloud.grey) for view in views])
+    return _of_points(deviations, lambda view, points: np.searchsorted(borders, views[view].cloud.grey[points]))
 
 
-def _by_time(views: Sequence[ViewResult], deviations: Deviations, _heights: Sequence[FloatArray]) -> Classes:
+def _by_time(views: Sequence[ViewResult], deviations: Deviations, placements: Sequence[ViewPlacement]) -> Classes:
     """Early and late views, each in a coarse grid of the image: views as a whole were registered, so that only bending is left."""
     half = max(-(-len(views) // 2), 1)
     order = {view.viewpoint_id: place for place, view in enumerate(sorted(views, key=lambda one: one.viewpoint_id))}
     late = np.array([order[view.viewpoint_id] // half for view in views])
-    own, other = _by_pixel(views, deviations, _heights)
+    own, other = _by_pixel(views, deviations, placements)
 
     def cells(pixel: IntArray, view: IntArray) -> IntArray:
         coarse = (TIMES // 2) * (pixel // PIXEL_CELLS // 2) + pixel % PIXEL_CELLS // 2
@@ -121,13 +126,20 @@ def _by_time(views: Sequence[ViewResult], deviations: Deviations, _heights: Sequ
     return cells(own, deviations.own_view), cells(other, deviations.other_view)
 
 
-def _by_table(views: Sequence[ViewResult], deviations: Deviations, heights: Sequence[FloatArray]) -> Classes:
-    low, high = (
-        float(limit([part.min() if limit is np.min else part.max() for part in heights if len(part)])) for limit in (np.min, np.max)
-    )
+def _by_table(views: Sequence[ViewResult], deviations: Deviations, placements: Sequence[ViewPlacement]) -> Classes:
+    def heights(view: int, points: IntArray | slice) -> FloatArray:
+        pose = placements[view].part_from_camera
+        return np.asarray(views[view].cloud.points_mm[points] @ pose.rotation[2] + pose.translation_mm[2])
+
+    ends = [(part.min(), part.max()) for view in range(len(views)) if len(part := heights(view, slice(None)))]
+    low, high = float(min(ends)[0]), float(max(end for _, end in ends))
     angles = [int(view.readback.table_rad / (2 * np.pi) * ANGLES) % ANGLES for view in views]
-    levels = [np.clip(HEIGHTS * (part - low) / max(high - low, 1e-9), 0, HEIGHTS - 1).astype(np.int64) for part in heights]
-    return _of_points(deviations, [HEIGHTS * angle + level for angle, level in zip(angles, levels, strict=True)])
+
+    def classify(view: int, points: IntArray) -> FloatArray:
+        level = np.clip(HEIGHTS * (heights(view, points) - low) / max(high - low, 1e-9), 0, HEIGHTS - 1)
+        return HEIGHTS * angles[view] + np.floor(level)
+
+    return _of_points(deviations, classify)
 
 
 PROPERTIES = {

@@ -11,6 +11,7 @@ from scipy.spatial import cKDTree
 from measureapp.arrays import BoolArray, FloatArray, IntArray
 from measureapp.data.cloud import PointCloud, StitchedCloud
 from measureapp.data.view_errors import ViewErrors
+from measureapp.geometry.transform import RigidTransform
 
 SAMPLE, LEAST_SAMPLE = 600, 100  # points of a view that are compared with each other view
 MOST_DEVIATIONS = 20_000  # of all pairs, because each is compared with every error of the model
@@ -53,7 +54,7 @@ def compare_views(clouds: Sequence[PointCloud], stitched: StitchedCloud, errors:
     used = sum(placement.used for placement in stitched.placements)
     wanted = int(np.clip(MOST_DEVIATIONS / max(used * min(used - 1, OVERLAPPING), 1), LEAST_SAMPLE, SAMPLE))
     views = [
-        _View.of(number, cloud.seen_from(placement.part_from_camera), wanted)
+        _View.of(number, cloud, placement.part_from_camera, wanted)
         for number, (cloud, placement) in enumerate(zip(clouds, stitched.placements, strict=True))
         if placement.used and len(cloud) > NEIGHBOURS
     ]
@@ -66,25 +67,28 @@ def compare_views(clouds: Sequence[PointCloud], stitched: StitchedCloud, errors:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class _View:
-    """A placed view, prepared for comparison."""
+    """A sample of a view at its place, prepared for comparison: at most `MOST_POINTS`, however large its cloud is."""
 
     number: int
-    cloud: PointCloud
-    searched: IntArray  # points among which the nearest is sought
+    points_mm: FloatArray  # (M, 3), among which the nearest is sought
+    normals: FloatArray  # (M, 3)
+    in_cloud: IntArray  # (M,), which points of the view's cloud they are
     tree: cKDTree
     spacing_mm: float
-    sample: IntArray  # points that are compared with others
+    sample: IntArray  # which of the M are compared with others
 
     @classmethod
-    def of(cls, number: int, cloud: PointCloud, wanted: int) -> _View:
-        searched = np.arange(0, len(cloud), max(1, -(-len(cloud) // MOST_POINTS)))
-        tree = cKDTree(cloud.points_mm[searched])
+    def of(cls, number: int, cloud: PointCloud, part_from_camera: RigidTransform, wanted: int) -> _View:
+        in_cloud = np.arange(0, len(cloud), max(1, -(-len(cloud) // MOST_POINTS)))
+        placed = cloud.where(in_cloud).seen_from(part_from_camera)
+        points = np.asarray(placed.points_mm)
+        tree = cKDTree(points)
         rng = np.random.default_rng(number)  # the same sample every time
-        sample = rng.choice(len(searched), min(2 * wanted, len(searched)), replace=False)
-        distances, nearest = tree.query(cloud.points_mm[searched[sample]], k=NEIGHBOURS + 1)
+        sample = rng.choice(len(points), min(2 * wanted, len(points)), replace=False)
+        distances, nearest = tree.query(points[sample], k=NEIGHBOURS + 1)
         spacing = float(np.median(distances[:, 1]))
-        inside = _is_inside(cloud.points_mm[searched[sample]], cloud.points_mm[searched[nearest[:, 1:]]], distances[:, 1:])
-        return cls(number, cloud, searched, tree, spacing, searched[sample[inside][:wanted]])
+        inside = _is_inside(points[sample], points[nearest[:, 1:]], distances[:, 1:])
+        return cls(number, points, np.asarray(placed.normals), in_cloud, tree, spacing, sample[inside][:wanted])
 
 
 def _is_inside(points_mm: FloatArray, neighbours_mm: FloatArray, distances_mm: FloatArray) -> BoolArray:
@@ -94,17 +98,17 @@ def _is_inside(points_mm: FloatArray, neighbours_mm: FloatArray, distances_mm: F
 
 
 def _compare(own: _View, other: _View, errors: ViewErrors) -> Deviations | None:
-    points = own.cloud.points_mm[own.sample]
+    points = own.points_mm[own.sample]
     reach = REACH * max(own.spacing_mm, other.spacing_mm)
     distances, found = other.tree.query(points, k=1, distance_upper_bound=2 * reach)
     near = np.flatnonzero(np.isfinite(distances))
     if len(near) < LEAST_OVERLAP:
         return None
-    mine, theirs = own.sample[near], other.searched[found[near]]
-    normals = np.asarray(own.cloud.normals[mine], float), np.asarray(other.cloud.normals[theirs], float)
+    mine, theirs = own.sample[near], found[near]
+    normals = np.asarray(own.normals[mine], float), np.asarray(other.normals[theirs], float)
     between = normals[0] + normals[1]
     between /= np.maximum(np.linalg.norm(between, axis=1, keepdims=True), 1e-9)
-    away = own.cloud.points_mm[mine] - other.cloud.points_mm[theirs]
+    away = own.points_mm[mine] - other.points_mm[theirs]
     distance = np.einsum("nd,nd->n", away, between)
     beside = np.linalg.norm(away - distance[:, None] * between, axis=1)
     kept = (np.einsum("nd,nd->n", *normals) > LEAST_COSINE) & (beside < reach)
@@ -112,9 +116,9 @@ def _compare(own: _View, other: _View, errors: ViewErrors) -> Deviations | None:
         return None
     middle = float(np.median(distance[kept]))
     kept &= np.abs(distance - middle) < OUTLIER * MADN * np.median(np.abs(distance[kept] - middle)) + 1e-9
-    at = other.cloud.points_mm[theirs[kept]]
+    at = other.points_mm[theirs[kept]]
     around, neighbours = other.tree.query(at, k=NEIGHBOURS + 1)
-    amid = _is_inside(at, other.cloud.points_mm[other.searched[neighbours[:, 1:]]], around[:, 1:])
+    amid = _is_inside(at, other.points_mm[neighbours[:, 1:]], around[:, 1:])
     rows = np.flatnonzero(kept)[amid]
     if len(rows) < LEAST_OVERLAP:
         return None
@@ -122,4 +126,4 @@ def _compare(own: _View, other: _View, errors: ViewErrors) -> Deviations | None:
         np.hstack(list(errors.along(points[near][rows], between[rows], np.full(len(rows), view.number)).values())) for view in (own, other)
     ]
     own_view, other_view = (np.full(len(rows), view.number) for view in (own, other))
-    return Deviations(distance[rows], sides[0] - sides[1], own_view, other_view, mine[rows], theirs[rows])
+    return Deviations(distance[rows], sides[0] - sides[1], own_view, other_view, own.in_cloud[mine[rows]], other.in_cloud[theirs[rows]])

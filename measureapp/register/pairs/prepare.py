@@ -66,7 +66,7 @@ def prepare(cloud: PointCloud, voxel_mm: float, least_cosine: float = LEAST_COSI
 
     sums = VoxelSums(8)
     sums.add(*facing_rows(cloud.points_mm, cloud.normals, cloud.sigma_mm, voxel_mm, least_cosine))
-    _, rows = sums.sorted()
+    _, rows = sums.pop_sorted()
     count = rows[:, 0]
     mean_normal = rows[:, 4:7] / np.maximum(count, 1)[:, None]
     length = np.linalg.norm(mean_normal, axis=1)

@@ -16,7 +16,7 @@ SENTENCE = re.compile(r"(^|[^\w.-])[a-zµ]{3,}")  # rather than the name of a vi
 CODE = re.compile(r"""px;|vec3\(|%\(|color: |->|"do": """)  # style sheets, shaders and formats of the log
 NAMES = re.compile(r"[\w./\\*#:+-]*")  # of files, keys and settings
 MESSAGES = {  # calls of the core whose texts reach the window
-    "InputError", "StorageError", "DeviceError", "PlanError", "CalibrationError", "ReconstructError", "RegisterError", "InspectionError",
+    "InputError", "StorageError", "FitError", "DeviceError", "PlanError", "CalibrationError", "ReconstructError", "RegisterError", "InspectionError",
     "DecodeError", "MeasureError", "UnitQuestion", "report", "warn", "Cancelled",
 }  # fmt: skip
 TOLD = {
@@ -24,6 +24,13 @@ TOLD = {
     ("calibrate", "guidance"),
     ("calibrate", "draft"),
     ("inspection", "verdict.py"),
+    ("inspection", "value.py"),
+    ("inspection", "blades"),
+    ("inspection", "features"),
+    ("inspection", "session"),
+    ("pipeline", "consistency"),
+    ("data", "consistency.py"),
+    ("data", "surroundings.py"),
     ("data", "axis_motions.py"),
     ("fringe", "patterns", "check.py"),
     ("planning", "collision"),
@@ -36,6 +43,14 @@ TOLD = {
     ("reconstruct", "why.py"),
     ("reconstruct", "diagnosis"),
 }  # rooms and files whose sentences the window displays
+REFUSING = {
+    ("data", "deviation_scale.py"),
+    ("data", "dimension_program.py"),
+    ("data", "feature_program.py"),
+    ("data", "inspection_program.py"),
+    ("data", "standard_tolerances.py"),
+    ("data", "tolerance_text.py"),
+}  # files whose `ValueError` says why what was entered cannot be used
 UNTRANSLATED = {
     "TypeVar",
     "setObjectName",
@@ -75,7 +90,7 @@ def core_texts() -> dict[str, str]:
             if place[:2] in TOLD or place in TOLD:
                 found.update(dict.fromkeys((*_texts(tree), *_sentences(tree)), place[0]))
             for node in ast.walk(tree):
-                if isinstance(node, ast.Call) and _name(node.func) in MESSAGES:
+                if isinstance(node, ast.Call) and _name(node.func) in (MESSAGES | {"ValueError"} if place in REFUSING else MESSAGES):
                     for argument in (*node.args, *(one.value for one in node.keywords)):
                         for text in _messages(argument):
                             found.setdefault(text, place[0].removesuffix(".py"))

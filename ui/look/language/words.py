@@ -11,7 +11,7 @@ from string import Formatter
 from ui.look.language.catalogue import Catalogue
 
 KEPT = 20_000  # texts whose origin is remembered, so that they can be translated anew when the language changes
-SEPARATORS = [re.compile(f"({one})") for one in (r"\n", r"(?<=[.!?…]) ", " · ", ": ", ", ")]  # the coarsest first
+SEPARATORS = [re.compile(f"({one})") for one in (r"\n", r"(?<=[.!?…]) ", " · ", ": ", "; ", ", ")]  # the coarsest first
 LETTERS = re.compile(r"[A-Za-z]{2}")
 
 
@@ -66,7 +66,7 @@ class Translator:
             template = self._catalogue.translation(source) or source
         if self._state:
             put = {name: self.renewed(value) if isinstance(value, str) else value for name, value in values.items()}
-        made = FORMATTER.vformat(template, (), put) if values else template
+        made = FORMATTER.vformat(template, (), put) if values or "{{" in template else template
         if made and made not in values.values():  # else its value says all about it
             self._issued[made] = Origin(source, values, self._state)
             self._issued.move_to_end(made)
@@ -98,11 +98,14 @@ class Translator:
         catalogue = self._catalogue
         if catalogue is None or LETTERS.search(text) is None:
             return text
-        if catalogue.translation(text) is not None:
-            return self.translate(text, {})
+        constant = text.replace("{", "{{").replace("}", "}}")  # as a template without values
+        if catalogue.translation(constant) is not None:
+            return self.translate(constant, {})
         found = catalogue.find_template(text)
         if found is not None:
             return self.translate(*found)
+        if text[-1] == "." and (catalogue.translation(text[:-1]) is not None or catalogue.find_template(text[:-1]) is not None):
+            return self.translate("{words}.", {"words": text[:-1]})  # a reason as a sentence of its own
         made = self._in_pieces(text)
         return self._begun_otherwise(text) if made == text else made
 

@@ -128,7 +128,9 @@ class DimensionSide(QWidget):
     def show_checks(self, consistency: Consistency) -> None:
         """Show below the verdict what the checks of the error model leave unexplained, with its likely cause; each check as a tip."""
         self.checks.setText(translated(consistency.sentence))
-        self.checks.setToolTip("\n".join(f"{check.name.capitalize()}: {check.sentence}." for check in consistency.checks))
+        self.checks.setToolTip(
+            "\n".join(tr("{name:upper}: {sentence}", name=check.name, sentence=check.sentence) for check in consistency.checks)
+        )
         self.checks.setVisible(consistency.worst is not None)
 
     @property

@@ -1,0 +1,123 @@
+"""What the core says of a measurement, or refuses, is displayed in Chinese as a whole, whatever values are in it."""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+import pytest
+from pydantic import ValidationError
+
+from measureapp.data.consistency import Consistency, ConsistencyCheck
+from measureapp.data.inspection_program import InspectionProgram
+from measureapp.data.model import first_problem
+from measureapp.data.surroundings import KINDS, SURROUNDINGS_KEPT, Surroundings
+from measureapp.data.tolerance_text import parse_tolerance
+from measureapp.errors import FitError
+from measureapp.geometry.fits import fit
+from measureapp.inspection.features.found_feature import find_feature
+from measureapp.inspection.measured_points import MeasuredPoints
+from measureapp.inspection.settings import InspectionSettings
+from measureapp.pipeline.consistency.check import PROPERTIES
+from ui.look.language.catalogue import read_catalogue
+from ui.look.language.sources import catalogue_file
+from ui.look.language.words import Translator
+from ui.look.wording import sentence
+
+KEPT = re.compile(
+    r"`[^`]*`|'[^']*'|\w+_\w+|dimensions\.\d+|\b(?:bore|diameter|position|length|max|ISO)\b"
+)  # names, keys of the program, standards
+
+
+@pytest.fixture(scope="module")
+def chinese() -> Translator:
+    made = Translator()
+    made.use(read_catalogue(catalogue_file("zh_CN")))
+    return made
+
+
+def left_in_english(translator: Translator, text: str) -> list[str]:
+    """Return the words that stay as they are when a text is displayed."""
+    return re.findall(r"[A-Za-z]{3,}", KEPT.sub("", translator.renewed(text)))
+
+
+def program(**of_the_dimension: object) -> dict[str, object]:
+    bore = {"name": "bore", "shape": "cylinder", "point_mm": [0, 0, 0], "direction": [0, 0, 1], "radius_mm": 5}
+    dimension = {"name": "bore diameter", "kind": "diameter", "features": ["bore"], "nominal": 10, "tolerance": "±0.1"}
+    return {"name": "part", "features": [bore], "dimensions": [{**dimension, **of_the_dimension}]}
+
+
+def test_why_a_feature_was_not_found(chinese):
+    (described,) = InspectionProgram.model_validate(program()).features
+    found = find_feature(described, MeasuredPoints(np.array([[5.0, 0, 0], [0, 5, 0], [-5, 0, 0]])), None, InspectionSettings())["bore"]
+    assert found.feature is None and found.reason.startswith("bore: only 3 points were measured there")
+    assert chinese.renewed(found.reason).startswith("bore：该处只测到 3 个点")
+    assert not left_in_english(chinese, found.reason)
+    assert not left_in_english(chinese, "bore: the fitted cylinder is tilted by 12° against its nominal")
+
+
+def test_why_points_could_not_be_fitted(chinese):
+    flat = np.stack([*np.meshgrid(np.arange(6.0), np.arange(6.0)), np.zeros((6, 6))], axis=-1).reshape(-1, 3)
+    for shape, points in (("sphere", flat[:3]), ("sphere", flat), ("cone", flat)):
+        with pytest.raises(FitError) as refused:
+            fit(shape, points)
+        assert not left_in_english(chinese, f"bore: {refused.value.message}")
+
+
+def test_what_was_excluded_around_the_part(chinese):
+    said = Surroundings(10_000, tuple((kind, 120 * place) for place, kind in enumerate(KINDS, start=1))).sentence
+    assert "1.2% background; 2.4% the table's top, and all within 1 mm above it; 3.6% fixtures" in said
+    assert "1.2% 为背景; 2.4% 为转台台面及其上方 1 mm 以内的所有点" in chinese.renewed(said)
+    assert not left_in_english(chinese, said) and not left_in_english(chinese, SURROUNDINGS_KEPT)
+
+
+@pytest.mark.parametrize("name", [*PROPERTIES, "loop closure"])
+def test_what_the_error_model_does_not_explain(chinese, name):
+    causes = {
+        **{kind: cause for kind, (_, cause) in PROPERTIES.items()},
+        "loop closure": "error motions of the table, or a part that moved",
+    }
+    check = ConsistencyCheck(name, 0.0123, 0.0045, 0.0114, 1e-6, causes[name])
+    fine = ConsistencyCheck(name, 0.0046, 0.0045, 0.0, 0.4, causes[name])
+    for said in (check.sentence, fine.sentence, Consistency((check,)).sentence, Consistency((fine,)).sentence):
+        assert not left_in_english(chinese, said), chinese.renewed(said)
+    tip = chinese.translate("{name:upper}: {sentence}", {"name": name, "sentence": check.sentence})
+    assert not re.findall(r"[A-Za-z]{3,}", tip) and "0.0114 mm 无法解释" in tip
+
+
+@pytest.mark.parametrize(
+    ("kind", "text"),
+    [
+        *(
+            ("length", text)
+            for text in ("0.1", "+0.1/+0.1", "0.1/0.2", "2768-x", "2768-mK", "H3", "A99", "wide", "max 0.1", "±0", "ISO 22081")
+        ),
+        ("angle", "H7"),
+        ("flatness", "±0.1"),
+    ],
+)
+def test_why_a_tolerance_cannot_be_used(chinese, kind, text):
+    with pytest.raises(ValueError, match=r".{20}") as refused:
+        parse_tolerance(text, kind=kind, nominal=20.0, is_zone=kind == "flatness")
+    for said in (str(refused.value), sentence(str(refused.value))):
+        assert not left_in_english(chinese, said), chinese.renewed(said)
+
+
+@pytest.mark.parametrize(
+    "changed",
+    [
+        {"features": ["rim"]},
+        {"features": ["bore", "bore"]},
+        {"datums": ["bore"]},
+        {"alignment": "other"},
+        {"kind": "position", "nominal": 0},
+        {"tolerance": None, "lower_tolerance": 0.2, "upper_tolerance": 0.1},
+        {"features": ["bore{k}"]},
+    ],
+    ids=str,
+)
+def test_why_a_change_of_the_program_is_not_possible(chinese, changed):
+    with pytest.raises(ValidationError) as refused:
+        InspectionProgram.model_validate(program(**changed))
+    said = f"The change is not possible: {first_problem(refused.value, 'the program')}."
+    assert not left_in_english(chinese, said), chinese.renewed(said)
