@@ -151,7 +151,7 @@ def test_the_user_may_keep_the_surroundings_and_is_told_either_way(
 ) -> None:
     path = tmp_path / "nominal.stl"
     write_mesh(path, nominal)
-    project = SimpleNamespace(nominal=path, plan=lambda: None, rig=lambda: RIG)
+    project = SimpleNamespace(path=tmp_path, nominal=path, plan=lambda: None, rig=lambda: RIG)
     views = views_of(cell, cross(), table_top())
     without, found = _without_surroundings(project, calibration, views, ViewChoices())
     assert sum(len(view.cloud) for view in without) < 0.6 * sum(len(view.cloud) for view in views)
