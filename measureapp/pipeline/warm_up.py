@@ -10,6 +10,7 @@ from measureapp.arrays import read_only
 from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration
 from measureapp.data.cloud import PointCloud
 from measureapp.data.fringe import FringeStack, GrayCodeGroup, PatternSet, PhaseShiftGroup
+from measureapp.data.mesh import Mesh
 from measureapp.data.pattern_sets import PAPER_PATTERNS
 from measureapp.data.phase import PhaseMap
 from measureapp.fringe.decode import decode
@@ -18,17 +19,24 @@ from measureapp.fringe.settings import DecodeSettings
 from measureapp.fringe.streaming import StreamingDecoder
 from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.geometry.transform import RigidTransform
+from measureapp.inspection.alignment.best_fit import no_alignment
+from measureapp.inspection.measured_points import sample_mesh
 from measureapp.inspection.surface.closest.hierarchy import TriangleHierarchy
+from measureapp.inspection.surface.deviation import compute_deviation
 from measureapp.progress import NoProgress, PartOf, Progress
 from measureapp.reconstruct.reconstruct import reconstruct
 from measureapp.register.grid.voxels import CHUNK, VoxelSums
 from measureapp.register.stitch import stitch
+from measureapp.report.deviation_pictures import summarise_deviation
+from measureapp.report.part_pictures import OBLIQUE
+from measureapp.report.picture import surface_picture
 
 HEIGHT_PX, WIDTH_PX, FOCAL_PX, BLUR_PX = 72, 320, 500.0, 0.7
 WALL_MM, STEP_MM = 200.0, 40.0
 SHIFT_PX = round(FOCAL_PX * STEP_MM / WALL_MM)
 FIRST_COLUMN = 300
 FULL_TABLE = 3 * CHUNK  # number of voxels that makes the table grow
+PICTURED = 100  # points compared with a nominal
 CAMERAS = ("first", "second", "third")
 THREE_STEPS = PatternSet(
     name="warm-up", projector_px=1024, groups=(PhaseShiftGroup(pitch_px=32, steps=3), PhaseShiftGroup(pitch_px=33, steps=3))
@@ -53,6 +61,7 @@ def warm_up(progress: Progress | None = None) -> None:
         "reconstructing two",
         "stitching",
         "distances from a nominal",
+        "pictures of reports",
     )
 
     def begin(step: int) -> None:
@@ -78,6 +87,10 @@ def warm_up(progress: Progress | None = None) -> None:
     VoxelSums(1).add(np.arange(FULL_TABLE), np.zeros((FULL_TABLE, 1)))
     begin(7)
     TriangleHierarchy(np.eye(3)[None]).closest(np.zeros((1, 3)))
+    begin(8)
+    triangle = Mesh(np.eye(3), np.array([[0, 1, 2]]), "nominal")
+    surface_picture(triangle, OBLIQUE)
+    summarise_deviation(triangle, compute_deviation(sample_mesh(triangle, PICTURED), triangle, no_alignment()))
     progress.report(1, 1, "compiled")
 
 
