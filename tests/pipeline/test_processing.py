@@ -57,7 +57,7 @@ def computing(monkeypatch: pytest.MonkeyPatch) -> Computing:
     genuine = processing.replace
     monkeypatch.setattr(processing, "compute_cloud", made)
     monkeypatch.setattr(processing, "Rectifier", lambda _: object())
-    monkeypatch.setattr(processing, "made_from", lambda *_: "")
+    monkeypatch.setattr(processing, "stored_view", lambda _, view, *__: view)
     monkeypatch.setattr(processing, "replace", lambda value, **new: value if isinstance(value, SimpleView) else genuine(value, **new))
     return made
 
