@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from measureapp.arrays import BoolArray, FloatArray
+from measureapp.arrays import BoolArray, FloatArray, IntArray
 from measureapp.inspection.measured_points import MeasuredPoints
 from measureapp.inspection.settings import AlignmentSettings
 from measureapp.inspection.surface.nominal import Closest, NominalSurface
@@ -52,8 +52,10 @@ def register(
     reach = 0.05 * surface.diagonal_mm if reach_mm is None else reach_mm
     annealed = reach  # wide at first: if half of the points fit already, the scatter alone would reject the other half for good
     undetermined: tuple[str, ...] = ()
+    near: IntArray | None = None
     for _ in range(settings.iterations if iterations is None else iterations):
-        moved, closest, residual, counts = _match(points, surface, matrix, settings, reach)
+        moved, closest, residual, counts = _match(points, surface, matrix, settings, reach, near)
+        near = closest.triangles
         if counts.sum() < 12:
             reach *= 2
             continue
@@ -75,11 +77,16 @@ def register(
 
 
 def _match(
-    points: MeasuredPoints, surface: NominalSurface, matrix: FloatArray, settings: AlignmentSettings, reach_mm: float
+    points: MeasuredPoints,
+    surface: NominalSurface,
+    matrix: FloatArray,
+    settings: AlignmentSettings,
+    reach_mm: float,
+    near: IntArray | None = None,
 ) -> tuple[FloatArray, Closest, FloatArray, BoolArray]:
     """Return moved points, closest surface points, signed distances along their normals, and the mask of valid ones."""
     moved = points.points_mm @ matrix[:3, :3].T + matrix[:3, 3]
-    closest = surface.closest(moved)
+    closest = surface.closest(moved, near)
     offset = moved - closest.points_mm
     residual = np.einsum("nd,nd->n", offset, closest.normals)
     counts = np.linalg.norm(offset, axis=1) < reach_mm

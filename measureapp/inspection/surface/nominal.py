@@ -73,12 +73,16 @@ class NominalSurface:
         scene.add_triangles(o3d.core.Tensor.from_numpy(single), o3d.core.Tensor.from_numpy(self.triangles.astype(np.uint32)))
         return scene
 
-    def closest(self, points_mm: FloatArray) -> Closest:
+    def closest(self, points_mm: FloatArray, near: IntArray | None = None) -> Closest:
         """Return the closest surface points to ``points_mm`` (N, 3), in double precision.
 
         The pseudo-normals of J. A. Bærentzen and H. Aanæs, IEEE TVCG 11(3), 2005, give the correct sign of a distance.
+
+        Parameters
+        ----------
+        near : (N,), triangles that were closest before the points moved a little
         """
-        triangles, weights = self._hierarchy.closest(points_mm)
+        triangles, weights = self._hierarchy.closest(points_mm, near)
         points = np.einsum("nk,nkd->nd", weights, self.vertices_mm[self.triangles[triangles]])
         normals = self.normals[triangles]
         border = np.flatnonzero(weights.min(axis=1) < ON_EDGE)

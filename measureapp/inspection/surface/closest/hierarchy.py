@@ -24,14 +24,20 @@ class TriangleHierarchy:
         self._shapes = np.ascontiguousarray(np.concatenate([corners[:, 0], edges.reshape(-1, 6), products], axis=1))
         self._nodes, self._references = _build_tree(box_references(corners))
 
-    def closest(self, points_mm: FloatArray) -> tuple[IntArray, FloatArray]:
-        """Return the closest triangle (N,) to each point (N, 3), and the barycentric coordinates (N, 3) of the closest point in it."""
+    def closest(self, points_mm: FloatArray, near: IntArray | None = None) -> tuple[IntArray, FloatArray]:
+        """Return the closest triangle (N,) to each point (N, 3), and the barycentric coordinates (N, 3) of the closest point in it.
+
+        Parameters
+        ----------
+        near : (N,), triangles that were closest before the points moved a little: the answer is the same, and sooner found
+        """
         from measureapp.inspection.surface.closest.kernels import search
 
         if use_reference():
             return closest_on_triangles(points_mm, self._shapes[:, :9].reshape(-1, 3, 3))
         points = np.ascontiguousarray(points_mm, dtype=np.float64)
-        found, weights = np.zeros(len(points), np.int64), np.empty((len(points), 2))
+        found = np.full(len(points), -1, np.int64) if near is None else near.astype(np.int64)
+        weights = np.empty((len(points), 2))
         in_bands(
             lambda start, stop: search(points, self._nodes, self._references, self._shapes, start, stop, found, weights),
             len(points),

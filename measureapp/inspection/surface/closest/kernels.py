@@ -50,6 +50,15 @@ def _on_triangle(t: Any, k: int, x: float, y: float, z: float) -> tuple[float, f
     return vb / total, vc / total
 
 
+@njit(inline="always", **EXACT)
+def _squared(t: Any, k: int, v: float, w: float, x: float, y: float, z: float) -> float:
+    """Return the squared distance of a point from the place with these weights in a triangle."""
+    dx = t[k, 0] + v * t[k, 3] + w * t[k, 6] - x
+    dy = t[k, 1] + v * t[k, 4] + w * t[k, 7] - y
+    dz = t[k, 2] + v * t[k, 5] + w * t[k, 8] - z
+    return dx * dx + dy * dy + dz * dz
+
+
 @njit(**EXACT)
 def search(points: Any, nodes: Any, references: Any, shapes: Any, start: int, stop: int, found: Any, weights: Any) -> None:
     """Find the closest triangle and the weights of its second and third corner, for the points ``start`` to ``stop``.
@@ -60,7 +69,7 @@ def search(points: Any, nodes: Any, references: Any, shapes: Any, start: int, st
     nodes : (2P, 6) boxes of a complete binary tree, root at 1, children of i at 2i and 2i + 1; the last P are its leaves
     references : (P · R,) triangles, R per leaf, in the order of the leaves
     shapes : (T, 12) first corner, both edges from it and their products
-    found : (N,) int64, filled
+    found : (N,) int64, filled; beforehand a triangle likely to be near, which shortens the search, or -1
     weights : (N, 2), filled
     """
     waiting = np.empty(STACK, np.int64)
@@ -69,7 +78,10 @@ def search(points: Any, nodes: Any, references: Any, shapes: Any, start: int, st
     leaf = len(references) // first_leaf
     for n in range(start, stop):
         x, y, z = points[n, 0], points[n, 1], points[n, 2]
-        best, which, v, w = np.inf, np.int64(-1), 0.0, 0.0
+        best, which, v, w = np.inf, found[n], 0.0, 0.0
+        if which >= 0:
+            v, w = _on_triangle(shapes, which, x, y, z)
+            best = _squared(shapes, which, v, w, x, y, z)
         waiting[0], least[0], depth = 1, 0.0, 1
         while depth > 0:
             depth -= 1
@@ -95,10 +107,7 @@ def search(points: Any, nodes: Any, references: Any, shapes: Any, start: int, st
                 if k == which:
                     continue
                 tv, tw = _on_triangle(shapes, k, x, y, z)
-                dx = shapes[k, 0] + tv * shapes[k, 3] + tw * shapes[k, 6] - x
-                dy = shapes[k, 1] + tv * shapes[k, 4] + tw * shapes[k, 7] - y
-                dz = shapes[k, 2] + tv * shapes[k, 5] + tw * shapes[k, 8] - z
-                squared = dx * dx + dy * dy + dz * dz
+                squared = _squared(shapes, k, tv, tw, x, y, z)
                 if squared < best:
                     best, which, v, w = squared, k, tv, tw
         found[n], weights[n, 0], weights[n, 1] = which, v, w
