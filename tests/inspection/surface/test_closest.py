@@ -52,6 +52,20 @@ def test_the_closest_point_is_that_of_every_triangle_tried(kind: str, spread_mm:
     assert np.allclose(found[1].sum(axis=1), 1)
 
 
+@pytest.mark.parametrize("kind", ["stout", "0.001", "1.0"])
+def test_a_triangle_that_was_near_before_changes_no_answer(kind: str) -> None:
+    """Whether it is the closest still, or far away."""
+    rng = np.random.default_rng(6)
+    corners = some_triangles(kind, rng)
+    points = near(corners, 400, 5.0, rng)
+    hierarchy = TriangleHierarchy(corners)
+    plain = hierarchy.closest(points)
+    for likely in (plain[0], rng.integers(len(corners), size=len(points)), np.full(len(points), -1)):
+        found = hierarchy.closest(points, likely)
+        np.testing.assert_allclose(distances(points, corners, found), distances(points, corners, plain), rtol=0, atol=1e-9)
+        assert (found[0] == plain[0]).mean() > 0.99  # on an edge both of its triangles are as near
+
+
 @pytest.mark.parametrize("kind", ["stout", "0.0", "0.001", "0.3", "0.5", "1.0"])
 def test_each_place_of_a_triangle_lies_in_one_of_its_boxes(kind: str) -> None:
     rng = np.random.default_rng(6)
