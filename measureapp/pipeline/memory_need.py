@@ -18,7 +18,8 @@ PROGRAM_BYTES = 500_000_000  # with its libraries and compiled kernels
 DETECTION_BYTES = 120  # of a pixel of the two images that a thread searches for the board
 VIEW_BYTES = 130  # of a pixel of each camera of the view that is decoded, matched and cleaned
 CLOUD_BYTES = 53  # of a point; large clouds are on disk
-STITCHING_BYTES = 90  # of a point, while clouds are registered and merged; everything after it needs less
+STITCHING_BYTES = 90  # of a point, while clouds are registered and merged, and while the part is inspected
+SURFACE_BYTES = 400_000_000  # of the program that computes the surface beside the inspection, from at most a million points
 SAMPLED_VIEWS, ROWS, COLUMNS = 3, 16, 4  # of views, and of rows and columns of their images, lit pixels are counted
 LIT = 0.04  # of saturation: a pixel that changes by so much from pattern to pattern may become a point
 
@@ -68,7 +69,7 @@ def memory_need(project: ProjectFolder) -> Need:
         calibration=PROGRAM_BYTES + boards * sum(sizes) + DETECTION_BYTES * max(sizes),
         detection=DETECTION_BYTES * max(sizes),
         clouds=held + VIEW_BYTES * sum(sizes),
-        stitching=held + STITCHING_BYTES * points,
+        stitching=held + STITCHING_BYTES * points + SURFACE_BYTES,
         words=f"{len(views)} views by {len(sizes)} cameras, up to {max(sizes) / 1e6:.1f} megapixels, about {points / 1e6:.1f} million points",
     )
 

@@ -13,12 +13,14 @@ from measureapp.errors import InputError
 from measureapp.memory import GIB
 from measureapp.pipeline import memory_need as module
 from measureapp.pipeline.events import Event, MemoryShort
-from measureapp.pipeline.memory_need import PROGRAM_BYTES, STITCHING_BYTES, Need, detection_threads, memory_need
+from measureapp.pipeline.memory_need import PROGRAM_BYTES, STITCHING_BYTES, SURFACE_BYTES, Need, detection_threads, memory_need
 from measureapp.pipeline.run import process_project
 from measureapp.progress import NoProgress
 from measureapp.project.folder import ProjectFolder
 from measureapp.project.large_clouds import LARGE_BYTES
 from tests.fringe_project import WIDTH, fringe_project, shiny_stack
+
+FIXED_BYTES = PROGRAM_BYTES + SURFACE_BYTES
 
 
 @pytest.fixture
@@ -31,20 +33,20 @@ def test_the_need_follows_views_pixels_and_lit_pixels(project: ProjectFolder, tm
     camera = project.rig().cameras[0]
     pixels = camera.width_px * camera.height_px
     one_view = pixels * STITCHING_BYTES + LARGE_BYTES  # what is more of a cloud is on disk
-    assert two.stitching - PROGRAM_BYTES == pytest.approx(2 * one_view, rel=0.02)
-    assert one.stitching - PROGRAM_BYTES == pytest.approx(one_view, rel=0.02)
+    assert two.stitching - FIXED_BYTES == pytest.approx(2 * one_view, rel=0.02)
+    assert one.stitching - FIXED_BYTES == pytest.approx(one_view, rel=0.02)
     assert "2 views by" in two.words and "million points" in two.words
     for name in ("view01", "view02"):
         lit = shiny_stack(name)
         darkened = {camera: np.where(np.arange(WIDTH) < WIDTH // 4, images, 7) for camera, images in lit.images.items()}
         project.frames.store(replace(lit, images=darkened))
-    assert memory_need(project).stitching - PROGRAM_BYTES == pytest.approx(2 * (pixels * STITCHING_BYTES / 4 + LARGE_BYTES), rel=0.1)
+    assert memory_need(project).stitching - FIXED_BYTES == pytest.approx(2 * (pixels * STITCHING_BYTES / 4 + LARGE_BYTES), rel=0.1)
 
 
 def test_without_images_every_pixel_counts_as_lit(project: ProjectFolder) -> None:
     for path in project.path.glob("stacks/*/*.npy"):
         path.unlink()
-    assert np.isclose(memory_need(project).stitching, PROGRAM_BYTES + 2 * (LARGE_BYTES + 2592 * 1944 * STITCHING_BYTES))
+    assert np.isclose(memory_need(project).stitching, FIXED_BYTES + 2 * (LARGE_BYTES + 2592 * 1944 * STITCHING_BYTES))
 
 
 @pytest.mark.parametrize(("gib", "threads"), [(9.0, 2), (7.0, 2), (6.9, 1), (5.0, 1)])
