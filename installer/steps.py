@@ -25,6 +25,7 @@ CANCELLED = 130
 COMPILE_KERNELS = "from measureapp.pipeline.warm_up import warm_up; warm_up()"
 X86 = ("x86_64", "AMD64")
 OLDER_PROCESSOR = {"NUMBA_CPU_NAME": "haswell", "NUMBA_CPU_FEATURES": "+avx2,+fma"}
+SOME_FAILED = 1  # of pytest: it ran to its end
 KERNEL_TESTS = (
     "tests/compiled",
     "tests/fringe/test_reference.py",
@@ -90,7 +91,7 @@ def test(arguments: Sequence[str]) -> int:
         results.append(_check("pytest", [*pytest, *arguments], home))
     else:
         results.append(_check("pytest", [*pytest, *several, "-m", "not slow and not timed"], home))
-        results.append(_check("timed tests", [*pytest, "-m", "timed and not slow"], home))
+        results.append(_timed_tests([*pytest, "-m", "timed and not slow"], home))
     print("== summary")
     for name, code, seconds in results:
         print(f"{name:<14}{'passed' if code == 0 else f'failed ({code})':<14}{seconds:7.1f} s")
@@ -134,6 +135,15 @@ def _older_processor(home: environment.Environment) -> tuple[str, int, float]:
     with tempfile.TemporaryDirectory() as cache:
         variables = {**OLDER_PROCESSOR, "NUMBA_CACHE_DIR": cache}
         return _check("older CPU", [str(home.python), "-m", "pytest", "-q", *KERNEL_TESTS], home, variables)
+
+
+def _timed_tests(pytest: list[str], home: environment.Environment) -> tuple[str, int, float]:
+    """Run the tests with a limit in seconds; what exceeds it is run once more, for another program on the machine may have held it up."""
+    name, code, seconds = _check("timed tests", pytest, home)
+    if code != SOME_FAILED:
+        return name, code, seconds
+    _, again, more = _check("timed tests that failed, once more", [*pytest, "--last-failed"], home)
+    return name, again, seconds + more
 
 
 def _check(

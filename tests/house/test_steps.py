@@ -90,6 +90,21 @@ def test_the_whole_suite_compiles_first_and_runs_in_as_many_processes_as_there_i
     assert "kernels       passed" in capsys.readouterr().out
 
 
+def test_a_timed_test_that_fails_is_run_once_more_and_that_run_counts(installer, called, monkeypatch, capsys) -> None:
+    monkeypatch.setattr(installer.machine, "workers", lambda: 2)
+    call = installer.steps._call
+    for codes, counted in (([1, 0], 0), ([1, 1], 1), ([2], 2)):
+        left = list(codes)
+
+        def answer(command, home, more=None, left=left):
+            return left.pop(0) if "timed and not slow" in command else call(command, home, more)
+
+        monkeypatch.setattr(installer.steps, "_call", answer)
+        assert installer.steps.perform("test", []) == counted
+        assert left == []
+    assert capsys.readouterr().out.count("== timed tests that failed, once more") == 2
+
+
 @pytest.mark.parametrize(("processor", "checked"), [("x86_64", True), ("aarch64", False)])
 def test_the_whole_suite_tests_kernels_for_an_older_processor_with_a_cache_of_their_own(
     installer, called, monkeypatch, processor, checked

@@ -100,21 +100,24 @@ def test_points_in_another_unit_are_detected_by_the_features_alone() -> None:
         inspect(MeasuredPoints(points.points_mm / 1000, points.normals), described)
 
 
-def test_the_uncertainty_holds_in_95_of_100_cases_when_the_points_err_independently() -> None:
+@pytest.mark.parametrize("draws", [40, pytest.param(120, marks=pytest.mark.slow)])
+def test_the_uncertainty_holds_in_95_of_100_cases_when_the_points_err_independently(draws: int) -> None:
     described = program(BLOCK, BLOCK_DIMENSIONS)
     within = []
-    for seed in range(120):
+    for seed in range(draws):
         inspection = inspect(block(np.random.default_rng(seed)), described, settings=ONLY_SCATTER)
         for dimension in inspection.dimensions:
             assert dimension.deviation is not None and dimension.uncertainty is not None
             within.append(abs(dimension.deviation) <= dimension.uncertainty)
-    assert 0.93 <= np.mean(within) <= 0.99  # 95.4 % expected of 480 values: a standard deviation is 1 %
+    share = 0.954  # expected
+    assert abs(np.mean(within) - share) < 2.5 * np.sqrt(share * (1 - share) / len(within))
 
 
-def test_the_uncertainty_still_nearly_holds_when_neighbouring_points_err_together() -> None:
+@pytest.mark.parametrize("draws", [12, pytest.param(40, marks=pytest.mark.slow)])
+def test_the_uncertainty_still_nearly_holds_when_neighbouring_points_err_together(draws: int) -> None:
     described, within, plain = program(BLOCK, BLOCK_DIMENSIONS), [], []
     independent = ONLY_SCATTER.model_copy(update={"uncertainty": ONLY_SCATTER.uncertainty.model_copy(update={"correlation_mm": 1e4})})
-    for seed in range(40):
+    for seed in range(draws):
         rng = np.random.default_rng(seed)
         exact = block(rng, 0.0, 2000)
         assert exact.normals is not None
@@ -125,7 +128,8 @@ def test_the_uncertainty_still_nearly_holds_when_neighbouring_points_err_togethe
             for dimension in inspect(points, described, settings=settings).dimensions:
                 assert dimension.deviation is not None and dimension.uncertainty is not None
                 outcome.append(abs(dimension.deviation) <= dimension.uncertainty)
-    assert np.mean(within) >= 0.86  # the residuals of 160 values show about 91 of 95 %
+    # the residuals show about 91 of 95 %: less by 2.2 standard deviations at most
+    assert np.mean(within) >= 0.91 - 2.2 * np.sqrt(0.91 * 0.09 / len(within))
     assert np.mean(plain) < 0.7  # without looking at neighbours far too many lie outside
 
 

@@ -13,7 +13,7 @@ from measureapp.errors import InspectionError
 from measureapp.geometry.transform import RigidTransform
 from measureapp.inspection.alignment.align import align
 from measureapp.inspection.measured_points import MeasuredPoints
-from measureapp.inspection.settings import InspectionSettings
+from measureapp.inspection.settings import AlignmentSettings, InspectionSettings
 from measureapp.inspection.surface.nominal import NominalSurface
 from tests.inspection.machined_part import Part, cylinder, plane
 
@@ -22,6 +22,9 @@ PLACED = RigidTransform.from_vector([0.002, -0.0015, 0.0025], [0.15, -0.2, 0.1],
 # Planes of 4000 points: 0.01 / sqrt(4000) mm. Surface points of a 5 mm patch: about 90 points and six unknowns, 0.003 mm.
 FEATURE_BOUND_MM = 0.005
 PATCH_BOUND_MM = 0.03
+# With a fifth of the points that a user's fit has, and with all of them.
+THINNED = InspectionSettings(alignment=AlignmentSettings(coarse_points=300, fine_points=4000))
+FITTED = [pytest.param(THINNED, id="thinned"), pytest.param(InspectionSettings(), id="usual", marks=pytest.mark.slow)]
 
 
 def block(lifted_mm: float = 0.0, only: str = "") -> MeasuredPoints:
@@ -161,10 +164,11 @@ def test_an_alignment_that_makes_no_sense_is_refused_when_the_program_is_read(al
         InspectionProgram.model_validate({"name": "block", "alignment": alignment, "features": FEATURES + SPOT_FEATURES})
 
 
+@pytest.mark.parametrize("settings", FITTED)
 @pytest.mark.parametrize(
     "alignment", ["local:plate top,bore", {"method": "best-fit", "regions": [{"radial_mm": [0, 60]}, {"z_mm": [11.5, 12.5]}]}]
 )
-def test_a_local_best_fit_is_not_pulled_by_bent_blades(alignment: object, samples, scan, on_table) -> None:
+def test_a_local_best_fit_is_not_pulled_by_bent_blades(alignment: object, settings: InspectionSettings, samples, scan, on_table) -> None:
     """The blades lean by 0.4 mm at their tops: that pulls the global fit, not one to the plate and the hub."""
     sample, placed = samples("impeller"), on_table(3.0)
     straight = scan(sample.nominal, RigidTransform.identity("part", "nominal"), count=60_000)
@@ -173,7 +177,7 @@ def test_a_local_best_fit_is_not_pulled_by_bent_blades(alignment: object, sample
     bent[blades, 0] += 0.4 * (bent[blades, 2] - 12) / 40
     points = MeasuredPoints(bent, straight.normals).seen_from(placed)
     document = {**sample.program.model_dump(exclude_unset=True), "alignment": alignment}
-    found = align(points, InspectionProgram.model_validate(document), sample.surface, InspectionSettings(), "part")
+    found = align(points, InspectionProgram.model_validate(document), sample.surface, settings, "part")
     assert found.name.startswith("local best fit (")
     places = np.array([[0.0, 0, 12], [100, 0, 12], [0, 100, 12], [-100, 0, 12]])
     back = (found.nominal_from_part @ placed).apply(places)  # the bore's axis and the plate's height; nothing holds the rotation about z
@@ -181,20 +185,22 @@ def test_a_local_best_fit_is_not_pulled_by_bent_blades(alignment: object, sample
     assert np.linalg.norm(back[0, :2]) < 0.01
 
 
-def test_the_positions_of_a_true_impeller_are_indistinguishable(samples, scan, on_table) -> None:
+@pytest.mark.parametrize("settings", FITTED)
+def test_the_positions_of_a_true_impeller_are_indistinguishable(settings: InspectionSettings, samples, scan, on_table) -> None:
     impeller = samples("impeller")
-    found = _cyclic(scan(impeller.nominal, on_table(3.0), count=60_000), impeller.surface)
+    found = _cyclic(scan(impeller.nominal, on_table(3.0), count=60_000), impeller.surface, settings)
     assert found.undetermined == ("which of 7 positions about the axis",)
     assert "All 7 positions about the axis are indistinguishable" in found.notes[0]
     assert found.name == "best fit, 7 positions about the axis"
 
 
-def test_a_mark_on_one_blade_distinguishes_the_positions(samples, scan) -> None:
+@pytest.mark.parametrize("settings", FITTED)
+def test_a_mark_on_one_blade_distinguishes_the_positions(settings: InspectionSettings, samples, scan) -> None:
     """One blade of the nominal is 4 mm lower than the others, and so is that of the part, laid down two positions on."""
     nominal = samples("impeller").nominal
     marked = _with_a_low_blade(nominal)
     placed = RigidTransform.from_vector([0, 0, np.radians(2 * 360 / 7 + 2)], [5, -3, 1], "part", "nominal")
-    found = _cyclic(scan(marked, placed, count=60_000), NominalSurface(marked))
+    found = _cyclic(scan(marked, placed, count=60_000), NominalSurface(marked), settings)
     assert found.undetermined == ()
     assert "One of 7 positions about the axis fits" in found.notes[0]
     assert np.abs((found.nominal_from_part @ placed).matrix - np.eye(4)).max() < 0.01
@@ -210,6 +216,6 @@ def _with_a_low_blade(nominal):
     return Mesh(vertices, nominal.triangles, "nominal")
 
 
-def _cyclic(points: MeasuredPoints, surface: NominalSurface) -> Alignment:
+def _cyclic(points: MeasuredPoints, surface: NominalSurface, settings: InspectionSettings) -> Alignment:
     program = InspectionProgram.model_validate({"name": "p", "alignment": "cyclic:7", "features": FEATURES})
-    return align(points, program, surface, InspectionSettings(), "part")
+    return align(points, program, surface, settings, "part")

@@ -20,6 +20,7 @@ STAGGER_DEG, TWIST_DEG_PER_MM = 20.0, 0.05
 PITCH_OFF_DEG = (0.0, 0.15, -0.1, 0.05)
 HEIGHTS = (10.0, 30.0)
 QUICK = InspectionSettings(blade_trials=12, blade_points=4000)
+VALUES_ALONE = QUICK.model_copy(update={"blade_trials": 2})  # where no uncertainty is asked for, trials are for nothing
 
 
 def turned(points: np.ndarray, degrees: np.ndarray | float) -> np.ndarray:
@@ -82,7 +83,9 @@ def test_the_values_of_a_wheel_lie_within_their_stated_uncertainties() -> None:
 
 
 def test_the_pitch_of_neighbouring_blades_is_determined_to_a_hundredth_of_a_degree() -> None:
-    found = measured(wheel(), SECTIONS, *(dimension("pitch", f"low.{k}", f"low.{k % COUNT + 1}", nominal=90) for k in range(1, COUNT + 1)))
+    found = measured(
+        wheel(), SECTIONS[:1], *(dimension("pitch", f"low.{k}", f"low.{k % COUNT + 1}", nominal=90) for k in range(1, COUNT + 1))
+    )
     truth = np.roll(PITCH_OFF_DEG, -1) - np.array(PITCH_OFF_DEG)
     # 4000 points on a lever of about 80 mm: 0.02 / sqrt(4000) / 80 rad is far less than the 0.01 mm a view may stand off
     assert [one.deviation for one in found] == pytest.approx(list(truth), abs=0.005)
@@ -92,10 +95,11 @@ def test_the_pitch_of_neighbouring_blades_is_determined_to_a_hundredth_of_a_degr
 
 def test_a_bulge_is_found_against_the_average_of_the_other_blades() -> None:
     """0.2 mm on one of four blades: it stands 0.15 above the average, the others 0.05 below it."""
-    found = measured(wheel(bump_mm=0.2), SECTIONS, *(dimension("blade_form", f"low.{k}") for k in (1, 2)))
+    low = SECTIONS[:1]
+    found = measured(wheel(bump_mm=0.2), low, *(dimension("blade_form", f"low.{k}") for k in (1, 2)), settings=VALUES_ALONE)
     good, bulged = (one.measured for one in found)
     assert bulged == pytest.approx(0.3, abs=0.05) and good == pytest.approx(0.1, abs=0.05)
-    even = measured(wheel(), SECTIONS, dimension("blade_form", "low.2"))[0]
+    even = measured(wheel(), low, dimension("blade_form", "low.2"), settings=VALUES_ALONE)[0]
     assert even.measured < 0.03  # though the blade stands 0.15° off: it is turned onto the average first
 
 
@@ -105,7 +109,7 @@ def test_a_single_stray_point_is_no_form() -> None:
     middle = (stray[:600].min(axis=0) + stray[:600].max(axis=0)) / 2
     stray[np.argmin(np.linalg.norm(stray[:600] - middle, axis=1)), 1] += 1.5
     asked = dimension("blade_form", "low.1")
-    (without,), (beside,) = measured(clean, SECTIONS, asked), measured(MeasuredPoints(stray), SECTIONS, asked)
+    (without,), (beside,) = (measured(points, SECTIONS[:1], asked, settings=VALUES_ALONE) for points in (clean, MeasuredPoints(stray)))
     assert without.measured is not None and beside.measured is not None
     assert abs(beside.measured - without.measured) < NOISE_MM  # about 20 points a piece: their median moves by a rank, their mean by 0.07
 
@@ -202,7 +206,8 @@ def test_a_blade_that_was_not_measured_is_named() -> None:
     points = wheel()
     angle = np.degrees(np.arctan2(points.points_mm[:, 1], points.points_mm[:, 0]))
     without = points.where(np.abs(angle - 110) > 45)
-    found = measured(without, SECTIONS, dimension("chord", "low.2", nominal=60), dimension("chord", "low.3", nominal=60))
+    asked = (dimension("chord", f"low.{k}", nominal=60) for k in (2, 3))
+    found = measured(without, SECTIONS[:1], *asked, settings=VALUES_ALONE)
     assert found[0].verdict is Verdict.NOT_MEASURED and "low.2: only" in found[0].reason
     assert found[1].measured is not None
 

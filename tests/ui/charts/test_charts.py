@@ -164,6 +164,7 @@ def test_the_wheel_over_a_chart_reaches_the_page_below(qtbot, look):
     assert chart.childAt(chart.rect().center()) is None
 
 
+@pytest.mark.timed
 def test_a_theme_switch_with_ten_charts_does_not_stall_the_window(qtbot, look):
     charts = [shown(qtbot, DeviationHistogram(look)) for _ in range(10)]
     for chart in charts:

@@ -103,6 +103,7 @@ def test_corners_coverage_and_the_wanted_position_lie_at_their_pixels(qtbot, sho
     look.set_shade("light")
 
 
+@pytest.mark.timed
 @pytest.mark.parametrize(("dtype", "saturation"), [(np.uint8, 255), (np.uint16, 4095)])
 def test_three_live_cameras_at_ten_images_per_second_do_not_stall_the_window(qtbot, shown, look, dtype, saturation):
     """From the first image on: axes are made, images are replaced, one is zoomed into, the theme changes."""

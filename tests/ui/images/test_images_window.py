@@ -142,6 +142,7 @@ def test_another_project_takes_the_images_away(application, opened):
     assert opened.view is None and opened.map.layer is None and opened.values.text().startswith("Move the mouse")
 
 
+@pytest.mark.timed
 def test_both_themes_and_all_maps_do_not_stall_the_window(qtbot, application, opened):
     with Heartbeat() as heart:
         for shade in ("dark", "light"):
@@ -153,6 +154,7 @@ def test_both_themes_and_all_maps_do_not_stall_the_window(qtbot, application, op
     heart.check()
 
 
+@pytest.mark.timed
 def test_a_view_of_a_large_camera_is_looked_through_without_a_stall(qtbot, application, window, measurement, monkeypatch, tmp_path):
     monkeypatch.setattr(application.controllers.documents, "preview", lambda: None)
     project = fringe_project(tmp_path / "p")

@@ -71,6 +71,7 @@ def test_arrow_keys_move_the_cursor_and_stop_at_the_edge(qtbot, view):
     assert told[-1] == (0, 31)
 
 
+@pytest.mark.timed
 def test_showing_maps_of_a_large_camera_does_not_stall_the_window(qtbot, view):
     layers = [layer_of(phase_map(LARGE), kind) for kind in ("phase", "sigma", "state")]
     frame = np.random.default_rng(1).integers(0, 256, LARGE, np.uint8)
