@@ -42,7 +42,7 @@ class PointCloud:
     def empty(cls, frame: str, viewpoint_id: str) -> PointCloud:
         """Return a cloud without points."""
         none, single = np.empty((0, 3)), np.empty(0)
-        return cls(none, none, single, single, np.empty((0, 2)), single, frame, viewpoint_id)
+        return cls(none, none, single, single, np.empty((0, 2), np.int32), np.empty(0, np.uint8), frame, viewpoint_id)
 
     def __len__(self) -> int:
         return len(self.points_mm)
