@@ -13,6 +13,7 @@ CONTRIBUTIONS = (
     "stitching",
     "calibration",
     "form",
+    "edges",
     "common",
     "setups",
     "unexplained",

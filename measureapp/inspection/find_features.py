@@ -9,6 +9,7 @@ from measureapp.data.free_form import FreeForm
 from measureapp.data.inspection_program import ConstructedFeature, FeatureProgram, InspectionProgram, copy_names, needed_names
 from measureapp.inspection.blades.find_blades import find_blades
 from measureapp.inspection.features.construct import construct
+from measureapp.inspection.features.edge_effects import estimate_edge_effects
 from measureapp.inspection.features.edges import find_edges
 from measureapp.inspection.features.found_feature import FoundFeature, find_feature
 from measureapp.inspection.features.free_form import find_free_forms
@@ -63,7 +64,8 @@ def find_entry(
         return find_edges(described, points, settings)
     if described.grow is not None:
         return simulate_uncertainties(grow_features(described, points, settings), settings)
-    return simulate_uncertainties(find_feature(described, points, edges, settings), settings)
+    found = estimate_edge_effects(find_feature(described, points, edges, settings), described, edges)
+    return simulate_uncertainties(found, settings)
 
 
 def _with_dependencies(program: InspectionProgram, names: Collection[str]) -> set[str]:

@@ -7,6 +7,7 @@ Standard uncertainties are combined in quadrature (JCGM 100). Contributions:
 - stitching: joint covariance of the poses of the views; a common motion of features cancels;
 - calibration: distortion of all clouds by errors of the camera calibration, with the poses adapted to it;
 - form: smooth form errors of single clouds;
+- edges: what the blur of sharp edges does to narrow faces (`features/edge_effects.py`);
 - common: systematic errors shared by all clouds, beyond the calibration;
 - unexplained: what checks of the data find beyond all these;
 - temperature: correction of lengths to 20 °C, by the uncertainty of the part's temperature and of its expansion;

@@ -43,7 +43,7 @@ def construct_one(make: Maker, name: str, of: Sequence[FoundFeature]) -> FoundFe
     errors = propagate_construction(make, parents, [one.errors for one in of])
     known = replace(made, points=sum(parent.points for parent in parents), standard_deviations=_deviations(made, errors))
     view_errors = next((one.view_errors for one in of if one.view_errors is not None), None)
-    return FoundFeature(name, known, views=min(one.views for one in of), view_contributions=errors, view_errors=view_errors)
+    return FoundFeature(name, known, views=min(one.views for one in of), other_errors=errors, view_errors=view_errors)
 
 
 def _deviations(made: Feature, errors: Errors) -> dict[str, float]:

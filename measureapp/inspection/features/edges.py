@@ -206,7 +206,7 @@ def _free_edge(
         ErrorSource("common", f"{edge.name}, loss"): removed,
         **{source: _normal_part(rows, normal, point - plane.feature.point_mm) for source, rows in plane.errors.items()},
     }
-    for source, rows in plane.view_contributions.items():  # in the face as across it
+    for source, rows in plane.other_errors.items():  # in the face as across it
         shifted = rows[:6].copy()
         if source in in_the_face:
             shifted[:3] += np.outer(out, in_the_face[source][0])
@@ -219,7 +219,7 @@ def _free_edge(
     feature = Feature(edge.name, "line", point, direction, normal=normal, points=len(place), standard_deviations=deviations, how=how)
     profile = EdgeProfile(point + np.outer(place - middle, direction) + np.outer(rest, out), np.full(len(place), float(np.std(rest))))
     return FoundFeature(
-        edge.name, feature, views=plane.views, nominal=edge, view_contributions=errors, view_errors=plane.view_errors, edge_profile=profile
+        edge.name, feature, views=plane.views, nominal=edge, other_errors=errors, view_errors=plane.view_errors, edge_profile=profile
     )
 
 

@@ -56,7 +56,9 @@ class FoundFeature:
     points_mm: FloatArray = field(default_factory=lambda: np.empty((0, 3)))  # the fitted points
     nominal: Feature | None = None  # as designed
     hole: bool = field(default=False, kw_only=True)  # material outside
-    view_contributions: Errors = field(default_factory=dict, kw_only=True)  # errors by its views; of a constructed feature all errors
+    other_errors: Errors = field(
+        default_factory=dict, kw_only=True
+    )  # beyond noise: by its views and by edges; of a constructed feature all errors
     view: IntArray | None = field(default=None, kw_only=True)  # (N,), the view of each of its points
     view_errors: ViewErrors | None = field(default=None, kw_only=True)  # of those views; None where not known
     edge_profile: EdgeProfile | None = field(default=None, kw_only=True)  # points along an edge, for its straightness
@@ -66,8 +68,8 @@ class FoundFeature:
     def errors(self) -> Errors:
         """All errors by source; empty for a feature that was not found."""
         if self.feature is None or len(self.points_mm) == 0:
-            return self.view_contributions
-        return {ErrorSource(NOISE, self.name): noise_errors(self.feature, self.correlation_factor), **self.view_contributions}
+            return self.other_errors
+        return {ErrorSource(NOISE, self.name): noise_errors(self.feature, self.correlation_factor), **self.other_errors}
 
     @property
     def direction_sigma(self) -> float:
@@ -129,7 +131,7 @@ def fit_feature(
         used.points_mm,
         nominal,
         hole=expected.hole,
-        view_contributions=by_views,
+        other_errors=by_views,
         view=used.view,
         view_errors=used.errors,
     )
