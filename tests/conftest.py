@@ -25,6 +25,8 @@ from measureapp.arrays import BAND_THREADS  # noqa: E402
 pytest_plugins = ["room_times", "demo_first"]
 GRACE_S = 2.0
 LIBRARY_THREADS = ("pytest_timeout", "execnet", "tqdm", "IPythonHistory")  # kept by libraries, ended by them
+NEW_MODULES = 100  # imported since, for which it pays to exclude what they hold from collection
+_frozen_with = {"modules": 0}
 LIBRARY_WIDGETS = ("QTipLabel",)  # the one tool tip Qt keeps
 
 
@@ -78,12 +80,20 @@ def _settled(leftovers: Callable[[], list[Any]]) -> list[Any]:
     """Return what is still there after a moment; what only waits for its deletion is deleted."""
     if not leftovers():
         return []
-    gc.collect()
+    _collect()
     end = time.monotonic() + GRACE_S
     while leftovers() and time.monotonic() < end:
         _deliver_deletions()
         time.sleep(0.01)
     return leftovers()
+
+
+def _collect() -> None:
+    """Collect what is no longer in use, but do not look again and again through what imported modules hold, which takes half a second."""
+    gc.collect()
+    if len(sys.modules) >= _frozen_with["modules"] + NEW_MODULES:
+        _frozen_with["modules"] = len(sys.modules)
+        gc.freeze()
 
 
 def _windows() -> list[Any]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import contextlib
+import io
 import json
 import shutil
 
@@ -20,10 +22,19 @@ def run(capsys, *arguments):
     return code, json.loads(capsys.readouterr().out)
 
 
-def test_cameras_and_projector_are_recovered_together_and_serve_reconstruct(capsys, truth, manifests, tmp_path):
-    code, answer = run(capsys, *manifests, *BOARD, "--out", tmp_path / "cameras.json")
-    assert code == 0, answer
-    found = read_cameras(tmp_path / "cameras.json")
+@pytest.fixture(scope="module")
+def together(manifests, tmp_path_factory):
+    """Calibrate cameras and projector from all positions, once: the file, and what the command answered."""
+    path, said = tmp_path_factory.mktemp("together") / "cameras.json", io.StringIO()
+    with contextlib.redirect_stdout(said):
+        code = main(["calibrate", "projector", *map(str, manifests), *BOARD, "--out", str(path), "--json"])
+    assert code == 0, said.getvalue()
+    return path, json.loads(said.getvalue())
+
+
+def test_cameras_and_projector_are_recovered_together_and_serve_reconstruct(capsys, truth, manifests, together, tmp_path):
+    path, answer = together
+    found = read_cameras(path)
     assert np.abs(in_sigmas(truth, found.projector)).max() < MOST_SIGMAS
     assert set(found.cameras) == {"left", "right"}
     assert any(name.startswith("projector.") for name in found.covariance.parameters)
@@ -31,19 +42,18 @@ def test_cameras_and_projector_are_recovered_together_and_serve_reconstruct(caps
     assert answer["cross_validation"]["healthy"], answer["cross_validation"]["verdict"]
     assert "views held back fit with" in answer["cross_validation"]["verdict"]
     assert answer["camera_uncertainty_carried_on"]
-    options = ["--cameras", str(tmp_path / "cameras.json"), "--out", str(tmp_path / "board.ply"), "--projector", "--json"]
+    options = ["--cameras", str(path), "--out", str(tmp_path / "board.ply"), "--projector", "--json"]
     assert main(["reconstruct", str(manifests[0]), *options]) == 0
     agreement = json.loads(capsys.readouterr().out)["projector"]["agreement"]
     assert agreement
 
 
-def test_known_cameras_stay_as_they_are_and_their_uncertainty_is_propagated(capsys, truth, manifests, tmp_path):
-    code, answer = run(capsys, *manifests, *BOARD, "--out", tmp_path / "together.json")
+def test_known_cameras_stay_as_they_are_and_their_uncertainty_is_propagated(capsys, truth, manifests, together, tmp_path):
+    path, _ = together
+    code, answer = run(capsys, *manifests, *BOARD, "--cameras", path, "--out", tmp_path / "added.json")
     assert code == 0, answer
-    code, answer = run(capsys, *manifests, *BOARD, "--cameras", tmp_path / "together.json", "--out", tmp_path / "added.json")
-    assert code == 0, answer
-    together, added = read_cameras(tmp_path / "together.json"), read_cameras(tmp_path / "added.json")
-    for name, camera in together.cameras.items():
+    known, added = read_cameras(path), read_cameras(tmp_path / "added.json")
+    for name, camera in known.cameras.items():
         np.testing.assert_array_equal(added.cameras[name].pinhole.matrix, camera.pinhole.matrix)
         np.testing.assert_array_equal(added.cameras[name].reference_from_camera.matrix, camera.reference_from_camera.matrix)
     assert np.abs(in_sigmas(truth, added.projector)).max() < MOST_SIGMAS

@@ -9,6 +9,7 @@ os.environ.pop("DISPLAY", None)
 
 from collections.abc import Iterator
 from datetime import UTC, datetime
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -187,6 +188,14 @@ def application(qapp, qtbot, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) ->
     built.language.retranslation.finish()
 
 
+@cache
+def graphics_are_missing() -> bool:
+    """Ask once: every answer renders a picture."""
+    from ui.viewport.backend import missing_graphics
+
+    return bool(missing_graphics())
+
+
 @pytest.fixture
 def calibration_page(application: Application, window, rig: RigDescription):
     """Return the page from which the wizards are opened, with the virtual rig chosen."""
@@ -204,10 +213,8 @@ def window(application: Application):
 @pytest.fixture
 def filled(application: Application, window, measurement, plan, rig: RigDescription, qtbot):
     """Return the window after a measurement, with 3-D pictures where the graphics libraries are installed."""
-    from ui.viewport.backend import missing_graphics
-
     session = application.session
-    session.set_graphics("failed" if missing_graphics() else "ready", "No graphics in this test.")
+    session.set_graphics("failed" if graphics_are_missing() else "ready", "No graphics in this test.")
     session.open_project("gypsum-4711", "gypsum", None)
     session.set_rig(rig)
     session.set_plan(plan)

@@ -47,6 +47,7 @@ class ReportPage(Page):
         self._sheet.setLayout(self._pages)
         self.pages: list[QLabel] = []
         self._images: list[QImage] = []
+        self._is_stale = False
         self._scroll = QScrollArea()
         self._scroll.setWidgetResizable(True)
         self._scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
@@ -137,7 +138,13 @@ class ReportPage(Page):
         times = tuple((sentence_case(name), f"{seconds:.1f} s") for name, seconds in measurement.timings_s.items())
         groups = [Group("Measurement", rows), *([Group("Time", times)] if times else [])]
         self.show_properties(Properties("Report", tuple(groups)))
-        self.controllers.documents.preview()
+        self._draw_pages()
+
+    def _draw_pages(self) -> None:
+        """Have the pages drawn, or remember it until this page is shown: drawing takes a second of a processor."""
+        self._is_stale = self.session.measurement is not None and not self.isVisible()
+        if not self._is_stale:
+            self.controllers.documents.preview()
 
     def show_pages(self, pages: tuple[bytes, ...]) -> None:
         """Show the pages (PNG) of the report."""
@@ -170,8 +177,10 @@ class ReportPage(Page):
         QTimer.singleShot(0, self, self._fit_pages)
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Fit the pages to the available width."""
+        """Draw the pages if the measurement is another one, and fit them to the available width."""
         super().showEvent(event)
+        if self._is_stale:
+            self._draw_pages()
         QTimer.singleShot(0, self, self._fit_pages)
 
     def _fit_pages(self) -> None:

@@ -101,18 +101,20 @@ def test_two_poses_half_a_turn_apart_do_not_upset_the_methods(generator):
         np.testing.assert_allclose(estimate.flange_from_camera.matrix, X.matrix, atol=1e-6)
 
 
-def test_refined_errors_agree_with_the_predicted_standard_deviations():
-    ratios = []
-    for seed in range(16):
-        solution = solve(problem_of(np.random.default_rng(seed)))
-        ratios.append(change(solution.refined) / np.array(list(solution.standard_deviations.values())))
+@pytest.fixture(scope="module")
+def repeated():
+    """Sixteen calibrations with noise of their own."""
+    return [solve(problem_of(np.random.default_rng(seed))) for seed in range(16)]
+
+
+def test_refined_errors_agree_with_the_predicted_standard_deviations(repeated):
+    ratios = [change(solution.refined) / np.array(list(solution.standard_deviations.values())) for solution in repeated]
     assert 0.75 < np.sqrt(np.mean(np.square(ratios))) < 1.15
 
 
-def test_refinement_beats_every_closed_solution_on_average():
+def test_refinement_beats_every_closed_solution_on_average(repeated):
     errors: dict[str, list[float]] = {}
-    for seed in range(16):
-        solution = solve(problem_of(np.random.default_rng(seed)))
+    for solution in repeated:
         for name, estimate in (*solution.methods.items(), ("refined", solution.refined)):
             errors.setdefault(name, []).append(float(np.sum(change(estimate)[3:] ** 2)))
     means = {name: float(np.mean(values)) for name, values in errors.items()}
