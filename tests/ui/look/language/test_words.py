@@ -73,7 +73,7 @@ def test_a_text_that_became_part_of_a_sentence_is_known_by_its_other_first_lette
         ("datum system A|B", "基准体系 A|B"),
         ("means of 2 mm cells, minimum zone, the worst of 5 sections", "2 mm 单元的均值, 最小区域, 5 个截面中最差者"),
         ("0.0123 mm less 0.0045 mm by noise", "0.0123 mm，扣除噪声引起的 0.0045 mm"),
-        ("datums: minimum zone; associated centre", "基准: 最小区域; 拟合中心"),  # reasons first, then what each begins with
+        ("datums: minimum zone; associated centre", "基准: 最小区域; 拟合中心"),
         ("7 constructed features: mid-line.1 … mid-line.7", "7 个构造特征：mid-line.1 … mid-line.7"),
         ("angle", "角度"),
     ],
