@@ -38,6 +38,12 @@ class PointCloud:
         object.__setattr__(self, "pixel", read_only(self.pixel, np.int32, (count, 2)))
         object.__setattr__(self, "cameras", read_only(self.cameras, np.uint8, (count,)))
 
+    @classmethod
+    def empty(cls, frame: str, viewpoint_id: str) -> PointCloud:
+        """Return a cloud without points."""
+        none, single = np.empty((0, 3)), np.empty(0)
+        return cls(none, none, single, single, np.empty((0, 2), np.int32), np.empty(0, np.uint8), frame, viewpoint_id)
+
     def __len__(self) -> int:
         return len(self.points_mm)
 

@@ -373,14 +373,15 @@ class ProjectFolder:
             raise filter_file.unusable(self.results / filter_file.FILTERS, "is not what was stored") from error
         return filter_file.load_filters(self.results, stitched)
 
-    def measurement(self) -> Measurement | None:
-        """Load the last measurement, if there is one. Raises StorageError when it is damaged."""
+    def measurement(self, *, clouds: bool = True) -> Measurement | None:
+        """Load the last measurement, if any; without ``clouds``, those of its views stay unread. Raises StorageError when it is damaged."""
         contents = self.journal.contents()
         files = [self.path / name for name in (contents.files if contents else ()) if name.startswith("results/")]
-        self.journal.check(*(path for path in files if path.name not in (filter_file.FILTERS, filter_file.FILTERED)))
+        read = [path for path in files if clouds or path.parent.name != results.CLOUDS]
+        self.journal.check(*(path for path in read if path.name not in (filter_file.FILTERS, filter_file.FILTERED)))
         self.journal.take_as_compared(results.read_compared(self.results))
         calibration = self.calibration()
-        return None if calibration is None else results.load(self.results, calibration)
+        return None if calibration is None else results.load(self.results, calibration, clouds=clouds)
 
     @property
     def report_pdf(self) -> Path:

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from measureapp.data.calibration import RigCalibration
-from measureapp.data.cloud import CloudQuality
+from measureapp.data.cloud import CloudQuality, PointCloud
 from measureapp.data.measurement import Measurement, ViewResult
 from measureapp.errors import FrameMismatch, InputError, MeasureError, StorageError
 from measureapp.project.atomic import replacing_together, write_json
@@ -40,13 +40,13 @@ from measureapp.project.journal.state import RESULTS, Compared
 from measureapp.project.large_clouds import map_large
 from measureapp.project.text_document import check_version
 
-DOCUMENT, STITCHED, MESH = "measurement.json", "stitched_cloud.ply", "mesh.ply"
+DOCUMENT, STITCHED, MESH, CLOUDS = "measurement.json", "stitched_cloud.ply", "mesh.ply", "clouds"
 FORMAT = 1
 
 
 def cloud_path(folder: Path, viewpoint_id: str) -> Path:
     """Return the file of the cloud of one view."""
-    return folder / "clouds" / f"{viewpoint_id}.ply"
+    return folder / CLOUDS / f"{viewpoint_id}.ply"
 
 
 def save(
@@ -59,7 +59,7 @@ def save(
     inputs : what it was computed from, see `inputs.current_inputs`
     compared : the files of it that were found equal to the journal, so that they are not read to compare them again
     """
-    with replacing_together(folder, Entry(RESULTS, {}, "", {"inputs": dict(inputs or {})}), stale=(MESH, "clouds/*.ply")) as staging:
+    with replacing_together(folder, Entry(RESULTS, {}, "", {"inputs": dict(inputs or {})}), stale=(MESH, f"{CLOUDS}/*.ply")) as staging:
         for view in measurement.views:
             write_cloud(cloud_path(staging, view.viewpoint_id), view.cloud)
         write_cloud(staging / STITCHED, measurement.stitched)
@@ -103,8 +103,18 @@ def _document(measurement: Measurement, inputs: Mapping[str, Any] | None, compar
     }
 
 
-def load(folder: Path, calibration: RigCalibration) -> Measurement | None:
-    """Load the stored measurement; None if there is none. Raises StorageError when it is damaged."""
+def load(folder: Path, calibration: RigCalibration, *, clouds: bool = True) -> Measurement | None:
+    """Load the stored measurement; None if there is none.
+
+    Parameters
+    ----------
+    clouds : whether to read the clouds of the single views, too; without they are empty, for what needs the stitched one alone
+
+    Raises
+    ------
+    StorageError
+        It is damaged.
+    """
     path = folder / DOCUMENT
     if not path.exists():
         return None
@@ -122,7 +132,7 @@ def load(folder: Path, calibration: RigCalibration) -> Measurement | None:
         return Measurement(
             **{name: document[name] for name in ("project", "part", "rig", "measured_at", "settings", "timings_s")},
             calibration=calibration,
-            views=tuple(_view_from(folder, view) for view in document["views"]),
+            views=tuple(_view_from(folder, view, clouds) for view in document["views"]),
             stitched=stitched,
             mesh=read_mesh(folder / MESH, "part") if (folder / MESH).exists() else None,
             inspection=None if document["inspection"] is None else inspection_from(document["inspection"]),
@@ -152,10 +162,11 @@ def _view_document(view: ViewResult) -> dict[str, Any]:
     }
 
 
-def _view_from(folder: Path, document: Mapping[str, Any]) -> ViewResult:
+def _view_from(folder: Path, document: Mapping[str, Any], clouds: bool) -> ViewResult:
+    name = _known_id(document["viewpoint_id"])
     return ViewResult(
-        viewpoint_id=_known_id(document["viewpoint_id"]),
-        cloud=map_large(read_point_cloud(cloud_path(folder, document["viewpoint_id"])), folder),
+        viewpoint_id=name,
+        cloud=map_large(read_point_cloud(cloud_path(folder, name)), folder) if clouds else PointCloud.empty("camera", name),
         quality=CloudQuality(**document["quality"]),
         part_from_camera=transform_from(document["part_from_camera"]),
         decode=document["decode"],

@@ -42,7 +42,7 @@ def compose_project(
     InputError
         The template is not valid.
     """
-    measurement = measurement or project.measurement()
+    measurement = measurement or project.measurement(clouds=False)
     if measurement is None:
         raise StorageError(f"{project.path} contains no measurement.", "Scan first, or recompute it: measureapp process PROJECT.")
     if measurement.inspection is not None and project.program is not None:

@@ -4930,6 +4930,14 @@
       <translation>，弧段小：蒙特卡洛，{v1} 次抽样</translation>
     </message>
     <message>
+      <source>, {v1} sections</source>
+      <translation>，{v1} 个截面</translation>
+    </message>
+    <message>
+      <source>3-2-1 (plane {v1}, line {v2}, point {v3})</source>
+      <translation>3-2-1（平面 {v1}、直线 {v2}、点 {v3}）</translation>
+    </message>
+    <message>
       <source>A line profile needs a section plane: state `section` in the text of the program.</source>
       <translation>线轮廓度需要截面：请在程序文本中给出 `section`。</translation>
     </message>
@@ -5070,12 +5078,20 @@
       <translation>蒙特卡洛</translation>
     </message>
     <message>
+      <source>Monte Carlo, {v1} draws</source>
+      <translation>蒙特卡洛，{v1} 次抽样</translation>
+    </message>
+    <message>
       <source>Monte Carlo, {v1} trials</source>
       <translation>蒙特卡洛，{v1} 次试验</translation>
     </message>
     <message>
       <source>Most of U is what the error model does not explain: a contradicted model proves nothing; see the checks of the error model</source>
       <translation>U 的大部分是误差模型不能解释的：与实测矛盾的模型什么也证明不了；请参见误差模型的检验</translation>
+    </message>
+    <message>
+      <source>Motions not fixed by the features: from {v1}</source>
+      <translation>特征未约束的运动：取自 {v1}</translation>
     </message>
     <message>
       <source>Move it further inside the surface.</source>
@@ -5102,6 +5118,10 @@
       <translation>沿截面 {v1} 没有测量到任何内容。</translation>
     </message>
     <message>
+      <source>One of {v1} positions about the axis fits: {v2} mm rms, second best {v3} mm</source>
+      <translation>绕轴的 {v1} 个位置中有一个相符：{v2} mm rms，次优 {v3} mm</translation>
+    </message>
+    <message>
       <source>Only {v1} of the points lie within {v2} mm of the nominal, in any orientation.</source>
       <translation>在任何方位，只有 {v1} 的点位于名义模型 {v2} mm 以内。</translation>
     </message>
@@ -5112,6 +5132,10 @@
     <message>
       <source>Only {v1} points were measured within {v2} mm of this place, {v3} are needed.</source>
       <translation>此处 {v2} mm 内只测量了 {v1} 个点，需要 {v3} 个。</translation>
+    </message>
+    <message>
+      <source>RPS ({v1} points: {v2})</source>
+      <translation>RPS（{v1} 个点：{v2}）</translation>
     </message>
     <message>
       <source>Remove these as well, or give them other features first.</source>
@@ -5258,6 +5282,22 @@
       <translation>请使用平面、球、圆柱或圆锥。</translation>
     </message>
     <message>
+      <source>a combined rotation and translation</source>
+      <translation>旋转与平移的组合</translation>
+    </message>
+    <message>
+      <source>a line, an axis or a second plane</source>
+      <translation>直线、轴线或第二个平面</translation>
+    </message>
+    <message>
+      <source>a plane</source>
+      <translation>平面</translation>
+    </message>
+    <message>
+      <source>a point, a centre or a third plane</source>
+      <translation>点、中心或第三个平面</translation>
+    </message>
+    <message>
       <source>a radius</source>
       <translation>半径</translation>
     </message>
@@ -5278,12 +5318,56 @@
       <translation>正在将点与名义模型对齐</translation>
     </message>
     <message>
+      <source>associated axis over {v1} mm</source>
+      <translation>拟合轴线，长 {v1} mm</translation>
+    </message>
+    <message>
+      <source>associated centre</source>
+      <translation>拟合中心</translation>
+    </message>
+    <message>
       <source>assumed: calibration ± {v1} mm and {v2} ppm of the length (k = 1)</source>
       <translation>假定：标定 ± {v1} mm 和长度的 {v2} ppm (k = 1)</translation>
     </message>
     <message>
       <source>assumed: position of each view ± {v1} mm (k = 1), as the cloud has no error model</source>
       <translation>假定：每个视图的位置 ± {v1} mm (k = 1)，因为点云没有误差模型</translation>
+    </message>
+    <message>
+      <source>axes and centres where a datum has a material condition</source>
+      <translation>轴线和中心（当基准带有实体条件时）</translation>
+    </message>
+    <message>
+      <source>axial, {v1} rings</source>
+      <translation>轴向，{v1} 个圆环</translation>
+    </message>
+    <message>
+      <source>best fit, {v1} positions about the axis</source>
+      <translation>最佳拟合，绕轴 {v1} 个位置</translation>
+    </message>
+    <message>
+      <source>best fit; the part fits upright and on its head equally well</source>
+      <translation>最佳拟合；工件正放与倒放同样相符</translation>
+    </message>
+    <message>
+      <source>centre of the zone offset {v1} into the material</source>
+      <translation>公差带中心向材料内偏移 {v1}</translation>
+    </message>
+    <message>
+      <source>centre of the zone offset {v1} out of the material</source>
+      <translation>公差带中心向材料外偏移 {v1}</translation>
+    </message>
+    <message>
+      <source>coordinates as stated in the program</source>
+      <translation>程序给定的坐标</translation>
+    </message>
+    <message>
+      <source>datum shift: {v1}, {v2} mm without shift</source>
+      <translation>基准浮动：{v1}，无浮动时 {v2} mm</translation>
+    </message>
+    <message>
+      <source>datum system {v1}</source>
+      <translation>基准体系 {v1}</translation>
     </message>
     <message>
       <source>deviation from the shape</source>
@@ -5300,6 +5384,10 @@
     <message>
       <source>end of the points, displaced by half the stated loss of {v1} mm</source>
       <translation>点的尽头，移动所述损失 {v1} mm 的一半</translation>
+    </message>
+    <message>
+      <source>explained by noise alone: one-sided, at most {v1} mm</source>
+      <translation>仅由噪声即可解释：单侧，至多 {v1} mm</translation>
     </message>
     <message>
       <source>faces up to {v1} mm beside the edge</source>
@@ -5346,16 +5434,48 @@
       <translation>其种子位于边上，或该处表面不是{v1}</translation>
     </message>
     <message>
+      <source>least material</source>
+      <translation>最小实体</translation>
+    </message>
+    <message>
+      <source>least squares</source>
+      <translation>最小二乘</translation>
+    </message>
+    <message>
       <source>length scale ± {v1} ppm (k = 1), from {v2}</source>
       <translation>长度比例 ± {v1} ppm (k = 1)，来自{v2}</translation>
+    </message>
+    <message>
+      <source>local best fit ({v1})</source>
+      <translation>局部最佳拟合（{v1}）</translation>
+    </message>
+    <message>
+      <source>located by the alignment</source>
+      <translation>由对齐定位</translation>
+    </message>
+    <message>
+      <source>maximum material</source>
+      <translation>最大实体</translation>
+    </message>
+    <message>
+      <source>means of {v1} mm cells</source>
+      <translation>{v1} mm 单元的均值</translation>
     </message>
     <message>
       <source>medians over {v1} mm, {v2}</source>
       <translation>{v1} mm 上的中位数，{v2}</translation>
     </message>
     <message>
+      <source>minimum zone</source>
+      <translation>最小区域</translation>
+    </message>
+    <message>
       <source>no measured surface lies within {v1} mm of its seed</source>
       <translation>其种子 {v1} mm 内没有测量的表面</translation>
+    </message>
+    <message>
+      <source>none: part frame taken as nominal frame</source>
+      <translation>无：以工件坐标系为名义坐标系</translation>
     </message>
     <message>
       <source>of the features are found</source>
@@ -5386,6 +5506,26 @@
       <translation>其边缘只测到 {v1} 个点，需要 {v2} 个</translation>
     </message>
     <message>
+      <source>planes, axes and centres</source>
+      <translation>平面、轴线和中心</translation>
+    </message>
+    <message>
+      <source>radial, {v1} sections</source>
+      <translation>径向，{v1} 个截面</translation>
+    </message>
+    <message>
+      <source>rotation about x</source>
+      <translation>绕 x 旋转</translation>
+    </message>
+    <message>
+      <source>rotation about y</source>
+      <translation>绕 y 旋转</translation>
+    </message>
+    <message>
+      <source>rotation about z</source>
+      <translation>绕 z 旋转</translation>
+    </message>
+    <message>
       <source>surface tilted</source>
       <translation>表面倾斜</translation>
     </message>
@@ -5396,6 +5536,10 @@
     <message>
       <source>the alignment {v1} failed: {v2}</source>
       <translation>对齐 {v1} 失败：{v2}</translation>
+    </message>
+    <message>
+      <source>the axis through {v1} sections</source>
+      <translation>通过 {v1} 个截面的轴线</translation>
     </message>
     <message>
       <source>the blade continues there</source>
@@ -5442,6 +5586,30 @@
       <translation>其种子处的表面不是{v1}：在该区域内弯离 {v2} mm</translation>
     </message>
     <message>
+      <source>the worst of {v1} lines</source>
+      <translation>{v1} 条线中最差者</translation>
+    </message>
+    <message>
+      <source>the worst of {v1} sections</source>
+      <translation>{v1} 个截面中最差者</translation>
+    </message>
+    <message>
+      <source>translation along x</source>
+      <translation>沿 x 平移</translation>
+    </message>
+    <message>
+      <source>translation along y</source>
+      <translation>沿 y 平移</translation>
+    </message>
+    <message>
+      <source>translation along z</source>
+      <translation>沿 z 平移</translation>
+    </message>
+    <message>
+      <source>which of {v1} positions about the axis</source>
+      <translation>绕轴 {v1} 个位置中的哪一个</translation>
+    </message>
+    <message>
       <source>{v1} and {v2} are blades of different sections: their pitch is undefined</source>
       <translation>{v1} 与 {v2} 是不同截面的叶片：其节距没有定义</translation>
     </message>
@@ -5468,6 +5636,10 @@
     <message>
       <source>{v1} cannot be the datum of its own tolerance.</source>
       <translation>{v1} 不能作为自身公差的基准。</translation>
+    </message>
+    <message>
+      <source>{v1} constructed features: {v2} … {v3}</source>
+      <translation>{v1} 个构造特征：{v2} … {v3}</translation>
     </message>
     <message>
       <source>{v1} do not have the same dimensions: only one has {v2}.</source>
@@ -5602,8 +5774,28 @@
       <translation>{v1} 与{v4}的{v3}相差 {v2}°：请检查特征及其基准</translation>
     </message>
     <message>
+      <source>{v1} mm less {v2} mm by noise</source>
+      <translation>{v1} mm，扣除噪声引起的 {v2} mm</translation>
+    </message>
+    <message>
       <source>{v1} needs a name.</source>
       <translation>{v1} 需要名称。</translation>
+    </message>
+    <message>
+      <source>{v1} play {v2} mm</source>
+      <translation>{v1} 间隙 {v2} mm</translation>
+    </message>
+    <message>
+      <source>{v1} positions about the axis are indistinguishable ({v2}); the one with the smallest rotation was chosen</source>
+      <translation>{v1}绕轴的位置无法区分（{v2}）；已选择旋转最小的一个</translation>
+    </message>
+    <message>
+      <source>{v1} regions</source>
+      <translation>{v1} 个区域</translation>
+    </message>
+    <message>
+      <source>{v1} to {v2} mm rms</source>
+      <translation>{v1} 至 {v2} mm rms</translation>
     </message>
     <message>
       <source>{v1} was not measured at its section</source>
@@ -5764,6 +5956,10 @@
     <message>
       <source>{v1}: {v2} is undefined, as {v3} ({v4} end)</source>
       <translation>{v1}：{v2}没有定义，因为 {v3}（{v4}端）</translation>
+    </message>
+    <message>
+      <source>{v1}: {v2} mm bonus on {v3} mm</source>
+      <translation>{v1}：在 {v3} mm 上补偿 {v2} mm</translation>
     </message>
     <message>
       <source>{v1}: {v2} points, {v3} rejected</source>
@@ -9639,8 +9835,8 @@
       <translation>添加</translation>
     </message>
     <message>
-      <source>Add a dimension to the inspection program, from features of the list</source>
-      <translation>由列表中的特征向检测程序添加尺寸</translation>
+      <source>Add a distance, an angle, a diameter or a radius to the inspection program; “Tolerance…” in the list of features adds tolerance zones</source>
+      <translation>向检测程序添加距离、角度、直径或半径；特征列表中的“公差…”用于添加公差带</translation>
     </message>
     <message>
       <source>Add a feature…</source>
@@ -10395,8 +10591,8 @@
       <translation>按名称或类型搜索尺寸</translation>
     </message>
     <message>
-      <source>Second feature or datum</source>
-      <translation>第二特征或基准</translation>
+      <source>Second feature</source>
+      <translation>第二个特征</translation>
     </message>
     <message>
       <source>Secondary datum</source>
@@ -10567,6 +10763,10 @@
       <translation>缩放到其特征</translation>
     </message>
     <message>
+      <source>angle</source>
+      <translation>角度</translation>
+    </message>
+    <message>
       <source>best fit</source>
       <translation>最佳拟合</translation>
     </message>
@@ -10665,10 +10865,6 @@
     <message>
       <source>to</source>
       <translation>至</translation>
-    </message>
-    <message>
-      <source>to datum</source>
-      <translation>到基准</translation>
     </message>
     <message>
       <source>torus</source>
@@ -15623,14 +15819,6 @@ There is no page about “{name}”.</source>
       <translation>高于 z</translation>
     </message>
     <message>
-      <source>angle</source>
-      <translation>个角度</translation>
-    </message>
-    <message>
-      <source>angles</source>
-      <translation>个角度</translation>
-    </message>
-    <message>
       <source>below x</source>
       <translation>低于 x</translation>
     </message>
@@ -15677,6 +15865,14 @@ There is no page about “{name}”.</source>
     <message>
       <source>{closed} Show</source>
       <translation>{closed} 显示</translation>
+    </message>
+    <message>
+      <source>{count} angle</source>
+      <translation>{count} 个角度</translation>
+    </message>
+    <message>
+      <source>{count} angles</source>
+      <translation>{count} 个角度</translation>
     </message>
     <message>
       <source>{count} cannot be scanned. {tip}</source>

@@ -237,6 +237,14 @@ def test_constructed_features_meet_where_their_parents_do() -> None:
     assert found["between"].point_mm[2] == pytest.approx((200 + found["front"].point_mm[2]) / 2, abs=1e-6)
 
 
+def test_a_pattern_between_constructed_features_states_these() -> None:
+    middles = {"name": "middle", "shape": "midpoint", "of": ["ball", "front"], "repeat": {"count": 6}}
+    gap = {"name": "gap", "kind": "distance", "features": ["middle.{k}", "ball"], "nominal": 100, "count": 6}
+    (found,) = inspect(block(np.random.default_rng(9), 0.0), program([*BLOCK, middles], [gap])).dimensions
+    assert found.measured is not None
+    assert found.traceability.startswith("ball: ") and "6 constructed features: middle.1 … middle.6" in found.traceability
+
+
 def test_a_best_fit_without_nominal_is_refused(samples, scan, on_table) -> None:
     sample = samples("gypsum")
     with pytest.raises(InspectionError, match="no nominal mesh"):

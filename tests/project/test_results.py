@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shutil
 from collections.abc import Mapping
 from dataclasses import fields, is_dataclass, replace
 from pathlib import Path
@@ -202,6 +203,15 @@ def test_a_measurement_comes_back(measurement: Measurement, tmp_path: Path) -> N
     found = load(tmp_path, measurement.calibration)
     assert found is not None
     same(found, measurement)
+
+
+def test_without_the_clouds_of_its_views_the_rest_comes_back_and_their_files_stay_unread(measurement: Measurement, tmp_path: Path) -> None:
+    save(tmp_path, measurement)
+    shutil.rmtree(tmp_path / "clouds")
+    found = load(tmp_path, measurement.calibration, clouds=False)
+    assert found is not None and all(len(view.cloud) == 0 for view in found.views)
+    whole = replace(found, views=tuple(replace(view, cloud=own.cloud) for view, own in zip(found.views, measurement.views, strict=True)))
+    same(whole, measurement)
 
 
 def test_a_measurement_without_mesh_and_inspection_comes_back_and_the_old_mesh_is_gone(measurement: Measurement, tmp_path: Path) -> None:

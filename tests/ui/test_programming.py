@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 import trimesh
 
+from measureapp.data.control_frame import CHARACTERISTICS
 from measureapp.data.deviation_scale import DeviationScale
 from measureapp.data.length_unit import LengthUnit
 from measureapp.inspection.dimensions import inspect
@@ -172,8 +173,10 @@ def test_a_click_on_a_feature_of_the_list_chooses_it_for_the_dimension(applicati
     for name in ("side", "top"):
         bar.take(name)
     assert bar.value().features == ("side", "top") and bar.value().name == "distance 1"
-    bar.kind.setCurrentText("Parallelism")
-    assert (bar.value().features, bar.value().datums, bar.value().nominal) == (("side",), ("top",), None)
+    bar.kind.setCurrentText("Diameter")
+    assert bar.value().features == ("side",) and bar.second.isHidden()
+    offered = [bar.kind.itemData(place) for place in range(bar.kind.count())]
+    assert not set(offered) & set(CHARACTERISTICS)  # tolerance zones are the editor's
 
 
 def test_a_program_that_is_none_stays_in_its_window_with_the_reason(application, opened, project, qtbot):

@@ -226,7 +226,8 @@ class PlanTreeModel(QAbstractItemModel):
         if column == GUIDE:
             return several(len(group.poses), "pose")
         if column == TABLE:
-            return several(len(group.table_deg), "angle")
+            angles = len(group.table_deg)  # a text of its own: a noun alone would read as the kind of a dimension in other languages
+            return tr("{count} angle" if angles == 1 else "{count} angles", count=angles)
         return _exposures(group.exposures_us) if column == EXPOSURES else ""
 
     def _edited_text(self, index: Index) -> str:

@@ -95,5 +95,5 @@ def _describe(positions: list[_Position], best: _Position, equivalent: list[_Pos
         others = min(one.rms_mm for one in positions if one is not best)
         return f"One of {fold} positions about the axis fits: {best.rms_mm:.4f} mm rms, second best {others:.4f} mm"
     span = f"{min(one.rms_mm for one in equivalent):.4f} to {max(one.rms_mm for one in equivalent):.4f} mm rms"
-    which = f"All {fold} positions" if len(equivalent) == fold else f"{len(equivalent)} of {fold} positions"
-    return f"{which} about the axis are indistinguishable ({span}); the one with the smallest rotation was chosen"
+    which = f"All {fold}" if len(equivalent) == fold else f"{len(equivalent)} of {fold}"
+    return f"{which} positions about the axis are indistinguishable ({span}); the one with the smallest rotation was chosen"

@@ -226,12 +226,19 @@ def _describe_traceability(described: DimensionProgram, found: list[FoundFeature
 
 
 def _describe_points(found: list[FoundFeature]) -> str:
-    """Describe the points of each feature; for long patterns the total."""
-    fitted = [one for one in found if one.feature is not None and len(one.points_mm)]
-    if len(found) > MOST_LISTED:
-        left_out = sum(one.feature.left_out for one in fitted if one.feature is not None)
-        return f"{len(fitted)} features: {sum(len(one.points_mm) for one in fitted)} points, {left_out} rejected"
-    return ", ".join(_describe_feature(one) for one in found)
+    """Describe the points of each feature; for long patterns the total, and which of them have no points of their own."""
+    fitted = [one for one in found if one.feature is None or len(one.points_mm)]
+    constructed = [one for one in found if one.feature is not None and len(one.points_mm) == 0]
+    if len(found) <= MOST_LISTED:
+        return ", ".join(_describe_feature(one) for one in found)
+    words = [_describe_feature(one) for few in (fitted, constructed) if len(few) <= MOST_LISTED for one in few]
+    if len(fitted) > MOST_LISTED:
+        known = [one for one in fitted if one.feature is not None]
+        left_out = sum(one.feature.left_out for one in known if one.feature is not None)
+        words.append(f"{len(known)} features: {sum(len(one.points_mm) for one in known)} points, {left_out} rejected")
+    if len(constructed) > MOST_LISTED:
+        words.append(f"{len(constructed)} constructed features: {constructed[0].name} … {constructed[-1].name}")
+    return ", ".join(words)
 
 
 def _describe_feature(found: FoundFeature) -> str:

@@ -56,7 +56,7 @@ def evaluate_form(described: DimensionProgram, found: FoundFeature, settings: In
             if feature.shape == "plane"
             else _axis_straightness(described.criterion, found, cells, settings)
         )
-    how = f"{filter_words(settings)}, {WORDS[described.criterion]}{made.how}; Monte Carlo, {settings.form_trials} draws"
+    how = f"{filter_words(settings)}, {WORDS[described.criterion]}{made.how}; " + _draws(settings)
     return Value(made.value, combine_budgets(made.budget, {STITCHING: assumed_view_spread(found, settings)}), how)
 
 
@@ -87,7 +87,7 @@ def evaluate_line_form(criterion: Criterion, found: FoundFeature, settings: Insp
         made = _remove_noise([zone], width, criterion, settings, "")
         how = f"{filter_words(settings)}, {how}"
     budget = combine_budgets(made.budget, {STITCHING: assumed_view_spread(found, settings)})
-    return Value(made.value, budget, f"{how}{made.how}; Monte Carlo, {settings.form_trials} draws")
+    return Value(made.value, budget, f"{how}{made.how}; " + _draws(settings))
 
 
 def _zone(shape: Shape, cells: Cells, criterion: Criterion, name: str, settings: InspectionSettings) -> Value:
@@ -97,10 +97,10 @@ def _zone(shape: Shape, cells: Cells, criterion: Criterion, name: str, settings:
 
 def _remove_noise(zones: list[Zone], width: float, criterion: Criterion, settings: InspectionSettings, how: str) -> Value:
     true = estimate_noise_free_width(zones, width, criterion, settings.form_trials)
-    words = f"{how}; {width:.4f} mm less {true.shift_mm:.4f} mm by noise"
+    words = [how, f"{width:.4f} mm less {true.shift_mm:.4f} mm by noise"]
     if true.by_noise:
-        words += f"; explained by noise alone: one-sided, at most {true.value_mm + 2 * true.sigma_mm:.4f} mm"
-    return Value(true.value_mm, combine_budgets({NOISE: true.sigma_mm}, propagate_view_errors(zones, criterion)), words)
+        words.append(f"explained by noise alone: one-sided, at most {true.value_mm + 2 * true.sigma_mm:.4f} mm")
+    return Value(true.value_mm, combine_budgets({NOISE: true.sigma_mm}, propagate_view_errors(zones, criterion)), "; ".join(words))
 
 
 def extract_cells(found: FoundFeature, settings: InspectionSettings) -> Cells:
@@ -109,6 +109,10 @@ def extract_cells(found: FoundFeature, settings: InspectionSettings) -> Cells:
     if len(found.points_mm) == 0:
         raise InspectionError(f"{found.name} is a constructed feature without a measured surface")
     return cell_means(found, feature, surface_keys(found.points_mm, feature, settings.form_cell_mm))
+
+
+def _draws(settings: InspectionSettings) -> str:
+    return f"Monte Carlo, {settings.form_trials} draws"
 
 
 def filter_words(settings: InspectionSettings) -> str:
@@ -180,7 +184,7 @@ def _roundness(criterion: Criterion, found: FoundFeature, cells: Cells, settings
         )
         for profile, section in zip(profiles, whole, strict=True)
     ]
-    return _remove_noise(zones, max(widths), criterion, settings, f", the worst of {len(whole)} sections")
+    return _remove_noise(zones, max(widths), criterion, settings, ", " + f"the worst of {len(whole)} sections")
 
 
 def _axis_straightness(criterion: Criterion, found: FoundFeature, cells: Cells, settings: InspectionSettings) -> Value:
@@ -205,7 +209,7 @@ def _axis_straightness(criterion: Criterion, found: FoundFeature, cells: Cells, 
     across = tangents(require_direction(fit("line", np.array(centres))))
     by_views = {source: np.vstack([across[k] @ np.array(shifts) for k in range(2)]) for source, shifts in moved.items()}
     zone = Zone.of("line", np.array(centres), cells.noise_mm / lean * np.array(spreads), by_views)
-    return _remove_noise([zone], width, criterion, settings, f", the axis through {len(whole)} sections")
+    return _remove_noise([zone], width, criterion, settings, ", " + f"the axis through {len(whole)} sections")
 
 
 def _line_straightness(described: DimensionProgram, found: FoundFeature, settings: InspectionSettings) -> Value:
@@ -237,7 +241,7 @@ def _line_straightness(described: DimensionProgram, found: FoundFeature, setting
         )
         for mask in lines
     ]
-    return _remove_noise(zones, max(widths), described.criterion, settings, f", the worst of {len(lines)} lines")
+    return _remove_noise(zones, max(widths), described.criterion, settings, ", " + f"the worst of {len(lines)} lines")
 
 
 def _line_width(position: FloatArray, height: FloatArray, criterion: Criterion) -> float:

@@ -70,8 +70,8 @@ class _Zone:
         change = max(abs(self.width(features, sign * noise) - best) for sign in (1.0, -1.0))
         unshifted = self._width(datum_system(self.nominals, features[1:]), points_of(features[0], self.ends_mm))
         sizes = ", ".join(f"{play.nominal.name} play {2 * play.radius_mm(features[1 + play.number]):.4f} mm" for play in self.plays)
-        words = f"{made.how}; datum shift: {sizes}, {unshifted:.4f} mm without shift"
-        return Value(made.value, combine_budgets(made.budget, {NOISE: change}), words, made.bonus)
+        words = (made.how, f"datum shift: {sizes}, {unshifted:.4f} mm without shift")
+        return Value(made.value, combine_budgets(made.budget, {NOISE: change}), "; ".join(words), made.bonus)
 
     def _width(self, system: DatumSystem, points_mm: FloatArray) -> float:
         return 2 * float(np.linalg.norm(self._offsets(system, points_mm), axis=1).max())
@@ -96,8 +96,8 @@ def _add_material_bonus(
     bonus, noise = compute_bonus(described.material_condition, described.size_limits_mm, found, settings)
     left = evaluate_width(lambda features: width(features) - bonus(features[0]), found, datums, how)
     gained = bonus(require_feature(found))
-    words = f"{how}; {WORDS[described.material_condition]}: {gained:.4f} mm bonus on {described.upper_tolerance:g} mm"
-    return Value(left.value + gained, combine_budgets(left.budget, {NOISE: noise}), words, gained)
+    words = (how, f"{WORDS[described.material_condition]}: {gained:.4f} mm bonus on {described.upper_tolerance:g} mm")
+    return Value(left.value + gained, combine_budgets(left.budget, {NOISE: noise}), "; ".join(words), gained)
 
 
 def _describe(feature: Feature, ends_mm: FloatArray) -> str:

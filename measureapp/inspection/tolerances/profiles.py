@@ -44,8 +44,11 @@ def evaluate_profile(
     made = evaluate_surface_zone(found, datums, cells, settings, described.zone_offset_mm)
     words = [made.how]
     if described.zone_offset_mm:
-        side = "out of" if described.zone_offset_mm > 0 else "into"
-        words.append(f"centre of the zone offset {abs(described.zone_offset_mm):g} mm {side} the material")
+        away = f"{abs(described.zone_offset_mm):g} mm"
+        outwards = described.zone_offset_mm > 0
+        words.append(
+            f"centre of the zone offset {away} out of the material" if outwards else f"centre of the zone offset {away} into the material"
+        )
     if not datums:
         words.append("located by the alignment")
     return Value(made.value, made.budget, ", ".join(words))

@@ -28,6 +28,8 @@ TOLD = {
     ("inspection", "blades"),
     ("inspection", "features"),
     ("inspection", "session"),
+    ("inspection", "tolerances"),
+    ("inspection", "alignment"),
     ("pipeline", "consistency"),
     ("data", "consistency.py"),
     ("data", "surroundings.py"),

@@ -11,7 +11,7 @@ from string import Formatter
 from ui.look.language.catalogue import Catalogue
 
 KEPT = 20_000  # texts whose origin is remembered, so that they can be translated anew when the language changes
-SEPARATORS = [re.compile(f"({one})") for one in (r"\n", r"(?<=[.!?…]) ", " · ", ": ", "; ", ", ")]  # the coarsest first
+SEPARATORS = [re.compile(f"({one})") for one in (r"\n", r"(?<=[.!?…]) ", " · ", "; ", ": ", ", ")]  # the coarsest first
 LETTERS = re.compile(r"[A-Za-z]{2}")
 
 

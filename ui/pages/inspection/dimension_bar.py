@@ -1,4 +1,4 @@
-"""Bar to define a new dimension: kind, features, nominal and tolerance."""
+"""Bar to define a new size: kind, features, nominal and tolerance; tolerance zones have an editor of their own."""
 
 from __future__ import annotations
 
@@ -13,7 +13,9 @@ from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.widgets.basic import Button, column, label, row
 
-TIP = "Add a dimension to the inspection program, from features of the list"
+TIP = (
+    "Add a distance, an angle, a diameter or a radius to the inspection program; “Tolerance…” in the list of features adds tolerance zones"
+)
 HOW = "Choose features here, or click them in the list"
 UNSET = -1e6  # below every nominal: no value entered yet
 LIMIT = 20_000.0
@@ -25,7 +27,6 @@ class Kind:
 
     words: str
     joined: str = ""  # the word before the second feature; empty: there is none
-    is_zone: bool = False  # the width of a zone, which has no nominal
     unit: str = " mm"
 
 
@@ -34,11 +35,6 @@ KINDS = {
     "angle": Kind("Angle", "to", unit="°"),
     "diameter": Kind("Diameter"),
     "radius": Kind("Radius"),
-    "flatness": Kind("Flatness", is_zone=True),
-    "roundness": Kind("Roundness", is_zone=True),
-    "cylindricity": Kind("Cylindricity", is_zone=True),
-    "parallelism": Kind("Parallelism", "to datum", is_zone=True),
-    "perpendicularity": Kind("Perpendicularity", "to datum", is_zone=True),
 }
 
 
@@ -49,21 +45,18 @@ class NewDimension:
     name: str
     kind: str
     features: tuple[str, ...]
-    datums: tuple[str, ...]
-    nominal: float | None  # None: the width of a zone
+    nominal: float
     tolerance: float
 
     @property
     def lines(self) -> str:
         """The lines that define it in an inspection program."""
-        from measureapp.project.program_text import Value, format_entry
+        from measureapp.project.program_text import format_entry
 
-        values: dict[str, Value] = {"name": self.name, "kind": self.kind, "features": self.features}
-        if self.datums:
-            values["datums"] = self.datums
-        if self.nominal is not None:
-            values |= {"nominal": self.nominal, "lower_tolerance": -self.tolerance}
-        return format_entry("dimensions", values | {"upper_tolerance": self.tolerance})
+        what = {"name": self.name, "kind": self.kind, "features": self.features}
+        return format_entry(
+            "dimensions", {**what, "nominal": self.nominal, "lower_tolerance": -self.tolerance, "upper_tolerance": self.tolerance}
+        )
 
 
 class DimensionBar(QWidget):
@@ -81,12 +74,12 @@ class DimensionBar(QWidget):
             box.setProperty(GIVEN, True)
         for name, kind in KINDS.items():
             self.kind.addItem(translated(kind.words), name)
-        for box, words in ((self.kind, "Kind of dimension"), (self.first, "First feature"), (self.second, "Second feature or datum")):
+        for box, words in ((self.kind, "Kind of dimension"), (self.first, "First feature"), (self.second, "Second feature")):
             box.setAccessibleName(translated(words))
             box.setToolTip(f"{words}. {HOW}." if box is not self.kind else translated(words))
             box.setMinimumContentsLength(5)
             box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
-        self.joined, self.plus_minus = label("to", "soft"), label("±", "soft")
+        self.joined = label("to", "soft")
         self.nominal, self.tolerance = _number("Nominal value"), _number("Symmetric tolerance")
         self.nominal.setRange(UNSET, LIMIT)
         self.nominal.setSpecialValueText(tr("Nominal"))
@@ -98,7 +91,7 @@ class DimensionBar(QWidget):
         above = row(self.kind, self.first, self.joined, self.second, spacing=8)
         above.setStretch(1, 1)
         above.setStretch(3, 1)
-        self.setLayout(column(above, row(self.nominal, self.plus_minus, self.tolerance, 0, self.add, spacing=8), margin=8))
+        self.setLayout(column(above, row(self.nominal, label("±", "soft"), self.tolerance, 0, self.add, spacing=8), margin=8))
         self._names: tuple[str, ...] = ()
         self._next_is_second = False
         self.kind.currentIndexChanged.connect(self._show_kind)
@@ -129,9 +122,8 @@ class DimensionBar(QWidget):
         kind, name = self._kind, self.kind.currentData()
         number = next(place for place in range(1, len(self._names) + 2) if f"{name} {place}" not in self._names)
         others = (self.second.currentText(),) if kind.joined else ()
-        features, datums = ((self.first.currentText(),), others) if kind.is_zone else ((self.first.currentText(), *others), ())
-        nominal = None if kind.is_zone else self.nominal.value()
-        return NewDimension(f"{name} {number}", name, features, datums, nominal, self.tolerance.value())
+        features = (self.first.currentText(), *others)
+        return NewDimension(f"{name} {number}", name, features, self.nominal.value(), self.tolerance.value())
 
     @property
     def _kind(self) -> Kind:
@@ -142,8 +134,6 @@ class DimensionBar(QWidget):
         self.joined.setText(translated(kind.joined))
         for widget in (self.joined, self.second):
             widget.setVisible(bool(kind.joined))
-        self.nominal.setVisible(not kind.is_zone)
-        self.plus_minus.setText(tr("Width of the zone") if kind.is_zone else "±")
         for number in (self.nominal, self.tolerance):
             number.setSuffix(kind.unit)
         self._next_is_second = False
@@ -152,7 +142,7 @@ class DimensionBar(QWidget):
     def _show_ready(self) -> None:
         kind = self._kind
         has_features = self.first.count() > (1 if kind.joined else 0)
-        has_nominal = kind.is_zone or self.nominal.value() > UNSET
+        has_nominal = self.nominal.value() > UNSET
         self.add.setEnabled(has_features and has_nominal)
         missing = "Too few features: grow some first" if not has_features else "" if has_nominal else "Enter the nominal value"
         self.add.setToolTip(translated(missing) or tr("Add it to the inspection program and measure it"))

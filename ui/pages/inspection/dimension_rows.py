@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 
 
 ALIGNMENTS = (later("best fit"), later("datums"), later("reference points"), later("coordinates"))  # names that results state
+KIND = later("angle")  # of a dimension, as refusals state it
 SHAPES = {
     "plane": later("plane"),
     "circle": later("circle"),

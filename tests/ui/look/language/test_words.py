@@ -6,6 +6,7 @@ import pytest
 
 from measureapp.errors import InputError
 from ui.look.language.catalogue import Catalogue, Entry, read_catalogue, write_catalogue
+from ui.look.language.sources import catalogue_file
 from ui.look.language.words import Translator
 
 WORDS = {
@@ -64,6 +65,23 @@ def test_a_text_that_became_part_of_a_sentence_is_known_by_its_other_first_lette
     assert english.renewed("surface") == "surface"  # one word may be the name of a part
     english.use(None)
     assert english.renewed(chinese) == shown == "Criterion: residual up to 0.5 px."
+
+
+@pytest.mark.parametrize(
+    ("text", "chinese"),
+    [
+        ("datum system A|B", "基准体系 A|B"),
+        ("means of 2 mm cells, minimum zone, the worst of 5 sections", "2 mm 单元的均值, 最小区域, 5 个截面中最差者"),
+        ("0.0123 mm less 0.0045 mm by noise", "0.0123 mm，扣除噪声引起的 0.0045 mm"),
+        ("datums: minimum zone; associated centre", "基准: 最小区域; 拟合中心"),  # reasons first, then what each begins with
+        ("7 constructed features: mid-line.1 … mid-line.7", "7 个构造特征：mid-line.1 … mid-line.7"),
+        ("angle", "角度"),
+    ],
+)
+def test_results_read_in_chinese_how_they_were_obtained(text, chinese):
+    own = Translator()
+    own.use(read_catalogue(catalogue_file("zh_CN")))
+    assert own.renewed(text) == chinese
 
 
 def test_what_is_translated_already_stays(translator):
