@@ -147,12 +147,20 @@ def another_nominal(project: ProjectFolder) -> None:
     project.save_nominal(project.nominal, replace(nominal, vertices_mm=nominal.vertices_mm + 0.01))
 
 
+@pytest.mark.parametrize("change", [another_nominal, a_refused_view, another_hand_eye, other_limits])
+def test_results_of_a_changed_input_are_stale_at_once(project: ProjectFolder, change: Change) -> None:
+    assert project.stale_results() == ()
+    with project.lock():
+        change(project)
+    assert project.stale_results() != ()
+
+
 @pytest.mark.parametrize(
     ("change", "expected"),
     [
         (another_tolerance, {"inspection"}),
-        (another_nominal, {"stitched cloud", "surface", "inspection"}),
-        (a_refused_view, {"stitched cloud", "surface", "inspection"}),
+        pytest.param(another_nominal, {"stitched cloud", "surface", "inspection"}, marks=pytest.mark.slow),
+        pytest.param(a_refused_view, {"stitched cloud", "surface", "inspection"}, marks=pytest.mark.slow),
         (another_hand_eye, {"stitched cloud", "surface", "inspection"}),
         (other_limits, ALL_BUT_CALIBRATION),
     ],
