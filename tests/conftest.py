@@ -80,19 +80,22 @@ def _settled(leftovers: Callable[[], list[Any]]) -> list[Any]:
     """Return what is still there after a moment; what only waits for its deletion is deleted."""
     if not leftovers():
         return []
-    _collect()
+    gc.collect()
     end = time.monotonic() + GRACE_S
     while leftovers() and time.monotonic() < end:
         _deliver_deletions()
         time.sleep(0.01)
-    return leftovers()
+    left = leftovers()
+    if not left:
+        _freeze_modules()
+    return left
 
 
-def _collect() -> None:
-    """Collect what is no longer in use, but do not look again and again through what imported modules hold, which takes half a second."""
-    gc.collect()
+def _freeze_modules() -> None:
+    """Keep later collections from looking again and again through what imported modules hold, which takes half a second."""
     if len(sys.modules) >= _frozen_with["modules"] + NEW_MODULES:
         _frozen_with["modules"] = len(sys.modules)
+        gc.collect()
         gc.freeze()
 
 
