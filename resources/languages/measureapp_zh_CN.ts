@@ -11035,7 +11035,7 @@
     </message>
     <message>
       <source>All {count} pass.</source>
-      <translation>全部 {count} 个合格。</translation>
+      <translation>全部 {count}合格。</translation>
     </message>
     <message>
       <source>Ambiguous</source>
@@ -12118,16 +12118,20 @@ The first run of this part counts.</source>
       <translation>个工件程序</translation>
     </message>
     <message>
-      <source>parts</source>
-      <translation>工件</translation>
-    </message>
-    <message>
       <source>today {time}</source>
       <translation>今天 {time}</translation>
     </message>
     <message>
       <source>{count} not released by the engineer: not offered here.</source>
       <translation>{count}未经工程师发布：此处不提供。</translation>
+    </message>
+    <message>
+      <source>{count} part</source>
+      <translation>{count} 个工件</translation>
+    </message>
+    <message>
+      <source>{count} parts</source>
+      <translation>{count} 个工件</translation>
     </message>
     <message>
       <source>{drawing} rev. {revision}</source>

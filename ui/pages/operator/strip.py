@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QFrame, QLabel
 from ui.controllers.operator_nouns import ShiftCount
 from ui.look.language.words import tr, translated
 from ui.look.look import Look
-from ui.look.wording import percent, several
+from ui.look.wording import percent
 from ui.pages.operator.big import BigButton, big_label
 from ui.widgets.basic import clear, row
 
@@ -46,7 +46,7 @@ class ShiftStrip(QFrame):
     def show_shift(self, count: ShiftCount, since: datetime) -> None:
         """Show the numbers of a shift that began at ``since``."""
         self._shown = count, since
-        self.since.setText(tr("Since {since:%H:%M}: {count}", since=since, count=several(count.parts, "part")))
+        self.since.setText(tr("Since {since:%H:%M}: {count}", since=since, count=_parts(count.parts)))
         numbers = {"pass": count.passed, "fail": count.failed, "not proven": count.open}
         names = {"pass": "{n} pass", "fail": "{n} fail", "not proven": "{n} not proven"}
         for name, shown in self.counts.items():
@@ -68,3 +68,8 @@ class ShiftStrip(QFrame):
             dot.setPixmap(self._look.icon(verdict, "verdict_" + verdict.replace(" ", "_")).pixmap(QSize(DOT_PX, DOT_PX)))
             dot.setAccessibleName(translated(verdict))
             self._dots.addWidget(dot)
+
+
+def _parts(count: int) -> str:
+    """Return the number of parts in a text of its own: other languages count parts with another word than they name one."""
+    return tr("{count} part" if count == 1 else "{count} parts", count=count)
