@@ -15543,10 +15543,6 @@ There is no page about “{name}”.</source>
       <translation>拍摄时标定板的温度，°C，及其不确定度 (k = 2)；留空：未测量</translation>
     </message>
     <message>
-      <source>Open</source>
-      <translation>打开</translation>
-    </message>
-    <message>
       <source>Operator</source>
       <translation>操作员</translation>
     </message>
@@ -15693,6 +15689,10 @@ There is no page about “{name}”.</source>
     <message>
       <source>Step in mm or degrees</source>
       <translation>步长（mm 或度）</translation>
+    </message>
+    <message>
+      <source>Still open</source>
+      <translation>未处理</translation>
     </message>
     <message>
       <source>Stop all axes, lamps and cameras (Esc). This is no safety function.</source>

@@ -16,7 +16,7 @@ from ui.widgets.data_table import ROW_HEIGHT, Cell, DataTable
 from ui.widgets.job_strip import LEVEL_ICONS
 from ui.widgets.segments import Segments
 
-SHOWN = {"open": "Open", "all": "All"}
+SHOWN = {"open": "Still open", "all": "All"}
 
 
 class MessagesDialog(QDialog):
@@ -81,7 +81,7 @@ class MessagesDialog(QDialog):
 
     def _cells(self, message: Message) -> list[Cell]:
         is_open = self._messages.is_open(message)
-        state = "Open" if is_open else ""
+        state = "Still open" if is_open else ""
         sign = LEVEL_ICONS[message.level][0]
         was_open = message.level in ("warning", "error")
         return [

@@ -80,7 +80,7 @@ def test_the_message_centre_offers_the_remedy_and_closes_what_was_seen_to(applic
     session.refuse_during_job()
     session.tell("A cable is loose.", "Fasten it.", "warning")
     centre.begin()
-    assert [row[3] for row in centre.table.texts()] == ["Open", "Open"]
+    assert [row[3] for row in centre.table.texts()] == ["Still open", "Still open"]
     centre.table.selectRow(1)
     assert centre.remedy.text() == "Cancel the running job" and centre.remedy.isVisible()
     centre.remedy.click()
