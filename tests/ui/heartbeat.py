@@ -23,12 +23,17 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 from PySide6.QtCore import QObject, Qt, QTimer
 
+from ui.look.look import Look
+from ui.look.theme import Shade
+
 LIMIT_MS, BEAT_MS = 100.0, 20
+SHADES: tuple[Shade, ...] = ("dark", "light")
 FIRST_LOOK_MS, LOOKS = 70.0, 6  # silence until the first stack is taken; further ones after twice the time each
 LOOP_MS = 17.0  # CPU time of `_loop` on an idle core of the machine with 2 cores and software OpenGL on which the limit was set
 ROOT = str(Path(__file__).resolve().parents[2]) + os.sep
@@ -156,6 +161,13 @@ class Heartbeat(QObject):
             taken = len(self._stacks)
             if taken < LOOKS and silent_ms > FIRST_LOOK_MS * 2**taken and not self._paused:
                 self._stacks.append(_stack_of(self._main))
+
+
+def load_themes(qtbot: Any, look: Look) -> None:
+    """Switch to the dark theme and back, so that both are loaded: the first switch of a whole window is measured in `journey/test_stalls.py`."""
+    for shade in SHADES:
+        look.set_shade(shade)
+        qtbot.wait(60)
 
 
 def slowness() -> float:

@@ -6,7 +6,7 @@ import numpy as np
 import pyqtgraph as pg
 import pytest
 
-from tests.ui.heartbeat import Heartbeat
+from tests.ui.heartbeat import Heartbeat, load_themes
 from ui.charts.bar_chart import Bar, BarChart
 from ui.charts.deviation_histogram import BINS, DeviationHistogram
 from ui.charts.level_histogram import LevelHistogram
@@ -164,18 +164,14 @@ def test_the_wheel_over_a_chart_reaches_the_page_below(qtbot, look):
     assert chart.childAt(chart.rect().center()) is None
 
 
+@pytest.mark.slow
 @pytest.mark.timed
 def test_a_theme_switch_with_six_charts_does_not_stall_the_window(qtbot, look):
     """No page has more: the live images and histograms of three cameras."""
     charts = [shown(qtbot, DeviationHistogram(look)) for _ in range(6)]
     for chart in charts:
         chart.show_values(np.random.default_rng(1).normal(0, 0.02, 100_000), Legend("Deviation", -0.05, 0.05))
-    for shade in (
-        "dark",
-        "light",
-    ):  # so that both themes are loaded: the first switch of a whole window is measured in journey/test_stalls.py
-        look.set_shade(shade)
-        qtbot.wait(50)
+    load_themes(qtbot, look)
     with Heartbeat() as heart:
         look.set_shade("dark")
         qtbot.wait(60)

@@ -104,8 +104,9 @@ def test_corners_coverage_and_the_wanted_position_lie_at_their_pixels(qtbot, sho
 
 
 @pytest.mark.timed
+@pytest.mark.parametrize("themes", [False, pytest.param(True, marks=pytest.mark.slow)])
 @pytest.mark.parametrize(("dtype", "saturation"), [(np.uint8, 255), (np.uint16, 4095)])
-def test_three_live_cameras_at_ten_images_per_second_do_not_stall_the_window(qtbot, shown, look, dtype, saturation):
+def test_three_live_cameras_at_ten_images_per_second_do_not_stall_the_window(qtbot, shown, look, dtype, saturation, themes):
     """From the first image on: axes are made, images are replaced, one is zoomed into, the theme changes."""
     images = [noise(seed, dtype, saturation + 1) for seed in range(4)]
     shown(CameraView(look)).show_image(images[0], "left", saturation)  # the library is loaded, as after the start
@@ -118,7 +119,7 @@ def test_three_live_cameras_at_ten_images_per_second_do_not_stall_the_window(qtb
                 tile.show_pixels(images[(turn + place) % 4], 20_000)
             if turn == 8:
                 tiles[0].image.map.plot.setRange(QRectF(100, 100, 200, 150), padding=0.0)
-            if turn == 14:
+            if turn == 14 and themes:
                 look.set_shade("dark")
             qtbot.wait(100)
         look.set_shade("light")

@@ -16,7 +16,7 @@ from measureapp.progress import NoProgress
 from measureapp.project.folder import ProjectFolder
 from tests.fringe_project import CAMERAS, EXPOSURES_US, HEIGHT, WIDTH, fringe_project, shiny_stack, valid_in_each
 from tests.ui.cut_texts import cut_texts
-from tests.ui.heartbeat import Heartbeat
+from tests.ui.heartbeat import SHADES, Heartbeat, load_themes
 from tests.ui.images.maps import PATIENCE_MS
 from ui.images.frame_bar import FrameBar
 from ui.images.layers import KINDS, layer_of
@@ -143,14 +143,16 @@ def test_another_project_takes_the_images_away(application, opened):
 
 
 @pytest.mark.timed
-def test_both_themes_and_all_maps_do_not_stall_the_window(qtbot, application, opened):
+@pytest.mark.parametrize("themes", [False, pytest.param(True, marks=pytest.mark.slow)])
+def test_all_maps_do_not_stall_the_window_in_both_themes(qtbot, application, opened, themes):
+    load_themes(qtbot, application.look)
     with Heartbeat() as heart:
-        for shade in ("dark", "light"):
+        for shade in SHADES if themes else ():
             application.look.set_shade(shade)
             qtbot.wait(60)
-            for kind in KINDS:
-                opened.kind.setValue(kind)
-                qtbot.wait(30)
+        for kind in KINDS:
+            opened.kind.setValue(kind)
+            qtbot.wait(30)
     heart.check()
 
 
