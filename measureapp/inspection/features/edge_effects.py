@@ -33,8 +33,9 @@ def estimate_edge_effects(
 
     The points farthest from edges are compared with all: a difference δ of their mean distances from the fitted shape that is larger than
     its noise moves the shape by δ along its normals. The far points are near an edge too, only less: what is left there is taken as evenly
-    distributed between nothing and as much again (JCGM 100, 4.3.7), so δ is not a correction but, times √(7/3), a standard uncertainty. The variance of δ is that of the mean of the far points less that of all, of which they are a part (J. A. Hausman,
-    Econometrica 46(6), 1251-1271, 1978). All features share this error: images of one blur lift all of them.
+    distributed between nothing and as much again (JCGM 100, 4.3.7), so δ is not a correction but, times √(7/3), a standard uncertainty.
+    The variance of δ is that of the mean of the far points less that of all, of which they are a part (J. A. Hausman, Econometrica 46(6),
+    1251-1271, 1978). All features share this error: images of one blur lift all of them.
 
     Parameters
     ----------
