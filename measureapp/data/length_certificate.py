@@ -26,7 +26,7 @@ class LengthCertificate(Model):
     number: str = Field(default="", max_length=100, description="of the certificate")
     material: str = Field(
         default="",
-        description="steel, zirconia, … or its expansion such as 11.5±0.6 ppm/K; empty: that of the part, so that both expand alike",
+        description="steel, zirconia, … or its expansion such as 11.5±0.6 ppm/K; empty: that of the part, so that both have the same expansion",
     )
 
     @field_validator("material")
