@@ -32,6 +32,7 @@ class CertifiedLength:
     measure: Measure
     found: tuple[FoundFeature, ...]
     known: KnownLength
+    assumed_mm: float = 0.0  # standard uncertainty of the measured length that is assumed beyond the errors of its features
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,7 +47,10 @@ class CertifiedLengths:
         """Return the certified lengths, compared with their measured values: more than three standard deviations are a contradiction."""
         for one in lengths:
             measured = cls().value(one.measure, one.found)
-            off_mm, sigma_mm = measured.value - one.known.length_mm, float(np.hypot(measured.sigma, one.known.sigma_mm))
+            off_mm, sigma_mm = (
+                measured.value - one.known.length_mm,
+                float(np.linalg.norm([measured.sigma, one.assumed_mm, one.known.sigma_mm])),
+            )
             if abs(off_mm) > CONTRADICTED * sigma_mm:
                 return cls(tuple(lengths), _contradiction(one.name, off_mm, 2 * sigma_mm))
         return cls(tuple(lengths))

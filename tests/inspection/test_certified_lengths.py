@@ -83,6 +83,14 @@ def test_a_certified_length_that_is_off_by_more_than_its_uncertainty_proves_noth
     assert any("nothing is corrected" in one for one in result.lengths)
 
 
+def test_what_is_assumed_of_a_foreign_cloud_does_not_contradict_a_certificate() -> None:
+    foreign = replace(drawn().exact, errors=None)
+    longer = replace(foreign, points_mm=foreign.points_mm * (1 + 0.02 / 160))  # within the calibration that is assumed
+    plain, certified = measured(longer, PROGRAM), measured(longer, certifying())
+    assert plain["pins"].uncertainty > 0.02 and not certified["width"].warning
+    assert certified["width"].verdict is plain["width"].verdict is Verdict.PASS
+
+
 def test_a_certified_length_that_was_not_measured_is_named_and_corrects_nothing() -> None:
     points = drawn().exact
     assert points.view is not None and points.normals is not None

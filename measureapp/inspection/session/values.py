@@ -58,7 +58,10 @@ def certified_lengths(program: InspectionProgram, found: Mapping[str, FoundFeatu
         except InspectionError:  # its own row says why
             continue
         known = described.certificate.known_length(described.nominal, settings.temperature)
-        lengths.append(CertifiedLength(described.name, measure, features, known))
+        value = CertifiedLengths().value(measure, features)
+        whole = float(np.linalg.norm(list(_complete_budget(value, described.unit, features, settings)[0].values())))
+        assumed_mm = max(whole**2 - value.sigma**2, 0.0) ** 0.5
+        lengths.append(CertifiedLength(described.name, measure, features, known, assumed_mm))
     return CertifiedLengths.of(lengths)
 
 
