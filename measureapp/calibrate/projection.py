@@ -49,5 +49,8 @@ def apply_intrinsic_changes(pinhole: PinholeCamera, change: FloatArray) -> Pinho
 def cross_matrices(vectors: FloatArray) -> FloatArray:
     """Return the skew-symmetric matrices (N, 3, 3) with [v]× w = v × w."""
     x, y, z = np.moveaxis(vectors, -1, 0)
-    zero = np.zeros_like(x)
-    return np.stack([np.stack([zero, -z, y], -1), np.stack([z, zero, -x], -1), np.stack([-y, x, zero], -1)], -2)
+    crossed = np.zeros((*np.shape(vectors), 3))
+    crossed[..., 0, 1], crossed[..., 1, 0] = -z, z
+    crossed[..., 0, 2], crossed[..., 2, 0] = y, -y
+    crossed[..., 1, 2], crossed[..., 2, 1] = -x, x
+    return crossed

@@ -5,12 +5,13 @@ from __future__ import annotations
 from abc import abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cache
 from typing import Annotated, Any, Literal
 
 import numpy as np
 from pydantic import Discriminator, Field, SerializerFunctionWrapHandler, Tag, model_serializer, model_validator
 
-from measureapp.arrays import FloatArray, ImageArray, IntArray
+from measureapp.arrays import FloatArray, ImageArray, IntArray, read_only
 from measureapp.data.certificate import BoardLengths
 from measureapp.data.conditions import Conditions
 from measureapp.data.fringe import AxisReadback
@@ -92,7 +93,8 @@ class BoardDescription(Model):
     @property
     def bow_terms(self) -> FloatArray:
         """The quadratic terms x², xy, y² of the marks (columns·rows, 3), with x, y from −1 to 1 over the longer side."""
-        centred = self.flat_corners_mm[:, :2] - self.flat_corners_mm[:, :2].mean(axis=0)
+        flat = self.flat_corners_mm[:, :2]
+        centred = flat - flat.mean(axis=0)
         x, y = (centred / np.abs(centred).max()).T
         return np.column_stack([x * x, x * y, y * y])
 
@@ -100,7 +102,8 @@ class BoardDescription(Model):
     def corners_mm(self) -> FloatArray:
         """The marks (columns·rows, 3) of the bowed board, row by row."""
         corners = self.flat_corners_mm
-        corners[:, 2] += self.bow_terms @ np.array(self.bow_mm)
+        if any(self.bow_mm):
+            corners[:, 2] += self.bow_terms @ np.array(self.bow_mm)
         return corners
 
     @property
@@ -124,8 +127,7 @@ class _SquaresDescription(BoardDescription):
     @property
     def nominal_corners_mm(self) -> FloatArray:
         """The inner corners (columns·rows, 3) of the nominal grid, row by row."""
-        y, x = np.mgrid[0 : self.rows, 0 : self.columns]
-        return np.column_stack([x.ravel(), y.ravel(), np.zeros(x.size)]) * self.square_mm
+        return _places(self.columns, self.rows) * self.square_mm
 
     @property
     def neighbour_mm(self) -> float:
@@ -203,8 +205,9 @@ class CirclesDescription(BoardDescription):
     @property
     def nominal_corners_mm(self) -> FloatArray:
         """The circle centres (columns·rows, 3) of the nominal grid, row by row."""
-        row, column = np.mgrid[0 : self.rows, 0 : self.columns]
-        return np.column_stack([(2 * column + row % 2).ravel(), row.ravel(), np.zeros(row.size)]) * self.spacing_mm
+        places = np.array(_places(self.columns, self.rows))
+        places[:, 0] = 2 * places[:, 0] + places[:, 1] % 2
+        return places * self.spacing_mm
 
     @property
     def neighbour_mm(self) -> float:
@@ -220,6 +223,14 @@ class CirclesDescription(BoardDescription):
     def is_symmetric(self) -> bool:
         """True for an even number of rows: then half a turn maps the grid onto itself."""
         return self.rows % 2 == 0
+
+
+@cache
+def _places(columns: int, rows: int) -> FloatArray:
+    """Return column, row and 0 of every mark (columns·rows, 3), row by row; kept, because solvers ask for the marks thousands of times."""
+    row, column = np.mgrid[0:rows, 0:columns]
+    places: FloatArray = read_only(np.column_stack([column.ravel(), row.ravel(), np.zeros(row.size)]))
+    return places
 
 
 def _kind(board: Any) -> str:

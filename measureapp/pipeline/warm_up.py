@@ -27,7 +27,7 @@ from measureapp.progress import NoProgress, PartOf, Progress
 from measureapp.reconstruct.reconstruct import reconstruct
 from measureapp.register.grid.voxels import CHUNK, VoxelSums
 from measureapp.register.stitch import stitch
-from measureapp.report.deviation_pictures import summarise_deviation
+from measureapp.report.deviation_pictures import render_deviation, summarise_deviation
 from measureapp.report.part_pictures import OBLIQUE
 from measureapp.report.picture import surface_picture
 
@@ -90,7 +90,8 @@ def warm_up(progress: Progress | None = None) -> None:
     begin(8)
     triangle = Mesh(np.eye(3), np.array([[0, 1, 2]]), "nominal")
     surface_picture(triangle, OBLIQUE)
-    summarise_deviation(triangle, compute_deviation(sample_mesh(triangle, PICTURED), triangle, no_alignment()))
+    deviation = compute_deviation(sample_mesh(triangle, PICTURED), triangle, no_alignment())
+    render_deviation(triangle, deviation, summarise_deviation(triangle, deviation))
     progress.report(1, 1, "compiled")
 
 

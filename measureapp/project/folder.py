@@ -10,7 +10,8 @@ inspection/         program.toml and its nominal, in mm; former/: replaced nomin
 view_choices.json   views accepted or refused by hand
 decode_limits.json  limits of the pixels that are decoded, where they are not the usual ones
 storage.json        what becomes of raw images: kept, compressed or dropped
-results/            clouds, stitched cloud, mesh, measurement.json: recomputed by `process`; filters.npz, filtered_cloud.ply
+results/            clouds, stitched cloud, mesh, measurement.json: recomputed by `process`; filters.npz, filtered_cloud.ply;
+                    deviation.npz, report_pictures.npz (`kept_arrays`)
 report/             reports
 identification.json part, serial number, order, operator, climate
 series/             runs that were filed in a series of parts
@@ -378,7 +379,7 @@ class ProjectFolder:
         contents = self.journal.contents()
         files = [self.path / name for name in (contents.files if contents else ()) if name.startswith("results/")]
         read = [path for path in files if clouds or path.parent.name != results.CLOUDS]
-        self.journal.check(*(path for path in read if path.name not in (filter_file.FILTERS, filter_file.FILTERED)))
+        self.journal.check(*(path for path in read if path.name not in (*results.KEPT, filter_file.FILTERS, filter_file.FILTERED)))
         self.journal.take_as_compared(results.read_compared(self.results))
         calibration = self.calibration()
         return None if calibration is None else results.load(self.results, calibration, clouds=clouds)

@@ -24,7 +24,7 @@ WORDS = {
     "version": "The results were computed by version {was} of MeasureApp; this is version {now}.",
 }
 SIMULATION = "simulate"  # computes nothing of results, and may be missing
-LIBRARIES = ("numpy", "numba", "scipy", "opencv-python-headless")
+LIBRARIES = ("numpy", "numba", "scipy", "opencv-python-headless", "open3d")
 OF_INSPECTION = ("program", "nominal", "choices")
 FILES = {
     "calibration": ("calibration/cameras.json", "calibration/rig.json", "calibration/rig_uncertainty.npz"),

@@ -41,6 +41,7 @@ from measureapp.project.large_clouds import map_large
 from measureapp.project.text_document import check_version
 
 DOCUMENT, STITCHED, MESH, CLOUDS = "measurement.json", "stitched_cloud.ply", "mesh.ply", "clouds"
+KEPT = DEVIATION, PICTURES = "deviation.npz", "report_pictures.npz"  # compared with the journal where they are used, see `kept_arrays`
 FORMAT = 1
 
 

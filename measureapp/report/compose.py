@@ -21,14 +21,14 @@ from measureapp.errors import InspectionError
 from measureapp.inspection.alignment.best_fit import best_fit
 from measureapp.inspection.settings import VerdictRule
 from measureapp.inspection.surface.deviation import Deviation
-from measureapp.inspection.surface.deviation import compute_deviation as deviation_from
 from measureapp.inspection.verdict import RULES
 from measureapp.progress import NoProgress, Progress
-from measureapp.report.cross_sections import render_sections
 from measureapp.report.deviation_pictures import summarise_deviation
+from measureapp.report.drawing import Compared, Drawing
 from measureapp.report.header import calibration_age, header, plan_lines
-from measureapp.report.model import Details, DeviationSummary, Fact, Picture, ReportModel, Section, ViewLine
-from measureapp.report.part_pictures import placed_mesh, render_failing, render_part, scene_of
+from measureapp.report.kept import Afresh
+from measureapp.report.model import Details, Fact, Pictures, ReportModel, Section, ViewLine
+from measureapp.report.part_pictures import placed_mesh
 from measureapp.report.valid_pixels import valid_pixel_facts, valid_pixels
 from measureapp.report.words import format_key, format_name, format_setting, number, percent
 
@@ -42,6 +42,7 @@ def compose(
     details: Details = Details(),  # noqa: B008 - immutable
     verdict_rule: VerdictRule = "iso-14253-1:2017",
     pictures: bool = True,
+    parts: Afresh = Afresh(),  # noqa: B008 - stateless
     progress: Progress = NoProgress(),  # noqa: B008 - stateless
 ) -> ReportModel:
     """Compose the report model of a measurement.
@@ -51,17 +52,17 @@ def compose(
     nominal : the nominal mesh, if there is one; the report then shows the deviation of the cloud from it
     details : identification, template, plan and exposures
     pictures : False omits the pictures of the part, which take some seconds
+    parts : where deviation and pictures are taken from
     """
     dimensions = () if measurement.inspection is None else measurement.inspection.dimensions
     verdict, summary = summarise_verdicts(dimensions)
-    deviation, why_not = (None, "") if nominal is None else _compute_deviation(measurement, nominal, progress)
+    deviation, why_not = (None, "") if nominal is None else _find_deviation(measurement, nominal, parts, progress)
     details = details if details.created_at else replace(details, created_at=datetime.now(UTC).isoformat(timespec="seconds"))
-    scene = scene_of(measurement) if pictures else None
-    summary_of_deviation = (
-        None
-        if deviation is None or nominal is None
-        else summarise_deviation(nominal, deviation, placed_mesh(measurement), scale=details.deviation_scale, pictures=pictures)
-    )
+    compared = None
+    if deviation is not None and nominal is not None:
+        summary_of_it = summarise_deviation(nominal, deviation, placed_mesh(measurement), scale=details.deviation_scale)
+        compared = Compared(nominal, deviation, summary_of_it)
+    drawn = parts.pictures(Drawing(measurement, compared)) if pictures else Pictures()
     return ReportModel(
         measurement=measurement,
         title=details.identification.part_name or measurement.part,
@@ -73,20 +74,14 @@ def compose(
         views=view_lines(measurement),
         header=header(measurement, details),
         sections=_sections(measurement, details, deviation, why_not),
-        pictures=render_part(measurement, scene) if pictures else (),
-        deviation=summary_of_deviation,
+        pictures=drawn.part,
+        deviation=None if compared is None else replace(compared.summary, pictures=drawn.deviation),
         details=details,
-        failing=render_failing(measurement, scene),
-        cross_sections=_cross_sections(nominal, deviation, summary_of_deviation) if pictures else (),
+        failing=drawn.failing,
+        cross_sections=drawn.cross_sections,
         plan_lines=plan_lines(measurement, details),
         compared=deviation,
     )
-
-
-def _cross_sections(nominal: Mesh | None, deviation: Deviation | None, summary: DeviationSummary | None) -> tuple[Picture, ...]:
-    if nominal is None or deviation is None or summary is None:
-        return ()
-    return render_sections(nominal, deviation, summary.scale)
 
 
 def _sections(measurement: Measurement, details: Details, deviation: Deviation | None, why_not: str) -> tuple[Section, ...]:
@@ -107,11 +102,11 @@ def _sections(measurement: Measurement, details: Details, deviation: Deviation |
     )
 
 
-def _compute_deviation(measurement: Measurement, nominal: Mesh, progress: Progress) -> tuple[Deviation | None, str]:
+def _find_deviation(measurement: Measurement, nominal: Mesh, parts: Afresh, progress: Progress) -> tuple[Deviation | None, str]:
     """Return the deviation of the stitched cloud from the nominal, in the inspection's alignment or a best fit; or the reason for none."""
     try:
         alignment = best_fit(measurement.stitched, nominal) if measurement.inspection is None else measurement.inspection.alignment
-        return deviation_from(measurement.stitched, nominal, alignment, progress=progress), ""
+        return parts.deviation(measurement.stitched, nominal, alignment, progress), ""
     except InspectionError as error:
         return None, error.message
 

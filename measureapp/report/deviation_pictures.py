@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from functools import partial
 
 import numpy as np
@@ -37,9 +36,8 @@ def summarise_deviation(
     surface: Mesh | None = None,
     *,
     scale: DeviationScale = DeviationScale(),  # noqa: B008 - immutable
-    pictures: bool = True,
 ) -> DeviationSummary:
-    """Summarise a deviation: maps, if they are wanted, statistics and histogram.
+    """Summarise a deviation, without pictures: statistics and histogram.
 
     Parameters
     ----------
@@ -53,12 +51,13 @@ def summarise_deviation(
     near = deviation.distances_mm[np.abs(deviation.distances_mm) <= NEAR_MM]
     counts, _ = np.histogram(np.clip(near, colours.low, colours.high), bins=BINS, range=(colours.low, colours.high))
     histogram = tuple(float(share) for share in counts / max(counts.sum(), 1))
+    return DeviationSummary(deviation.alignment.name, statistics, colours, histogram)
+
+
+def render_deviation(nominal: Mesh, deviation: Deviation, summary: DeviationSummary) -> tuple[Picture, ...]:
+    """Return the maps of a deviation, with flags at its extremes."""
+    statistics, scale = summary.statistics, summary.scale
     extremes = {name: one for name, one in (("min", statistics.minimum), ("max", statistics.maximum)) if one is not None}
-    maps = _maps(nominal, deviation, colours, extremes) if pictures else ()
-    return DeviationSummary(deviation.alignment.name, statistics, colours, histogram, maps)
-
-
-def _maps(nominal: Mesh, deviation: Deviation, scale: ColourScale, extremes: Mapping[str, Extreme]) -> tuple[Picture, ...]:
     scene = SurfaceScene(nominal)
     look_up = partial(_deviation_at, deviation)
     shown = {name: _shown_in(extreme, scene) for name, extreme in extremes.items()}

@@ -81,6 +81,16 @@ class DimensionPicture:
 
 
 @dataclass(frozen=True, slots=True)
+class Pictures:
+    """All pictures of a report that are drawn from points and surfaces."""
+
+    part: tuple[Picture, ...] = ()
+    failing: tuple[DimensionPicture, ...] = ()
+    deviation: tuple[Picture, ...] = ()
+    cross_sections: tuple[Picture, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
 class PlanLine:
     """A viewpoint as it was taken: its pose read back, and the exposures of its stored images."""
 
@@ -100,7 +110,7 @@ class DeviationSummary:
     statistics: DeviationStatistics  # the numbers of the window's legend
     scale: ColourScale  # of the maps, the sections and the 3-D view
     histogram: tuple[float, ...]  # share of the points in equal bins over the scale; the outer bins include all beyond
-    pictures: tuple[Picture, ...]
+    pictures: tuple[Picture, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -15,6 +15,7 @@ from measureapp.project.identification_file import read_identification
 from measureapp.project.program_file import read_program
 from measureapp.project.program_record import program_words
 from measureapp.report.compose import compose
+from measureapp.report.kept import KeptIn
 from measureapp.report.model import Details, ReportModel
 from measureapp.report.template import Template, default_template, read_template
 
@@ -50,7 +51,8 @@ def compose_project(
         dimensions = with_frames(inspection.dimensions, read_program(project.program), inspection.features)
         measurement = replace(measurement, inspection=replace(inspection, dimensions=dimensions))
     nominal = None if project.nominal is None else read_mesh(project.nominal, "nominal")
-    return compose(measurement, nominal, details=project_details(project, template, created_at), progress=progress)
+    details = project_details(project, template, created_at)
+    return compose(measurement, nominal, details=details, parts=KeptIn(project), progress=progress)
 
 
 def project_details(project: ProjectFolder, template: Template | None = None, created_at: str = "") -> Details:

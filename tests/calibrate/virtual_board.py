@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 
 import numpy as np
 
@@ -20,7 +20,7 @@ CHECKER = CheckerboardDescription(columns=14, rows=11, square_mm=15.0)
 CHARUCO = CharucoDescription(kind="charuco", columns=14, rows=11, square_mm=15.0, marker_mm=11.0)
 CIRCLES = CirclesDescription(kind="circles", columns=7, rows=15, spacing_mm=12.0, diameter_mm=11.0)
 BOARDS = {"checkerboard": CHECKER, "charuco": CHARUCO, "circles": CIRCLES}
-FULL, HALF = (2592, 1944, 4090.0), (1296, 972, 2045.0)
+FULL, HALF, QUARTER = (2592, 1944, 4090.0), (1296, 972, 2045.0), (648, 486, 1022.5)
 LENS = (-0.1, 0.05, 3e-4, -2e-4, 0.0)
 EXPOSURE_US = 100_000
 
@@ -71,13 +71,23 @@ def photographed(
     noise: bool = True,
 ) -> ImageArray:
     """Photograph a board where it stands; ``key`` draws the noise."""
+    place = (camera_from_board.matrix.tobytes(), camera.matrix.tobytes(), tuple(camera.distortion.tolist()))
+    light = _light(board, camera.width_px, camera.height_px, place)
+    return read_only(read_out(expose(light, None, exposure_us, LightSettings()), 8, SensorSettings(noise=noise), key))
+
+
+@lru_cache(maxsize=4)  # a few exposures follow each other in a test; a map takes 20 MB
+def _light(board: BoardDescription, width_px: int, height_px: int, place: tuple[bytes, bytes, tuple[float, ...]]) -> FloatArray:
+    """Return the light on the board, which takes nine tenths of a photograph, by what determines it: pose, camera matrix, distortion."""
+    pose, matrix = (np.frombuffer(one).reshape(size, size) for one, size in zip(place, (4, 3), strict=False))
+    camera = PinholeCamera(width_px, height_px, matrix, np.array(place[2]))
     lamp = RigidTransform.from_parts(np.eye(3), np.array([-60.0, 0, 0]), "camera", "projector")
-    board_from_camera = camera_from_board.inverse()
-    light = np.empty((camera.height_px, camera.width_px, 4), np.float32)
+    board_from_camera = RigidTransform(pose, "camera", "board").inverse()
+    light = np.empty((height_px, width_px, 4), np.float32)
     PrintedBoard(board, 0.0).illuminate(
         SeeingCamera(camera), board_from_camera, ProjectorLight(camera, board_from_camera @ lamp, 550.0), light
     )
-    return read_only(read_out(expose(light, None, exposure_us, LightSettings()), 8, SensorSettings(noise=noise), key))
+    return light
 
 
 def middle_of(image: ImageArray, marks_px: FloatArray) -> ImageArray:

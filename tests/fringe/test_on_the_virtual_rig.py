@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 import numpy as np
 import pytest
 
@@ -9,7 +11,7 @@ from measureapp.data.fringe import PatternSet
 from measureapp.data.pattern_sets import DEFAULT_PATTERNS, PAPER_PATTERNS
 from measureapp.fringe.decode import decode
 from measureapp.fringe.settings import DecodeSettings
-from measureapp.pattern_trial import Scene, capture, evaluate, run_trial
+from measureapp.pattern_trial import Scene, Trial, capture, evaluate, run_trial
 from measureapp.simulate.options import ProjectorEffects
 
 MOST_WRONG_PAPER, MOST_WRONG_OURS = 5e-4, 1e-5
@@ -23,15 +25,21 @@ THOROUGH = tuple(
 )
 
 
+@cache
+def fast_trial(patterns: PatternSet, rule: str = "combined") -> Trial:
+    """Return the result on both fast scenes; the same for every test that asks."""
+    return run_trial(FAST, patterns, rule)
+
+
 @pytest.mark.parametrize("rule", ["paper", "combined"])
 def test_wrong_orders_of_the_papers_patterns_are_rare_on_shiny_and_dark_metal(rule: str) -> None:
-    found = run_trial(FAST, PAPER_PATTERNS, rule)
+    found = fast_trial(PAPER_PATTERNS, rule)
     assert found.wrong_share <= MOST_WRONG_PAPER
     assert found.decoded_share >= LEAST_DECODED
 
 
 def test_the_default_patterns_leave_no_wrong_order_on_shiny_and_dark_metal_and_halve_the_error() -> None:
-    ours, papers = run_trial(FAST, DEFAULT_PATTERNS), run_trial(FAST, PAPER_PATTERNS)
+    ours, papers = fast_trial(DEFAULT_PATTERNS), fast_trial(PAPER_PATTERNS)
     assert ours.wrong_share <= MOST_WRONG_OURS
     assert ours.decoded_share >= LEAST_DECODED
     assert ours.column_error_px < 0.55 * papers.column_error_px
@@ -70,7 +78,7 @@ def test_the_predicted_noise_of_the_column_is_that_of_the_images() -> None:
 def test_vibration_widens_sigma_by_what_it_costs() -> None:
     """Ten groups of four displacements: some eight degrees of freedom that every pixel shares, so that one view scatters by a factor of two."""
     ratios, widened = [], []
-    for seed in (1, 2, 3):
+    for seed in (1, 2):
         sigmas = []
         for shake in (0.0, 0.2):
             world = Scene("gypsum", seed=seed).world()

@@ -24,10 +24,13 @@ from measureapp.pipeline.events import Event, ResultKept
 from measureapp.pipeline.kept_results import kept_calibration
 from measureapp.pipeline.run import process_project
 from measureapp.progress import NoProgress
+from measureapp.project import kept_deviation
 from measureapp.project.folder import ProjectFolder
 from measureapp.project.fringes.decode_limits_file import save_decode_limits
 from measureapp.project.geometry.files import read_mesh
 from measureapp.project.journal import disk
+from measureapp.report.drawing import Drawing
+from measureapp.report.project import compose_project
 
 OF_CLOUD = ("points_mm", "normals", "sigma_mm", "grey", "view", "sampled_view")
 SAME_SURFACE_MM = 0.01
@@ -103,6 +106,22 @@ def test_without_any_change_all_is_kept_but_the_inspection_and_equals_what_is_co
     assert stored is not None
     assert_equal(stored, scratch)
     assert stored.stitched_from == scratch.stitched_from != ""
+
+
+def test_a_report_takes_deviation_and_pictures_from_the_process_before_and_another_nominal_has_them_made_again(
+    project: ProjectFolder, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    made, compute, draw = list[str](), kept_deviation.compute_deviation, Drawing.draw
+    monkeypatch.setattr(
+        kept_deviation, "compute_deviation", lambda *given, **named: (made.append("deviation"), compute(*given, **named))[1]
+    )
+    monkeypatch.setattr(Drawing, "draw", lambda drawing: (made.append("pictures"), draw(drawing))[1])
+    first = compose_project(project)
+    assert made == [] and first.pictures and first.deviation is not None and first.deviation.pictures
+    with project.lock():
+        another_nominal(project)
+    assert compose_project(project).deviation is not None
+    assert made == ["deviation", "pictures"]
 
 
 @pytest.mark.slow

@@ -30,7 +30,7 @@ def _without_surface_and_pictures() -> Iterator[None]:
     """They take most of the time, and are those of other projects."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("measureapp.pipeline.surface.SurfaceBeside.wait", lambda beside, on_event, progress: None)
-        patch.setattr("measureapp.report.compose.render_part", lambda measurement, scene=None: ())
+        patch.setattr("measureapp.report.drawing.render_part", lambda measurement, scene=None: ())
         yield
 
 

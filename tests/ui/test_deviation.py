@@ -27,11 +27,13 @@ def compared(measurement, tmp_path, monkeypatch) -> Comparison:
 
     from measureapp.project import folder as folders
     from measureapp.project.geometry import files
+    from measureapp.project.journal.state import Journal
 
     ball = trimesh.creation.icosphere(subdivisions=4, radius=59.9)
     nominal = Mesh(np.asarray(ball.vertices) + np.array([0, 0, 60.0]), ball.faces, "nominal")
     (tmp_path / "project.json").write_text("{}")
-    monkeypatch.setattr(folders.ProjectFolder, "open", lambda _path: SimpleNamespace(nominal=tmp_path / "nominal.stl", program=None))
+    project = SimpleNamespace(nominal=tmp_path / "nominal.stl", program=None, results=tmp_path / "results", journal=Journal(tmp_path))
+    monkeypatch.setattr(folders.ProjectFolder, "open", lambda _path: project)
     monkeypatch.setattr(files, "read_mesh", lambda _path, _frame: nominal)
     normals = np.random.default_rng(5).normal(size=(80_000, 3))
     normals /= np.linalg.norm(normals, axis=1)[:, None]

@@ -43,48 +43,44 @@ def squeezed(page) -> list[str]:
     return found
 
 
-def unfold(page):
-    """Show every bar below the picture."""
+def unfolded(window, name: str):
+    """Show a page with every bar below its picture."""
+    window.show_page(name)
+    page = window.pages[name]
     for name in ("filter_button",):
         if hasattr(page, name):
             getattr(page, name).setChecked(True)
     if hasattr(page, "program"):
         page.program.bar.show()
         page.grow.show()
+    return page
 
 
-@pytest.mark.parametrize("name", PAGES)
-def test_everything_that_can_be_reached_by_tab_has_a_name(filled, name):
-    filled.show_page(name)
-    page = filled.pages[name]
-    unfold(page)
-    reached = focusable(page)
-    assert len(reached) > 8
-    assert [widget for widget in reached if not (widget.accessibleName() or getattr(widget, "text", lambda: "")())] == []
+def test_everything_that_can_be_reached_by_tab_has_a_name(filled):
+    for name in PAGES:
+        reached = focusable(unfolded(filled, name))
+        assert len(reached) > 8, name
+        assert [widget for widget in reached if not (widget.accessibleName() or getattr(widget, "text", lambda: "")())] == [], name
 
 
-@pytest.mark.parametrize("name", PAGES)
-def test_tab_reaches_everything_and_comes_back(filled, name, qtbot):
-    filled.show_page(name)
-    page = filled.pages[name]
-    unfold(page)
-    wanted, met = set(focusable(page)), set()
-    widget = page
-    for _ in range(2000):
-        widget = widget.nextInFocusChain()
-        met.add(widget)
-    assert wanted <= met
+def test_tab_reaches_everything_and_comes_back(filled):
+    for name in PAGES:
+        page = unfolded(filled, name)
+        wanted, met = set(focusable(page)), set()
+        widget = page
+        for _ in range(2000):
+            widget = widget.nextInFocusChain()
+            met.add(widget)
+        assert wanted <= met, name
 
 
-@pytest.mark.parametrize("folded", [True, False])
-@pytest.mark.parametrize("name", PAGES)
-def test_in_the_smallest_window_nothing_is_cut_off_or_lies_over_its_neighbour(filled, name, folded, qtbot):
+def test_in_the_smallest_window_nothing_is_cut_off_or_lies_over_its_neighbour(filled, qtbot):
     filled.resize(filled.minimumSize())
-    filled.show_page(name)
-    page = filled.pages[name]
-    unfold(page)
-    filled.properties.fold(folded)
-    qtbot.waitUntil(lambda: squeezed(page) == [], timeout=PATIENCE_MS)
+    for name in PAGES:
+        page = unfolded(filled, name)
+        for folded in (True, False):
+            filled.properties.fold(folded)
+            qtbot.waitUntil(lambda page=page: squeezed(page) == [], timeout=PATIENCE_MS)
 
 
 def test_the_space_bar_hides_a_view_and_shows_it_again(filled, qtbot):

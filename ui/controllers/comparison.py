@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -11,16 +12,17 @@ from ui.controllers.jobs import JobRunner
 from ui.session import Comparison, Session
 
 if TYPE_CHECKING:
+    from collections.abc import Callable
     from pathlib import Path
 
     from measureapp.data.cloud import StitchedCloud
     from measureapp.data.inspection_program import InspectionProgram
     from measureapp.data.measurement import Alignment
     from measureapp.data.mesh import Mesh
+    from measureapp.inspection.surface.deviation import Deviation
     from measureapp.progress import Progress
     from ui.workers.job import Job
 
-NEAR_MM = 2.0  # the nominal counts as not measured without a point this close
 PLACES = 60_000
 MAP_TRIANGLES = 250_000  # of the coloured nominal, so that it turns smoothly
 
@@ -63,13 +65,15 @@ def compare_cloud(stitched: StitchedCloud, alignment: Alignment, folder: Path, j
     """
     from measureapp.project.folder import ProjectFolder
     from measureapp.project.geometry.files import read_mesh
+    from measureapp.project.kept_deviation import deviation_of
     from measureapp.project.program_file import read_program
 
     project = ProjectFolder.open(folder) if (folder / "project.json").exists() else None
     if project is None or project.nominal is None:
         return None
     program = None if project.program is None else read_program(project.program)
-    return compute_comparison(stitched, read_mesh(project.nominal, "nominal"), alignment, program, job, mesh)
+    nominal = read_mesh(project.nominal, "nominal")
+    return compute_comparison(stitched, nominal, alignment, program, job, mesh, partial(deviation_of, project))
 
 
 def compute_comparison(
@@ -79,23 +83,25 @@ def compute_comparison(
     program: InspectionProgram | None,
     progress: Progress,
     mesh: Mesh | None = None,
+    compare: Callable[..., Deviation] | None = None,
 ) -> Comparison:
-    """Return the deviations of a cloud, the unmeasured parts of the nominal, and the sections of the program; for a job's thread."""
-    from scipy.spatial import cKDTree
+    """Return the deviations of a cloud, the unmeasured parts of the nominal, and the sections of the program; for a job's thread.
 
+    ``compare``: where the deviations are taken from, called as `compute_deviation`, which it is by default.
+    """
     from measureapp.data.deviation_scale import DeviationScale
     from measureapp.inspection.measured_points import sample_mesh
     from measureapp.inspection.section_curves import find_section_curves
-    from measureapp.inspection.surface.deviation import compute_deviation
+    from measureapp.inspection.surface.deviation import NEAR_MM, compute_deviation
     from measureapp.inspection.surface.deviation_index import DeviationIndex
     from measureapp.inspection.surface.deviation_map import map_deviation
     from measureapp.inspection.surface.nominal import NominalSurface
     from measureapp.inspection.surface.smoothing import smooth_for_eye
     from measureapp.inspection.surface.statistics import compute_statistics
 
-    found = compute_deviation(stitched, nominal, alignment, near_mm=NEAR_MM, progress=progress)
+    found = (compare or compute_deviation)(stitched, nominal, alignment, progress=progress)
     places = sample_mesh(nominal, PLACES)
-    distance, _ = cKDTree(found.points_mm).query(places.points_mm, distance_upper_bound=NEAR_MM)
+    distance, _ = found.tree.query(places.points_mm, distance_upper_bound=NEAR_MM)
     missing = ~np.isfinite(distance)
     normals = np.zeros_like(places.points_mm) if places.normals is None else places.normals
     surface = NominalSurface(nominal)

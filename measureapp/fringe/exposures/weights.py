@@ -40,8 +40,8 @@ def exposure_weights(exposures_us: tuple[int, ...], noise: CameraNoise, saturati
     soft = np.where(np.isinf(SOFTNESS[:, None]), shares, shares / (shares + np.where(np.isinf(SOFTNESS), 0.0, SOFTNESS)[:, None]))
     largest = np.arange(1, WHOLE_SUM)
     candidates = np.maximum(1, np.rint(soft[:, None, :] / soft.max(axis=1)[:, None, None] * largest[None, :, None]))
-    candidates = np.unique(np.concatenate([ones, candidates.reshape(-1, len(shares))]), axis=0)
-    candidates = candidates[candidates.sum(axis=1) <= max(WHOLE_SUM, len(shares))]
+    candidates = np.concatenate([ones, candidates.reshape(-1, len(shares))])
+    candidates = np.unique(candidates[candidates.sum(axis=1) <= max(WHOLE_SUM, len(shares))], axis=0)
     best = candidates[int(np.argmin(_worst_loss(candidates, shares, scenes, noise, saturation)))]
     return tuple(int(weight) for weight in best)
 

@@ -18,6 +18,7 @@ from measureapp.progress import NoProgress, Progress
 
 CHUNK = 200_000
 COVERAGE_SAMPLES = 40_000
+NEAR_MM = 2.0  # the nominal counts as measured where a point lies closer than this
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -36,6 +37,31 @@ class Deviation:
     alignment: Alignment
     tree: cKDTree = field(repr=False)  # search tree of the points
 
+    @classmethod
+    def of(
+        cls,
+        points_mm: FloatArray,
+        distances_mm: FloatArray,
+        nominal_normals: FloatArray,
+        unmeasured_share: float,
+        alignment: Alignment,
+        tree: cKDTree | None = None,
+    ) -> Deviation:
+        """Return the deviation with these distances; ``tree``: of the points, if it is built already."""
+        return cls(
+            points_mm,
+            distances_mm,
+            nominal_normals,
+            float(distances_mm.mean()),
+            float(np.sqrt(np.mean(distances_mm**2))),
+            float(np.percentile(np.abs(distances_mm), 95)),
+            float(distances_mm.min()),
+            float(distances_mm.max()),
+            unmeasured_share,
+            alignment,
+            search_tree(points_mm) if tree is None else tree,
+        )
+
     def __post_init__(self) -> None:
         object.__setattr__(self, "points_mm", read_only(self.points_mm, np.float64, (None, 3)))
         object.__setattr__(self, "nominal_normals", read_only(self.nominal_normals, np.float32, (len(self.points_mm), 3)))
@@ -47,7 +73,7 @@ def compute_deviation(
     nominal: Mesh,
     alignment: Alignment,
     *,
-    near_mm: float = 2.0,
+    near_mm: float = NEAR_MM,
     progress: Progress = NoProgress(),  # noqa: B008 - stateless
 ) -> Deviation:
     """Compare measured points with a nominal mesh that may be open.
@@ -69,24 +95,17 @@ def compute_deviation(
         chunk = slice(start, start + CHUNK)
         own = None if points.normals is None else points.normals[chunk]
         distances[chunk], normals[chunk] = distances_and_normals(points.points_mm[chunk], own, surface)
-    tree = cKDTree(points.points_mm, balanced_tree=False, compact_nodes=False)  # three times faster to build
+    tree = search_tree(points.points_mm)
     unmeasured = unmeasured_share(tree, nominal, near_mm)
     if unmeasured > 0.5 or np.median(np.abs(distances)) > NEAR_SHARE * surface.diagonal_mm:
         check_unit_against(points, surface)  # a cloud that covers its nominal is in the right unit
     progress.report(1, 1, "distances from the nominal")
-    return Deviation(
-        points.points_mm,
-        distances,
-        normals,
-        float(distances.mean()),
-        float(np.sqrt(np.mean(distances**2))),
-        float(np.percentile(np.abs(distances), 95)),
-        float(distances.min()),
-        float(distances.max()),
-        unmeasured,
-        alignment,
-        tree,
-    )
+    return Deviation.of(points.points_mm, distances, normals, unmeasured, alignment, tree)
+
+
+def search_tree(points_mm: FloatArray) -> cKDTree:
+    """Return a search tree of points (N, 3); unbalanced, which is three times faster to build."""
+    return cKDTree(points_mm, balanced_tree=False, compact_nodes=False)
 
 
 def signed_distances(points_mm: FloatArray, surface: NominalSurface) -> FloatArray:

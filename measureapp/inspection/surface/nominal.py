@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from scipy.spatial import cKDTree
@@ -12,8 +12,10 @@ from scipy.spatial import cKDTree
 from measureapp.arrays import FloatArray, IntArray
 from measureapp.data.mesh import Mesh
 from measureapp.errors import InspectionError
-from measureapp.inspection.surface.closest.hierarchy import TriangleHierarchy
 from measureapp.open3d_library import open3d
+
+if TYPE_CHECKING:
+    from measureapp.inspection.surface.closest.hierarchy import TriangleHierarchy
 
 SHARP_DEG = 25.0
 STEEP = 1e-3  # cosine between ray and normal above which the plane of a triangle tells where a ray meets it
@@ -62,6 +64,8 @@ class NominalSurface:
     @cached_property
     def _hierarchy(self) -> TriangleHierarchy:
         """The search structure for closest points."""
+        from measureapp.inspection.surface.closest.hierarchy import TriangleHierarchy
+
         return TriangleHierarchy(self.vertices_mm[self.triangles])
 
     @cached_property

@@ -12,11 +12,10 @@ from measureapp.calibrate.boards.circle_grid import CircleGrid, ids_of, possible
 from measureapp.calibrate.boards.find import detect, find_board
 from measureapp.data.board import CirclesDescription
 from measureapp.errors import CalibrationError
-from tests.calibrate.virtual_board import CIRCLES, shot
+from tests.calibrate.virtual_board import CIRCLES, QUARTER, shot
 
 BOARD = CirclesDescription(kind="circles", columns=4, rows=9, spacing_mm=20.0, diameter_mm=14.0)
 SYMMETRIC = CirclesDescription(kind="circles", columns=5, rows=10, spacing_mm=18.0, diameter_mm=13.0)
-QUARTER = (648, 486, 1022.5)
 # The mean of some 100 pixels' gradients round an outline: grey noise of 1.5 % of the contrast in each, a gradient over 2.5 px, so
 # 0.015 · 2.5 px · √2 / √100 = 0.005 px; at 50° and a quarter of the resolution half as many: 0.008 px. A cover may make an outline leave
 # its ellipse by 0.3 px before the circle is left out, which shifts its centre by no more.

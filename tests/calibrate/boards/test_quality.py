@@ -11,7 +11,7 @@ from measureapp.calibrate.boards.find import find_board
 from measureapp.calibrate.boards.quality import require_plain
 from measureapp.data.board import CharucoDescription, CheckerboardDescription, CirclesDescription
 from measureapp.errors import CalibrationError
-from tests.calibrate.virtual_board import BOARDS, CHARUCO, CHECKER, CIRCLES, FULL, shot
+from tests.calibrate.virtual_board import BOARDS, CHARUCO, CHECKER, CIRCLES, FULL, QUARTER, shot
 
 every_kind = pytest.mark.parametrize("kind", list(BOARDS))
 
@@ -118,15 +118,14 @@ SHORT_SIDES = [(15.0, 0), (15.0, 50), (15.0, 62), (9.0, 0), (9.0, 50), (7.0, 0),
 
 
 @pytest.mark.parametrize(("square_mm", "tilt_deg"), SHORT_SIDES)
-@pytest.mark.parametrize("towards_deg", [10.0, 100.0])
+@pytest.mark.parametrize("towards_deg", [pytest.param(10.0, marks=pytest.mark.slow), 100.0])
 def test_small_tilted_squares_are_plain_unless_markers_are_printed_in_them(square_mm, tilt_deg, towards_deg):
     """Blur of 1 px and the mean of 3 × 3 px reach 2 to 3 px into a square, so that its middle half stays plain down to some 9 px."""
     plain = CheckerboardDescription(columns=14, rows=11, square_mm=square_mm)
     printed = CharucoDescription(kind="charuco", columns=14, rows=11, square_mm=square_mm, marker_mm=0.7 * square_mm)
-    small = (648, 486, 1022.5)
-    seen = shot(plain, tilt_deg, towards_deg, 20, small)
+    seen = shot(plain, tilt_deg, towards_deg, 20, QUARTER)
     require_plain(seen.image, seen.marks_px.reshape(11, 14, 2))
-    other = shot(printed, tilt_deg, towards_deg, 20, small)
+    other = shot(printed, tilt_deg, towards_deg, 20, QUARTER)
     with pytest.raises(CalibrationError, match="not plain"):
         require_plain(other.image, other.marks_px.reshape(11, 14, 2))
     with pytest.raises(CalibrationError):
@@ -135,7 +134,7 @@ def test_small_tilted_squares_are_plain_unless_markers_are_printed_in_them(squar
 
 @pytest.mark.parametrize("roll_deg", [5, 20, 110])
 def test_a_board_at_62_degrees_is_found_except_for_corners_that_drifted_to_the_next_edge(roll_deg):
-    seen = shot(CHECKER, 62, 100, roll_deg, (648, 486, 1022.5))
+    seen = shot(CHECKER, 62, 100, roll_deg, QUARTER)
     found = find_board(seen.image, CHECKER)
     assert len(found.ids) >= CHECKER.count - 2
     off = np.abs(found.corners_px - seen.marks_px[found.ids])

@@ -81,6 +81,13 @@ def captured():
     return CameraArrayProblem(board, "left", dict.fromkeys(head.cameras, SIZE), tuple(sightings)), phases
 
 
+@pytest.fixture(scope="module")
+def found(captured):
+    """The whole head, solved from all of them."""
+    problem, phases = captured
+    return solve_head(problem, readings(problem, phases), (1024, 768))
+
+
 def readings(problem, phases):
     return [reading(one, phases[one.camera, one.view]) for one in problem.sightings if (one.camera, one.view) in phases]
 
@@ -89,9 +96,7 @@ def reading(sighting, phase):
     return projector_sighting(sighting, ProjectorPixels.around(sighting, phase))
 
 
-def test_the_projector_is_recovered_within_its_standard_deviations(captured):
-    problem, phases = captured
-    found = solve_head(problem, readings(problem, phases), (1024, 768))
+def test_the_projector_is_recovered_within_its_standard_deviations(found):
     projector = found.calibration.projector
     sigma = projector.standard_deviations
     matrix = projector.pinhole.matrix - PROJECTOR.matrix
@@ -110,9 +115,8 @@ def test_the_projector_is_recovered_within_its_standard_deviations(captured):
     assert found.solution.sigmas_px["projector"] < 0.05  # many pixels around each corner
 
 
-def test_the_projector_does_not_spoil_the_cameras(captured):
-    problem, phases = captured
-    alone, together = solve(problem), solve_head(problem, readings(problem, phases), (1024, 768)).solution
+def test_the_projector_does_not_spoil_the_cameras(captured, found):
+    alone, together = solve(captured[0]), found.solution
     for name in ("left", "right"):
         for key in ("fx", "cx", "k1"):
             less = together.calibration.cameras[name].standard_deviations[key]

@@ -40,14 +40,14 @@ def checked(seed: int, lens: list[float], sigma_px: float = SIGMA_PX, distortion
 
 def test_a_projector_beside_given_cameras_predicts_views_held_back():
     ratios = []
-    for seed in range(3):
+    for seed in range(2):
         validation = checked(seed, LENS)
         assert validation.healthy
         assert validation.observed_px == pytest.approx(validation.predicted_px, rel=0.05)
         assert [half.camera for half in validation.halves] == [PROJECTOR]  # the cameras were given: they are not checked here
         assert "px for the projector where" in validation.verdict
         ratios += [half.difference_px / half.predicted_px for half in validation.halves]
-    assert 0.4 < np.sqrt(np.mean(np.square(ratios))) < 1.7  # three differences of about five degrees of freedom
+    assert 0.4 < np.sqrt(np.mean(np.square(ratios))) < 1.7  # two differences of about five degrees of freedom
 
 
 def test_a_projector_whose_lens_does_not_follow_the_model_is_noticed():

@@ -13,9 +13,9 @@ from measureapp.errors import CalibrationError
 from measureapp.geometry.transform import RigidTransform
 
 
-@pytest.fixture
-def observations(rig, simulate, generator):
-    return simulate.observations(rig, generator)
+@pytest.fixture(scope="module")
+def observations(rig, simulate):
+    return tuple(simulate.observations(rig, np.random.default_rng(7)))
 
 
 def changed(observations, change):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cache, partial
 
 import numpy as np
 import pytest
@@ -39,8 +40,11 @@ def inside(runs: list[Run]) -> np.ndarray:
     )
 
 
+quick = cache(partial(calibrated, stations=False))
+
+
 def test_most_parameters_lie_in_their_predicted_intervals():
-    assert np.mean(inside([calibrated(seed) for seed in (1, 2, 3)])) > 0.80  # 57 values that are correlated within each run
+    assert np.mean(inside([calibrated(seed) for seed in (1, 2)])) > 0.80  # 38 values that are correlated within each run
 
 
 @pytest.mark.slow
@@ -92,7 +96,7 @@ def test_figures_of_twenty_seeds(record_property, corner_sigma_px):
 
 
 def test_the_covariance_grows_with_the_uncertainty_of_the_cameras():
-    run = calibrated(4, stations=False)
+    run = quick(4)
     plain = calibrated(4, stations=False, camera_prior_used=False)
     larger = np.diag(run.solution.covariance) / np.diag(plain.solution.covariance)
     assert np.all(larger >= 1 - 1e-3)  # the sizes of the axes' error motions follow from the residuals, which differ a little
@@ -100,7 +104,7 @@ def test_the_covariance_grows_with_the_uncertainty_of_the_cameras():
 
 
 def test_figures_are_stated_with_their_requirement_and_as_the_axes_allow():
-    run = calibrated(4, stations=False)
+    run = quick(4)
     limits = {one.name: one for one in rig_limits(run.solution, {})}
     assert set(limits) == {
         "hand-eye position",
@@ -134,14 +138,14 @@ def test_freed_cameras_move_towards_the_truth_they_are_known_by():
 
 
 def test_weak_directions_are_named_with_their_sigma():
-    weak = calibrated(6, stations=False).solution.weak_directions
+    weak = quick(6).solution.weak_directions
     assert weak[0].sigma_mm >= weak[1].sigma_mm > 0.02
     assert "at the part" in weak[0].sentence
     assert any(name.startswith(("hand_eye", "axis", "board")) for name in weak[0].parameters)
 
 
 def test_a_board_pose_without_its_dependence_on_the_cameras_is_refused_with_a_prior():
-    run = calibrated(6, stations=False)
+    run = quick(6)
     from measureapp.calibrate.rig.joint import solve_rig
 
     bare = [replace(one, camera_jacobian=None) for one in run.observations]

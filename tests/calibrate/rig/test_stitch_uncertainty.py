@@ -12,7 +12,7 @@ from measureapp.data.fringe import AxisReadback
 from measureapp.data.plan import FlangePose, Viewpoint
 from tests.calibrate.paper_rig import calibrated, planned
 
-SEEDS = range(101, 109)
+SEEDS = range(101, 106)
 POINTS_MM = np.array([[0.0, 0, 20], [60, 0, 80], [-60, 0, 40], [0, 60, 80], [0, -60, 10]])
 
 
@@ -65,7 +65,7 @@ def share(errors, covariances) -> float:
 
 def test_errors_of_points_and_gaps_between_views_are_as_large_as_predicted(runs):
     single, pairs = (np.mean(values, axis=0) for values in zip(*(squares(run) for run in runs), strict=True))
-    # eight runs, whose points share most of their error: mean 1 within a factor of about two
+    # five runs, whose points share most of their error: mean 1 within a factor of about two
     assert np.all((single > 0.4) & (single < 2.2)), single
     assert np.all((pairs > 0.4) & (pairs < 2.2)), pairs
 

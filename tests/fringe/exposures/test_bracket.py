@@ -25,7 +25,7 @@ FULL_US = 100_000
 PAPER_TIME_S = 12 * (0.1 + 0.08 + 3 * 0.071)
 
 
-def scene(seed: int, brightness: float = 1.0, spread: float = 0.9, shape: tuple[int, int] = (150, 400)) -> tuple[FloatArray, FloatArray]:
+def scene(seed: int, brightness: float = 1.0, spread: float = 0.9, shape: tuple[int, int] = (100, 240)) -> tuple[FloatArray, FloatArray]:
     """Log-normal albedo in patches, with highlights: (A, B) in grey levels at 100 ms."""
     random = np.random.default_rng(seed)
     patches = np.exp(spread * random.normal(size=(shape[0] // 10, shape[1] // 10)))

@@ -28,8 +28,12 @@ def count_wrong_pixels(scaling: str, size: tuple[int, int], screen: tuple[int, i
         return subprocess.run(script, env=environment, cwd=ROOT, capture_output=True, text=True, check=False, timeout=60)
 
 
-@pytest.mark.parametrize("scaling", ["1.0", "1.25", "1.5", "2.0"])
-@pytest.mark.parametrize("size", [(912, 1140), (1280, 720)])
+SIZES = ((912, 1140), (1280, 720))
+USUAL = (("1.0", SIZES[0]), ("1.25", SIZES[1]), ("1.5", SIZES[0]), ("2.0", SIZES[1]))  # each is a program of its own
+OTHERS = [pytest.param(scaling, size, marks=pytest.mark.slow) for scaling, used in USUAL for size in SIZES if size != used]
+
+
+@pytest.mark.parametrize(("scaling", "size"), [*USUAL, *OTHERS])
 def test_every_pixel_arrives_as_it_is_at_any_scaling(scaling: str, size: tuple[int, int]) -> None:
     done = count_wrong_pixels(scaling, size)
     assert done.returncode == 0, done.stderr
@@ -45,7 +49,7 @@ def test_a_scaling_that_would_drop_a_row_is_refused() -> None:
     assert "cannot show the patterns pixel by pixel at a scaling of 1.75" in done.stderr
 
 
-@pytest.mark.parametrize("scaling", ["1.0", "1.5"])
+@pytest.mark.parametrize("scaling", [pytest.param("1.0", marks=pytest.mark.slow), "1.5"])
 def test_a_screen_of_another_size_is_refused(scaling: str) -> None:
     done = count_wrong_pixels(scaling, (912, 1140), screen=(1280, 720))
     assert "The screen beamer has 1280 × 720 px, and the patterns have 912 × 1140 px." in done.stderr

@@ -24,14 +24,18 @@ def filled(application, window, rig, plan, measurement, monkeypatch):
     return window
 
 
-@pytest.mark.parametrize("name", PAGES)
-def test_properties_end_with_the_project(application, filled, name):
-    filled.show_page(name)
-    assert filled.properties.shown is filled.page.properties
-    application.session.open_project("another", "gear", None)
-    assert filled.page.properties is NOTHING_SELECTED or name == "scan"  # it describes the scan, which has no viewpoints now
-    assert filled.properties.shown is filled.page.properties
-    assert "view-0" not in str(filled.properties.shown) and "left" not in str(filled.properties.shown)
+def test_properties_end_with_the_project(application, filled, plan, measurement):
+    for name in PAGES:
+        application.session.open_project("demo-gypsum", "gypsum", None)
+        application.session.set_plan(plan)
+        application.session.set_measurement(measurement, {})
+        filled.show_page(name)
+        assert filled.page.properties is not NOTHING_SELECTED, name
+        assert filled.properties.shown is filled.page.properties, name
+        application.session.open_project("another", "gear", None)
+        assert filled.page.properties is NOTHING_SELECTED or name == "scan"  # it describes the scan, which has no viewpoints now
+        assert filled.properties.shown is filled.page.properties, name
+        assert "view-0" not in str(filled.properties.shown) and "left" not in str(filled.properties.shown), name
 
 
 def test_properties_of_a_viewpoint_end_when_it_is_deleted_and_come_back_with_undo(application, filled, qtbot):
