@@ -14,6 +14,7 @@ from measureapp.geometry.shapes import MODELS, Model, State
 
 LEAST_POINTS: dict[Shape, int] = {"line": 2, "plane": 3, "circle": 3, "sphere": 4, "cylinder": 5, "cone": 6, "torus": 7}
 ITERATIONS = 200
+START_ITERATIONS = 40  # tell which of the starts is best; those of another shape than the points have would creep on for ever
 CONVERGED = 1e-13  # step, relative to the size of the data
 SHRINKING = 0.95  # greatest ratio of the lengths of successive final steps
 ROUNDING = 1e-12  # of sums of squares, relative
@@ -141,11 +142,13 @@ def state_of(feature: Feature, scaled: Scaled) -> State:
 
 
 def _best(shape: Shape, points: FloatArray, weight: FloatArray, begin: list[State]) -> State:
-    """Refine every start on a sample of the points, and the best one on all points."""
+    """Refine every start on a sample of the points until it is told which is best, and that one on all points."""
     model = MODELS[shape]
+    if len(begin) == 1 and len(points) <= SAMPLE:
+        return refine(model, begin[0], points, weight)
     chosen = slice(None) if len(points) <= SAMPLE else np.random.default_rng(0).choice(len(points), SAMPLE, replace=False)
     few, few_weights = points[chosen], weight[chosen]
-    solved = [refine(model, state, few, few_weights) for state in begin]
+    solved = [refine(model, state, few, few_weights, START_ITERATIONS) for state in begin]
     costs = [_cost(model, state, few, few_weights) for state in solved]
     return refine(model, solved[int(np.argmin(costs))], points, weight)
 
@@ -156,11 +159,11 @@ def _cost(model: Model, state: State, points: FloatArray, weight: FloatArray) ->
     return cost if np.isfinite(cost) else np.inf
 
 
-def refine(model: Model, state: State, points: FloatArray, weight: FloatArray) -> State:
+def refine(model: Model, state: State, points: FloatArray, weight: FloatArray, iterations: int = ITERATIONS) -> State:
     """Minimise the weighted sum of squares, starting at ``state`` (Levenberg-Marquardt by QR, then Gauss-Newton)."""
     damping = 1e-6
     cost = _cost(model, state, points, weight)
-    for _ in range(ITERATIONS):
+    for _ in range(iterations):
         step = _step(model, state, points, weight, damping)
         trial = model.move(state, step)
         trial_cost = _cost(model, trial, points, weight)
@@ -171,16 +174,16 @@ def refine(model: Model, state: State, points: FloatArray, weight: FloatArray) -
             damping = min(damping * 10, 1e12)
         if small or (trial_cost > cost and damping >= 1e12):
             break
-    return _polish(model, state, points, weight, cost)
+    return _polish(model, state, points, weight, cost, iterations)
 
 
-def _polish(model: Model, state: State, points: FloatArray, weight: FloatArray, cost: float) -> State:
+def _polish(model: Model, state: State, points: FloatArray, weight: FloatArray, cost: float, iterations: int) -> State:
     """Take full Gauss-Newton steps as long as they shrink.
 
     The sum of squares cannot resolve differences below √ε of the scatter; the length of the steps can.
     """
     shortest = np.inf
-    for _ in range(ITERATIONS):
+    for _ in range(iterations):
         step = _step(model, state, points, weight, 0.0)
         length = float(np.linalg.norm(step))
         trial = model.move(state, step)

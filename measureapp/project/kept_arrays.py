@@ -8,10 +8,10 @@ from __future__ import annotations
 import hashlib
 import zipfile
 import zlib
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from contextlib import suppress
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -24,6 +24,8 @@ from measureapp.project.inputs import fingerprint
 from measureapp.project.journal.state import Journal
 
 MADE_FROM = "made_from"
+UNUSABLE = (StorageError, OSError, EOFError, ValueError, LookupError, TypeError, RecursionError, zipfile.BadZipFile, zlib.error)
+Kept = TypeVar("Kept")
 
 
 def hash_of(words: Mapping[str, Any], *arrays: npt.NDArray[Any] | None) -> str:
@@ -36,13 +38,16 @@ def hash_of(words: Mapping[str, Any], *arrays: npt.NDArray[Any] | None) -> str:
     return found.hexdigest()
 
 
-def read_kept(path: Path, journal: Journal, made_from: str) -> dict[str, npt.NDArray[Any]] | None:
-    """Return what is kept in a file of a project; None where that was computed from something else, is damaged or not there."""
+def read_kept(path: Path, journal: Journal, made_from: str, build: Callable[[Mapping[str, Any]], Kept]) -> Kept | None:
+    """Return what ``build`` makes of the arrays kept in a file of a project; None where they were computed from something else.
+
+    None, too, where they are damaged, are not there, or are not what ``build`` expects, as in a project from elsewhere.
+    """
     try:
         journal.check(path)
-        kept = read_npz(path)
-        return kept if str(kept.pop(MADE_FROM)) == made_from else None
-    except (StorageError, OSError, EOFError, ValueError, KeyError, TypeError, zipfile.BadZipFile, zlib.error):
+        arrays = read_npz(path)
+        return build(arrays) if str(arrays[MADE_FROM]) == made_from else None
+    except UNUSABLE:
         return None
 
 

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -37,10 +38,14 @@ def deviation_of(
     """
     path, matrix = project.results / DEVIATION, alignment.nominal_from_part.matrix
     made_from = hash_of({"near_mm": NEAR_MM}, matrix, stitched.points_mm, stitched.normals, nominal.vertices_mm, nominal.triangles)
-    kept = read_kept(path, project.journal, made_from)
-    if kept is not None:
+
+    def build(arrays: Mapping[str, Any]) -> Deviation:
         points = MeasuredPoints.of(stitched).seen_from(alignment.nominal_from_part).points_mm
-        return Deviation.of(points, kept["distances_mm"], kept["nominal_normals"], float(kept["unmeasured_share"]), alignment)
+        return Deviation.of(points, arrays["distances_mm"], arrays["nominal_normals"], float(arrays["unmeasured_share"]), alignment)
+
+    kept = read_kept(path, project.journal, made_from, build)
+    if kept is not None:
+        return kept
     found = compute_deviation(stitched, nominal, alignment, progress=progress)
     share = np.array(found.unmeasured_share)
     keep(path, made_from, {"distances_mm": found.distances_mm, "nominal_normals": found.nominal_normals, "unmeasured_share": share})

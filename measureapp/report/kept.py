@@ -49,9 +49,9 @@ class KeptIn(Afresh):
     def pictures(self, drawing: Drawing) -> Pictures:
         """Return the pictures."""
         path, made_from = self.project.results / PICTURES, drawing.made_from()
-        kept = read_kept(path, self.project.journal, made_from)
+        kept = read_kept(path, self.project.journal, made_from, pictures_from)
         if kept is not None:
-            return pictures_from(kept)
+            return kept
         made = drawing.draw()
         keep(path, made_from, arrays_of(made))
         return made

@@ -77,8 +77,10 @@ def full(stack: FringeStack) -> None:
     raise StorageError("The disk is full.", "Free some space.")
 
 
-@pytest.mark.parametrize("gone", ["", "stacks", "stacks/v0"])
-@pytest.mark.parametrize("last", [False, True])
+ALSO = [pytest.param(False, gone, marks=pytest.mark.slow) for gone in ("", "stacks")]  # noticed as the view that was removed
+
+
+@pytest.mark.parametrize(("last", "gone"), [(True, ""), (True, "stacks"), (True, "stacks/v0"), (False, "stacks/v0"), *ALSO])
 def test_a_project_or_a_folder_in_it_that_is_removed_during_a_scan_is_no_success(
     last, gone, words: Words, at_store, tmp_path: Path, capsys
 ) -> None:

@@ -17,6 +17,7 @@ from measureapp.data.mesh import Mesh
 from measureapp.geometry.transform import RigidTransform, rotation_about
 from measureapp.inspection.surface.deviation import Deviation, compute_deviation
 from measureapp.project import kept_deviation
+from measureapp.project.atomic import replacing
 from measureapp.project.folder import ProjectFolder, ProjectSettings
 from measureapp.project.rig_file import read_rig
 from measureapp.project.upkeep import verify
@@ -198,6 +199,22 @@ def test_what_is_damaged_is_made_again_and_kept_whole(project, part, block, made
     made.clear()
     assert_equal(report(project, part, block), whole)
     assert made == [] and verify(project.path).whole
+
+
+@pytest.mark.parametrize(
+    "rubbish", [{}, {"distances_mm": np.zeros(3), "nominal_normals": np.zeros((3, 3)), "unmeasured_share": np.array(0.1)}]
+)
+def test_arrays_that_only_claim_to_be_what_is_kept_are_not_used(project, part, block, made, rubbish: dict[str, np.ndarray]) -> None:
+    whole = report(project, part, block)
+    for name in ("deviation.npz", "report_pictures.npz"):
+        path = project.results / name
+        with np.load(path) as arrays:
+            made_from = arrays["made_from"]
+        with replacing(path) as temporary, temporary.open("wb") as file:
+            np.savez(file, made_from=made_from, document=np.array('{"part": [[]]}'), **rubbish)
+    made.clear()
+    assert_equal(report(project, part, block), whole)
+    assert made == ALL
 
 
 def test_damage_of_what_is_kept_does_not_keep_the_measurement_from_being_read(project, part, block, made) -> None:

@@ -195,7 +195,7 @@ class _Scene:
         self._amplification = plan.amplification if plan else 0.0
         self._sure_sigma = plan.sure_sigma_rad if plan and plan.amplification else np.inf
         self._singles: dict[tuple[int, int], tuple[BoolArray, FloatArray, FloatArray]] = {}
-        self._seen: dict[tuple[int, ...], BracketFigures] = {}
+        self._worths: dict[tuple[int, ...], float] = {}
 
     def time_s(self, exposures: Sequence[int]) -> float:
         """Images cannot follow each other faster than they are exposed, nor than they are read out."""
@@ -204,7 +204,7 @@ class _Scene:
     def best_of(self, brackets: Sequence[tuple[int, ...]]) -> tuple[int, ...] | None:
         """Return the bracket of the highest worth that fits into the budget."""
         fitting = [bracket for bracket in brackets if self.time_s(bracket) <= self._limits.budget_s * (1 + 1e-9)]
-        return max(fitting, key=lambda bracket: self.figures(bracket).worth, default=None)
+        return max(fitting, key=self.worth, default=None)
 
     def improve(self, bracket: tuple[int, ...], grid: Sequence[int]) -> tuple[int, ...]:
         """Move one exposure at a time to where the worth of the bracket is highest."""
@@ -217,25 +217,33 @@ class _Scene:
                 break
         return bracket
 
+    def worth(self, bracket: tuple[int, ...]) -> float:
+        """Return what is maximised, for a bracket in any order; a search asks for some thousand brackets, some of them again and again."""
+        exposures = tuple(sorted(bracket, reverse=True))
+        if exposures not in self._worths:
+            self._worths[exposures] = self._judge(exposures, self._predict(exposures))
+        return self._worths[exposures]
+
     def figures(self, bracket: tuple[int, ...]) -> BracketFigures:
         """Predict a bracket, in any order."""
         exposures = tuple(sorted(bracket, reverse=True))
-        if exposures not in self._seen:
-            self._seen[exposures] = self._predict(exposures)
-        return self._seen[exposures]
+        predicted = self._predict(exposures)
+        names = [camera.camera for camera in self._cameras]
+        shares = {name: float(chance.mean()) for name, (_, chance) in zip(names, predicted, strict=True)}
+        medians = {name: _median(sigma, chance) for name, (sigma, chance) in zip(names, predicted, strict=True)}
+        every, right = (np.concatenate(values) for values in zip(*predicted, strict=True))
+        median = _median(np.minimum(every, self._settings.max_sigma_rad), right)
+        share, worth = float(np.mean(list(shares.values()))), self._judge(exposures, predicted)
+        return BracketFigures(exposures, shares, medians, share, median, self.time_s(exposures), worth)
 
-    def _predict(self, exposures: tuple[int, ...]) -> BracketFigures:
-        shares, medians, noise, right = {}, {}, [], []
-        for number, camera in enumerate(self._cameras):
-            sigma, chance = self._pixels(number, exposures)
-            shares[camera.camera] = float(chance.mean())
-            medians[camera.camera] = _median(sigma, chance)
-            noise.append(np.minimum(sigma, self._settings.max_sigma_rad))
-            right.append(chance)
-        every, share = np.concatenate(noise), float(np.mean(list(shares.values())))
+    def _predict(self, exposures: tuple[int, ...]) -> list[tuple[FloatArray, FloatArray]]:
+        return [self._pixels(number, exposures) for number in range(len(self._cameras))]
+
+    def _judge(self, exposures: tuple[int, ...], predicted: Sequence[tuple[FloatArray, FloatArray]]) -> float:
+        share = float(np.mean([chance.mean() for _, chance in predicted]))
+        noise = np.concatenate([np.minimum(sigma, self._settings.max_sigma_rad) for sigma, _ in predicted])
         time = self.time_s(exposures)
-        worth = share - SIGMA_WORTH * float(np.log(every).mean()) - TIME_WORTH * time / self._limits.budget_s
-        return BracketFigures(exposures, shares, medians, share, _median(every, np.concatenate(right)), time, worth)
+        return share - SIGMA_WORTH * float(np.log(noise).mean()) - TIME_WORTH * time / self._limits.budget_s
 
     def _pixels(self, number: int, exposures: tuple[int, ...]) -> tuple[FloatArray, FloatArray]:
         """Return the phase noise of each pixel of a camera (infinite where it has none) and the probability that it is decoded rightly."""
@@ -246,10 +254,10 @@ class _Scene:
         weights = exposure_weights(exposures, camera.noise, camera.saturation, least)
         for exposure, weight in zip(exposures, weights, strict=True):
             clear, own_swing, own_variance = self._single(number, exposure)
-            swing += np.where(clear, weight * own_swing, 0.0)
-            variance += np.where(clear, weight**2 * own_variance, 0.0)
-            alone = np.where(clear & (strongest == 0), own_variance, alone)
-            strongest = np.maximum(strongest, np.where(clear, own_swing, 0.0))
+            swing += weight * own_swing
+            variance += weight**2 * own_variance
+            np.copyto(alone, own_variance, where=clear & (strongest == 0))
+            np.maximum(strongest, own_swing, out=strongest)
         sigma = np.full(size, np.inf)
         np.divide(np.sqrt(2.0 / self._steps * variance), swing, out=sigma, where=swing > 0)
         right = np.ones(size)
@@ -262,12 +270,14 @@ class _Scene:
         return sigma, np.asarray(np.where(decodable, right, 0.0))
 
     def _single(self, number: int, exposure: int) -> tuple[BoolArray, FloatArray, FloatArray]:
+        """Return which pixels of a camera an exposure leaves unsaturated, with their modulation and variance; 0 elsewhere."""
         if (number, exposure) not in self._singles:
             camera = self._cameras[number]
             mean, swing = camera.mean_rate * exposure, camera.swing_rate * exposure
             peak = mean + swing
             clear = peak + CLIP_SIGMAS * np.sqrt(camera.noise.variance(peak, camera.saturation)) < camera.saturation
-            self._singles[number, exposure] = (np.asarray(clear), swing, camera.noise.variance(mean, camera.saturation))
+            variance = camera.noise.variance(mean, camera.saturation)
+            self._singles[number, exposure] = (np.asarray(clear), np.where(clear, swing, 0.0), np.where(clear, variance, 0.0))
         return self._singles[number, exposure]
 
 
