@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from filelock import FileLock
+from found_boards import found_once
 
 from measureapp.cli import main
 from measureapp.project.folder import ProjectFolder
@@ -73,7 +74,7 @@ def _run(folder: Path) -> None:
     """Run it by the command line: gypsum, quarter resolution, six views; keep what it answered."""
     out, err = io.StringIO(), io.StringIO()
     shutil.rmtree(folder / "project", ignore_errors=True)  # of one that failed
-    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err), found_once():
         code = main(["demo", *REQUEST, "--out", str(folder / "project"), "--json"])
     answer = {"code": code, "document": json.loads(out.getvalue()), "messages": err.getvalue()}
     (folder / "project" / LOCK).unlink(missing_ok=True)  # copies made of links would all be locked by one

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from found_boards import found_once
 
 from measureapp.calibrate.draft.draft import Known, Setup
 from measureapp.calibrate.kinds.table import KINDS
@@ -32,6 +33,12 @@ VIEWS = (
     "guide11",
 )
 NOISE = {"--robot-sigma-mm": "0.2", "--robot-sigma-deg": "0.012", "--robot-repeat-mm": "0.01", "--robot-alike-mm": "300"}
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _boards_are_found_once():
+    with found_once():
+        yield
 
 
 @pytest.fixture(scope="module")

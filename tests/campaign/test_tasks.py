@@ -7,6 +7,7 @@ import time
 
 import pytest
 from demo_fixture import linked_copy
+from found_boards import found_once
 
 from measureapp.calibrate.sightings import BoardDetectionError
 from measureapp.campaign import tasks
@@ -15,6 +16,12 @@ from measureapp.campaign.tasks import SCRATCH, complete, compute_view, do_alone,
 from measureapp.errors import MeasureError
 from measureapp.pipeline.events import ViewFailed
 from measureapp.project.folder import ProjectFolder
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _boards_are_found_once():
+    with found_once():
+        yield
 
 
 @pytest.fixture

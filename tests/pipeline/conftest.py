@@ -4,15 +4,23 @@ from __future__ import annotations
 
 import json
 import shutil
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 from demo_fixture import Demo, linked_copy
+from found_boards import found_once
 
 from measureapp.project import upkeep
 from measureapp.simulate.parts import make_part
 from measureapp.simulate.truth import Truth
 from measureapp.simulate.world import World
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _boards_are_found_once() -> Iterator[None]:
+    with found_once():
+        yield
 
 
 @pytest.fixture

@@ -1,0 +1,31 @@
+"""The board is searched for once in each image: many tests calibrate from the demo's images, and most of what they take is this search."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
+
+import numpy as np
+import pytest
+
+_found: dict[tuple[bytes, tuple[int, ...], str, str], Any] = {}
+
+
+@contextmanager
+def found_once() -> Iterator[None]:
+    """Let sessions and automatic runs take what was found before in an image of the very same pixels; what was not found is searched again."""
+    from measureapp.calibration_session import detection
+
+    search = detection.find_board
+
+    def find(image: Any, board: Any) -> Any:
+        key = (hashlib.sha256(np.ascontiguousarray(image)).digest(), image.shape, image.dtype.str, board.model_dump_json())
+        if key not in _found:
+            _found[key] = search(image, board)
+        return _found[key]
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(detection, "find_board", find)
+        yield
