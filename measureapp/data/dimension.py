@@ -17,6 +17,7 @@ CONTRIBUTIONS = (
     "common",
     "setups",
     "unexplained",
+    "certificate",
     "temperature",
     "scale",
 )  # of the uncertainty budget

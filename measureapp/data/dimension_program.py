@@ -10,6 +10,7 @@ from pydantic import Field, model_validator
 from measureapp.data.blade_section import BLADE_ANGLES, BLADE_KINDS, BLADE_PAIRS, BLADE_ZONES, BladeKind
 from measureapp.data.cut import Range, Vector
 from measureapp.data.feature_program import PatternIndex, substitute_index
+from measureapp.data.length_certificate import LengthCertificate
 from measureapp.data.material import DatumMaterial, MaterialCondition, require_ascending
 from measureapp.data.model import Model
 from measureapp.data.tolerance_text import parse_tolerance
@@ -90,6 +91,9 @@ class DimensionProgram(Model):
     datum_material: tuple[DatumMaterial, ...] = Field(
         default=(), description="position of an axis or centre: datums at a material condition, which allow a datum shift (ISO 2692)"
     )
+    certificate: LengthCertificate | None = Field(
+        default=None, description="the nominal is certified: all other lengths are corrected by what this one is off"
+    )
     count: int | None = Field(default=None, ge=2, description="number of copies that `{k}` runs over, cyclically")
     statistic: Literal["mean", "min", "max"] = "mean"
 
@@ -154,6 +158,16 @@ class DimensionProgram(Model):
         return self
 
     @model_validator(mode="after")
+    def _is_a_length_if_certified(self) -> DimensionProgram:
+        if self.certificate is None:
+            return self
+        if not self.is_single_length:
+            raise ValueError("a `certificate` belongs to one length, such as a distance or a diameter: remove it here")
+        if self.nominal <= 0:
+            raise ValueError("`nominal` must be the certified length, above 0 mm")
+        return self
+
+    @model_validator(mode="after")
     def _has_what_its_zone_needs(self) -> DimensionProgram:
         if self.zone_offset_mm and self.kind not in PROFILES:
             raise ValueError("`zone_offset_mm` applies to a line_profile or surface_profile only: remove it")
@@ -172,6 +186,11 @@ class DimensionProgram(Model):
         if self.kind == "line_profile" and self.section is None:
             raise ValueError("a line_profile needs `section`, its section plane")
         return self
+
+    @property
+    def is_single_length(self) -> bool:
+        """Whether it is one length, which can be certified: a size in mm, not of a pattern."""
+        return self.kind in get_args(SizeKind) and self.unit == "mm" and self.count is None
 
     @property
     def is_toleranced(self) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -12,22 +13,25 @@ from measureapp.data.feature import Feature
 from measureapp.data.inspection_program import FORMS, ZONES, DimensionProgram
 from measureapp.errors import InspectionError
 from measureapp.inspection.blades.values import evaluate_blade
+from measureapp.inspection.certified_lengths import CertifiedLengths, Measure
 from measureapp.inspection.features.feature_errors import NOISE
 from measureapp.inspection.features.found_feature import FoundFeature
-from measureapp.inspection.propagation import propagate
 from measureapp.inspection.settings import InspectionSettings
 from measureapp.inspection.tolerances.form import evaluate_form
 from measureapp.inspection.tolerances.zones import evaluate_tolerance
 from measureapp.inspection.value import AXES, CENTRES, Value, require_direction, require_feature
 
 OPPOSED_WITHIN_DEG = 15.0
-Measure = Callable[[Sequence[Feature]], float]
 
 
 def evaluate_dimension(
-    described: DimensionProgram, found: tuple[FoundFeature, ...], datums: tuple[FoundFeature, ...], settings: InspectionSettings
+    described: DimensionProgram,
+    found: tuple[FoundFeature, ...],
+    datums: tuple[FoundFeature, ...],
+    settings: InspectionSettings,
+    certified: CertifiedLengths = CertifiedLengths(),  # noqa: B008 - frozen
 ) -> Value:
-    """Evaluate one dimension from its features and datums.
+    """Evaluate one dimension from its features and datums; lengths are corrected by the certified ones.
 
     Raises
     ------
@@ -43,25 +47,29 @@ def evaluate_dimension(
         return evaluate_form(described, found[0], settings)
     if kind in ZONES:
         return evaluate_tolerance(described, found[0], datums, settings)
-    value, budget = propagate(_measure(kind, found, settings), found)
-    if kind in SIZES and found[0].draws:  # the simulated fits describe the size better than the covariance
-        budget = {**budget, NOISE: _size_noise(kind, found[0])}
-    return Value(value, budget)
+    measure = measure_of(kind, found, settings)
+    if kind in SIZES and found[0].draws:  # the simulated fits describe the size better than the covariance, by which lengths are corrected
+        plain = CertifiedLengths().value(measure, found)
+        return replace(plain, budget={**plain.budget, NOISE: _size_noise(kind, found[0])})
+    return (certified if described.unit == "mm" else CertifiedLengths()).value(measure, found)
 
 
 def evaluate_pattern_mean(
-    described: DimensionProgram, sets: Sequence[tuple[FoundFeature, ...]], settings: InspectionSettings
+    described: DimensionProgram,
+    sets: Sequence[tuple[FoundFeature, ...]],
+    settings: InspectionSettings,
+    certified: CertifiedLengths = CertifiedLengths(),  # noqa: B008 - frozen
 ) -> Value | None:
     """Return the mean over the copies of a pattern with correlated errors; None for kinds that are not a function of features alone."""
     if described.kind not in {*SIZES, *PAIRS} or any(one.draws for found in sets for one in found):
         return None
-    measures = [_measure(described.kind, found, settings) for found in sets]
+    measures = [measure_of(described.kind, found, settings) for found in sets]
     ends = np.cumsum([0, *map(len, sets)])
 
     def mean(features: Sequence[Feature]) -> float:
         return float(np.mean([measure(features[ends[i] : ends[i + 1]]) for i, measure in enumerate(measures)]))
 
-    return Value(*propagate(mean, [one for found in sets for one in found]))
+    return (certified if described.unit == "mm" else CertifiedLengths()).value(mean, [one for found in sets for one in found])
 
 
 def evaluate_nominal(described: DimensionProgram, nominals: Mapping[str, Feature], settings: InspectionSettings) -> float:
@@ -80,11 +88,11 @@ def evaluate_nominal(described: DimensionProgram, nominals: Mapping[str, Feature
             if name not in nominals:
                 raise InspectionError(f"{name} has no nominal position")
         found = [FoundFeature(name, nominals[name]) for name in names]
-        values.append(_measure(described.kind, found, settings)([nominals[name] for name in names]))
+        values.append(measure_of(described.kind, found, settings)([nominals[name] for name in names]))
     return float(np.mean(values))
 
 
-def _measure(kind: str, found: Sequence[FoundFeature], settings: InspectionSettings) -> Measure:
+def measure_of(kind: str, found: Sequence[FoundFeature], settings: InspectionSettings) -> Measure:
     """Return the function from features to the value. Raises InspectionError if it is undefined for these features."""
     if kind in SIZES:
         return SIZES[kind](require_feature(found[0]))

@@ -55,14 +55,34 @@ def _propagate(
     return base, {contribution: float(np.sqrt(variance)) for contribution, variance in variances.items()}
 
 
+def covariance(values: Callable[[Sequence[Feature]], FloatArray], found: Sequence[FoundFeature]) -> FloatArray:
+    """Return the covariance (V, V) of ``values`` (V,) of the features by the errors that these share, from central differences."""
+    features = [require_feature(one) for one in found]
+    size = len(values(features))
+    total = np.zeros((size, size))
+    for change in _changes(found):
+        forth, back = (
+            values([perturb(feature, sign * one) for feature, one in zip(features, change, strict=True)]) for sign in (1.0, -1.0)
+        )
+        total += np.outer(forth - back, forth - back) / 4
+    return total
+
+
 def displaced_features(found: Sequence[FoundFeature]) -> Iterator[list[Feature]]:
     """Return the features displaced by one standard deviation along every principal direction of each error source."""
+    features = [require_feature(one) for one in found]
+    for change in _changes(found):
+        yield [perturb(feature, one) for feature, one in zip(features, change, strict=True)]
+
+
+def _changes(found: Sequence[FoundFeature]) -> Iterator[list[FloatArray]]:
+    """Return the changes of each feature by one standard deviation along every principal direction of each error source."""
     features = [require_feature(one) for one in found]
     ends = np.cumsum([0, *(6 + len(size_names(feature)) for feature in features)])
     scale = np.concatenate([_scale(feature) for feature in features])
     for _, columns in _stack_errors([one.errors for one in found], [int(size) for size in np.diff(ends)]):
         for change in principal_errors(columns, scale).T:
-            yield [perturb(feature, change[ends[i] : ends[i + 1]]) for i, feature in enumerate(features)]
+            yield np.split(change, ends[1:-1])
 
 
 def _stack_errors(

@@ -9,6 +9,7 @@ Standard uncertainties are combined in quadrature (JCGM 100). Contributions:
 - form: smooth form errors of single clouds;
 - edges: what the blur of sharp edges does to narrow faces (`features/edge_effects.py`);
 - common: systematic errors shared by all clouds, beyond the calibration;
+- certificate: of the certified lengths that correct the value (`certified_lengths.py`);
 - unexplained: what checks of the data find beyond all these;
 - temperature: correction of lengths to 20 °C, by the uncertainty of the part's temperature and of its expansion;
 - scale: length scale, by the class or certificate of the calibration board.

@@ -28,6 +28,7 @@ class Value:
     budget: Budget
     how: str = ""
     warning: str = field(default="", kw_only=True)  # what limits the use of the value, in one sentence
+    doubt: str = field(default="", kw_only=True)  # why the value proves nothing, in one sentence
     bonus: float = 0.0  # bonus tolerance; the uncertainty is then that of the value less the bonus
 
     @property

@@ -3858,6 +3858,10 @@
       <translation>`material_condition` 与 `size_limits_mm` 必须同时给出</translation>
     </message>
     <message>
+      <source>`nominal` must be the certified length, above 0 mm</source>
+      <translation>`nominal` 必须是证书长度，大于 0 mm</translation>
+    </message>
+    <message>
       <source>`normal` has length 0</source>
       <translation>`normal` 的长度为 0</translation>
     </message>
@@ -3876,6 +3880,10 @@
     <message>
       <source>`{{k}}` needs `count`, the number of copies</source>
       <translation>`{{k}}` 需要 `count`，即副本数</translation>
+    </message>
+    <message>
+      <source>a `certificate` belongs to one length, such as a distance or a diameter: remove it here</source>
+      <translation>`certificate` 只用于单个长度，例如距离或直径：请在此处删除</translation>
     </message>
     <message>
       <source>a cone needs `half_angle_deg`</source>
@@ -4926,6 +4934,10 @@
   <context>
     <name>core.inspection</name>
     <message>
+      <source>, certificate {v1}</source>
+      <translation>，证书 {v1}</translation>
+    </message>
+    <message>
       <source>, small segment: Monte Carlo, {v1} draws</source>
       <translation>，弧段小：蒙特卡洛，{v1} 次抽样</translation>
     </message>
@@ -5198,6 +5210,10 @@
       <translation>对齐 {v1} 失败：{v2}。</translation>
     </message>
     <message>
+      <source>The certified length {v1} is off by {v2} mm, more than its uncertainty of {v3} mm (k = 2) explains: check its features and its certificate, or calibrate again</source>
+      <translation>证书长度 {v1} 偏差 {v2} mm，超出其不确定度 {v3} mm (k = 2) 所能解释的范围：请检查其要素和证书，或重新标定</translation>
+    </message>
+    <message>
       <source>The change is not possible: {v1}.</source>
       <translation>无法更改：{v1}。</translation>
     </message>
@@ -5358,8 +5374,16 @@
       <translation>公差带中心向材料外偏移 {v1}</translation>
     </message>
     <message>
+      <source>certified length of {v1} ± {v2} mm (k = 2){v3}</source>
+      <translation>证书长度 {v1} ± {v2} mm (k = 2){v3}</translation>
+    </message>
+    <message>
       <source>coordinates as stated in the program</source>
       <translation>程序给定的坐标</translation>
+    </message>
+    <message>
+      <source>corrected by {v1} mm by the certified length {v2}, U {v3} → {v4} mm</source>
+      <translation>按证书长度 {v2} 修正 {v1} mm，U {v3} → {v4} mm</translation>
     </message>
     <message>
       <source>datum shift: {v1}, {v2} mm without shift</source>
@@ -5968,6 +5992,18 @@
     <message>
       <source>{v1}; border: {v2}</source>
       <translation>{v1}；边界：{v2}</translation>
+    </message>
+    <message>
+      <source>{v1}; measured {v2} ± {v3} mm. Other lengths are corrected by what it is off.</source>
+      <translation>{v1}；实测 {v2} ± {v3} mm。其他长度按其偏差修正。</translation>
+    </message>
+    <message>
+      <source>{v1}; not measured, so that it corrects nothing.</source>
+      <translation>{v1}；未测得，因此不作修正。</translation>
+    </message>
+    <message>
+      <source>{v1}; nothing is corrected. {v2}.</source>
+      <translation>{v1}；不作修正。{v2}。</translation>
     </message>
     <message>
       <source>± {v1} ppm (k = 2)</source>
@@ -9823,6 +9859,10 @@
       <translation>；含补偿公差 {upper}</translation>
     </message>
     <message>
+      <source>A ball bar, a gauge block, or a length of the part that a better machine has measured. What it is off, the other lengths are off too, as far as their errors are shared: they are corrected by it, and their uncertainty becomes smaller.</source>
+      <translation>球棒、量块，或由更精密的设备测得的零件长度。只要误差是共有的，其他长度就会有相同的偏差：它们据此修正，不确定度随之减小。</translation>
+    </message>
+    <message>
       <source>A plane fixes three degrees of freedom, a line or axis two more, a point the last one.</source>
       <translation>平面确定三个自由度，直线或轴线再确定两个，点确定最后一个。</translation>
     </message>
@@ -9913,6 +9953,18 @@
     <message>
       <source>Best fit</source>
       <translation>最佳拟合</translation>
+    </message>
+    <message>
+      <source>Certified length</source>
+      <translation>证书长度</translation>
+    </message>
+    <message>
+      <source>Certified length…</source>
+      <translation>证书长度…</translation>
+    </message>
+    <message>
+      <source>Change nothing</source>
+      <translation>不作更改</translation>
     </message>
     <message>
       <source>Characteristic</source>
@@ -10009,6 +10061,14 @@
     <message>
       <source>Copy rows</source>
       <translation>复制行</translation>
+    </message>
+    <message>
+      <source>Correct by it</source>
+      <translation>据此修正</translation>
+    </message>
+    <message>
+      <source>Correct nothing by this length</source>
+      <translation>不按此长度作任何修正</translation>
     </message>
     <message>
       <source>Cut the part by a plane and show the deviations along the section</source>
@@ -10223,6 +10283,10 @@
       <translation>程序保持不变（Esc）</translation>
     </message>
     <message>
+      <source>Lengths are corrected by {name}.</source>
+      <translation>长度已按 {name} 修正。</translation>
+    </message>
+    <message>
       <source>Lengths in mm, U for k = 2, verdicts by {rule_name}.</source>
       <translation>长度单位 mm，U 为 k = 2，判定依据 {rule_name}。</translation>
     </message>
@@ -10285,6 +10349,10 @@
     <message>
       <source>Measure everything that is stale</source>
       <translation>测量所有过期项</translation>
+    </message>
+    <message>
+      <source>Measure the lengths again, corrected by this one; it can be undone</source>
+      <translation>按此长度修正并重新测量各长度；可以撤销</translation>
     </message>
     <message>
       <source>Measured minus nominal</source>
@@ -10389,6 +10457,10 @@
     <message>
       <source>Normal to</source>
       <translation>垂直于</translation>
+    </message>
+    <message>
+      <source>Not certified</source>
+      <translation>无证书</translation>
     </message>
     <message>
       <source>Not measured: {total} of the nominal's surface (not seen {not_seen}, filled {filled}, too far {too_far})</source>
@@ -10931,6 +11003,10 @@
       <translation>{listed}，均由其邻点证实。</translation>
     </message>
     <message>
+      <source>{name} corrects no lengths any more.</source>
+      <translation>{name} 不再修正其他长度。</translation>
+    </message>
+    <message>
       <source>{name} is datum {letter}.</source>
       <translation>{name} 现为基准 {letter}。</translation>
     </message>
@@ -11072,6 +11148,10 @@
     <message>
       <source>Cantarell</source>
       <translation>Cantarell</translation>
+    </message>
+    <message>
+      <source>Certified length at 20 °C</source>
+      <translation>20 °C 时的证书长度</translation>
     </message>
     <message>
       <source>Checks</source>
@@ -11274,6 +11354,10 @@
       <translation>Noto Sans</translation>
     </message>
     <message>
+      <source>Number of the certificate</source>
+      <translation>证书编号</translation>
+    </message>
+    <message>
       <source>Oblique to another camera</source>
       <translation>对另一相机过斜</translation>
     </message>
@@ -11428,6 +11512,10 @@
     <message>
       <source>Uncertain</source>
       <translation>不确定</translation>
+    </message>
+    <message>
+      <source>Uncertainty (k = 2)</source>
+      <translation>不确定度 (k = 2)</translation>
     </message>
     <message>
       <source>Uncertainty of the scale</source>
@@ -12277,10 +12365,6 @@ The first run of this part counts.</source>
       <translation>无法使用</translation>
     </message>
     <message>
-      <source>Change nothing</source>
-      <translation>不作更改</translation>
-    </message>
-    <message>
       <source>Check the path, the free space and the permissions.</source>
       <translation>请检查路径、可用空间和权限。</translation>
     </message>
@@ -12699,10 +12783,6 @@ The first run of this part counts.</source>
     <message>
       <source>Trend and capability over all parts measured by one program</source>
       <translation>由同一程序测量的所有工件的趋势与能力</translation>
-    </message>
-    <message>
-      <source>Uncertainty (k = 2)</source>
-      <translation>不确定度 (k = 2)</translation>
     </message>
     <message>
       <source>Use the calibration that was accepted without a project{words}</source>

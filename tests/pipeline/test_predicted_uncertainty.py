@@ -11,6 +11,7 @@ import pytest
 from demo_fixture import Demo
 
 from measureapp.data.dimension import Dimension, Verdict
+from measureapp.data.length_certificate import LengthCertificate
 from measureapp.errors import PlanError
 from measureapp.geometry.transform import RigidTransform, rotation_about
 from measureapp.inspection.surface.nominal import NominalSurface
@@ -77,6 +78,16 @@ def test_the_predicted_uncertainty_is_that_of_a_scan_of_another_part_elsewhere_i
     placed = PredictedScene.of(rig, NominalSurface(job.nominal))
     predicted = predict_uncertainty(plan, placed, job)
     assert {one.name: one.uncertainty is not None for one in predicted.dimensions} == {"length": True, "width": True}
+
+    program = job.program
+    standard = program.dimensions[1].model_copy(update={"nominal": 70.05, "certificate": LengthCertificate(uncertainty_mm=0.001)})
+    certified = evaluate(
+        predicted.views, placed, replace(job, program=program.model_copy(update={"dimensions": (program.dimensions[0], standard)}))
+    )
+    gained = certified.uncertainty("length")
+    assert gained is not None and gained < 0.9 * (
+        predicted.uncertainty("length") or 0.0
+    )  # stated before it is used, whatever the part is like
 
     part = NominalSurface(box((90.06, 69.95, 50.04)))
     moved = RigidTransform.from_parts(rotation_about([0, 0, 1], 0.1), [3.0, -2.0, 0.0], "part", "part") @ placed.part_from_nominal

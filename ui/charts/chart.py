@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QSizePolicy, QVBoxLayout, QWidget
 
 from ui.look.language.words import translated
@@ -26,11 +27,12 @@ class Chart(QWidget):
         self._look, self._ground = look, ground
         self._axes_of, self._draw_on = axes, draw
         self.plot: Plot | None = None
+        self._in_old_colours = False
         layout = QVBoxLayout()
         layout.setContentsMargins(0, 0, 0, 0)
         self.setLayout(layout)
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
-        look.changed.connect(self._dress)
+        look.changed.connect(self._follow_theme)
 
     def redraw(self, spoken: str) -> None:
         """Draw the present data; ``spoken`` describes them to a screen reader."""
@@ -48,7 +50,20 @@ class Chart(QWidget):
             self.plot.dress(self._look.theme, self._ground)
         return self.plot
 
+    def showEvent(self, event: QShowEvent) -> None:
+        """Take the theme that was chosen while the chart could not be seen."""
+        if self._in_old_colours:
+            self._dress()
+        super().showEvent(event)
+
+    def _follow_theme(self) -> None:
+        if self.isVisible():
+            self._dress()
+        else:  # the charts of all pages at once would hold up the window
+            self._in_old_colours = True
+
     def _dress(self) -> None:
+        self._in_old_colours = False
         if self.plot is not None:
             self.plot.dress(self._look.theme, self._ground)
             self.plot.clear()

@@ -117,9 +117,14 @@ def carry_ids(names_before: Sequence[str], ids_before: Sequence[int], names: Seq
 def changed_names(before: InspectionProgram | None, after: InspectionProgram) -> set[str]:
     """Return the dimensions of ``after`` that differ from ``before``, or depend on features or an alignment that do."""
     if before is None or before.alignment != after.alignment or before.features != after.features:
-        return _affected(before, after)
-    known = {one.name: one for one in before.dimensions}
-    return {one.name for one in after.dimensions if known.get(one.name) != one}
+        changed = _affected(before, after)
+    else:
+        known = {one.name: one for one in before.dimensions}
+        changed = {one.name for one in after.dimensions if known.get(one.name) != one}
+    certified = [{one.name: one for one in program.dimensions if one.certificate is not None} for program in (before, after) if program]
+    if certified[0] != certified[-1] or not changed.isdisjoint(certified[-1]):
+        return {one.name for one in after.dimensions}  # they correct all lengths
+    return changed
 
 
 def _affected(before: InspectionProgram | None, after: InspectionProgram) -> set[str]:

@@ -110,8 +110,9 @@ class ModelForm(FieldRows):
 
     valueChanged = Signal(object)
 
-    def __init__(self, model: type[Model]) -> None:
-        super().__init__(model)
+    def __init__(self, model: type[Model], only: Sequence[str] | None = None) -> None:
+        """``only``: fields shown, in this order; None: all."""
+        super().__init__(model, only)
         self.edited.connect(self._check)
         self._check()
 

@@ -20,7 +20,7 @@ from measureapp.geometry.fits import point_sensitivities
 from measureapp.inspection.features.shapes import outward_normals
 from measureapp.inspection.measured_points import MeasuredPoints
 
-NOISE, STITCHING, CALIBRATION, FORM, EDGES, *_, TEMPERATURE, SCALE = CONTRIBUTIONS
+NOISE, STITCHING, CALIBRATION, FORM, EDGES, *_, CERTIFICATE, TEMPERATURE, SCALE = CONTRIBUTIONS
 MOST_POINTS = 4000  # sufficient, as the errors of views vary slowly over a feature
 TURN_MM = 100.0  # lever arm that makes rotations comparable with lengths
 NEGLIGIBLE = 1e-6  # share of the largest variance below which an error is dropped

@@ -11,6 +11,7 @@ from typing import Any
 
 from measureapp.data.datum_letters import free_letter
 from measureapp.data.inspection_program import InspectionProgram, copy_names
+from measureapp.data.length_certificate import LengthCertificate
 from measureapp.errors import InputError, InspectionError
 from measureapp.inspection.programming.nominals import linked_nominal
 from measureapp.inspection.programming.references import LISTS, Document, document_of, program_from, rename_references
@@ -87,6 +88,15 @@ def link_nominal(program: InspectionProgram, dimension: str) -> InspectionProgra
     """
     nominal = linked_nominal(program, dimension)
     return change(program, Node("dimension", dimension), {"nominal": nominal, "nominal_linked": True})
+
+
+def set_certificate(
+    program: InspectionProgram, dimension: str, length_mm: float, certificate: LengthCertificate | None
+) -> InspectionProgram:
+    """State that a length is certified, so that it corrects others; None: it is not, and its nominal stays. Raises InputError."""
+    stated = None if certificate is None else certificate.model_dump(mode="json", exclude_defaults=True)
+    values = {"certificate": stated} if stated is None else {"certificate": stated, "nominal": length_mm, "nominal_linked": None}
+    return change(program, Node("dimension", dimension), values)
 
 
 def follow_nominals(program: InspectionProgram) -> InspectionProgram:

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from contextlib import suppress
 from dataclasses import replace
 
 from measureapp.data.feature import Feature
 from measureapp.data.inspection_program import ConstructedFeature, InspectionProgram, MeasuredFeature
+from measureapp.errors import InspectionError
 from measureapp.inspection.evaluate import evaluate_nominal
 from measureapp.inspection.features.construct import construct
 from measureapp.inspection.features.cut import nominal_features
@@ -26,6 +28,18 @@ def nominals_of(program: InspectionProgram) -> Mapping[str, Feature]:
             made = construct(described, _Unplaced(known))
             known |= {name: one for name, one in made.items() if one.feature is not None}
     return {name: replace(one.feature, name=name) for name, one in known.items() if one.feature is not None}
+
+
+def with_designed_standards(program: InspectionProgram) -> InspectionProgram:
+    """Return a program for points on the nominal itself: its certified lengths are as designed, where they follow from nominal features."""
+    dimensions = []
+    for one in program.dimensions:
+        if one.certificate is not None:
+            with suppress(InspectionError):
+                certificate = one.certificate.model_copy(update={"material": ""})
+                one = one.model_copy(update={"nominal": linked_nominal(program, one.name), "certificate": certificate})  # noqa: PLW2901
+        dimensions.append(one)
+    return program.model_copy(update={"dimensions": tuple(dimensions)})
 
 
 def linked_nominal(program: InspectionProgram, name: str) -> float:

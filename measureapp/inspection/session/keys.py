@@ -16,7 +16,7 @@ from measureapp.data.inspection_program import (
 )
 
 OF_THE_VERDICT = frozenset(
-    {"name", "nominal", "nominal_linked", "lower_tolerance", "upper_tolerance", "tolerance", "alignment", "group"}
+    {"name", "nominal", "nominal_linked", "lower_tolerance", "upper_tolerance", "tolerance", "alignment", "group", "certificate"}
 )  # entries of a dimension that do not affect its value
 
 
@@ -27,6 +27,7 @@ class ProgramKeys:
     alignments: Mapping[str | None, str]  # by name; None: that of the program
     definitions: Mapping[str, str]  # of features (each copy by name): their entries with all ancestors, without alignment
     entries: Mapping[str, str]  # name of each copy -> name of its entry
+    certified: tuple[DimensionProgram, ...]  # lengths that correct others
 
     @classmethod
     def of(cls, program: InspectionProgram) -> ProgramKeys:
@@ -42,7 +43,7 @@ class ProgramKeys:
         alignments = {
             name: digest(one.model_dump_json(), *(definitions[needed] for needed in alignment_features(one))) for name, one in named.items()
         }
-        return cls(alignments, definitions, entries)
+        return cls(alignments, definitions, entries, tuple(one for one in program.dimensions if one.certificate is not None))
 
     def feature(self, name: str, alignment: str | None) -> str:
         """Return the key of the entry of a feature, found in an alignment."""
@@ -52,9 +53,14 @@ class ProgramKeys:
         """Return the key of a dimension's value."""
         names = (name for names in (*described.feature_sets, *described.datum_sets) for name in names)
         bonus = (str(described.upper_tolerance),) if described.size_limits_mm is not None else ()  # stated in words with the value
-        return digest(
-            described.model_dump_json(exclude=set(OF_THE_VERDICT)), *bonus, *(self.feature(name, described.alignment) for name in names)
-        )
+        own = (described.model_dump_json(exclude=set(OF_THE_VERDICT)), *bonus, *(self.feature(name, described.alignment) for name in names))
+        return digest(*own, *(part for one in self.certified for part in self._standard(one, described)))
+
+    def _standard(self, certified: DimensionProgram, described: DimensionProgram) -> tuple[str, ...]:
+        """Return what the value of a dimension takes from a certified length, measured in the same alignment; nothing for certified ones."""
+        if described.certificate is not None:
+            return ()
+        return (certified.model_dump_json(), *(self.feature(name, described.alignment) for name in certified.features))
 
 
 def digest(*parts: str) -> str:

@@ -16,6 +16,7 @@ from measureapp.data.mesh import Mesh
 from measureapp.errors import InspectionError
 from measureapp.inspection.alignment.align import align
 from measureapp.inspection.alignment.best_fit import best_fit
+from measureapp.inspection.certified_lengths import CertifiedLengths
 from measureapp.inspection.features.found_feature import FoundFeature
 from measureapp.inspection.find_features import find_entry, find_features
 from measureapp.inspection.measured_points import HasPoints, MeasuredPoints
@@ -24,7 +25,7 @@ from measureapp.inspection.session.keys import ProgramKeys
 from measureapp.inspection.session.rows import Row, copies_of, list_rows
 from measureapp.inspection.session.store import Store
 from measureapp.inspection.session.temperature import at_reference, length_statements
-from measureapp.inspection.session.values import Evaluated, decide, evaluate
+from measureapp.inspection.session.values import Evaluated, certified_lengths, certified_statements, decide, evaluate
 from measureapp.inspection.settings import InspectionSettings
 from measureapp.inspection.surface.nominal import NominalSurface
 from measureapp.inspection.surface.units import check_unit, check_unit_against
@@ -125,10 +126,12 @@ class InspectionSession:
             self._check_unit(main.points, found, program)
         progress.report(2, 3, "dimensions")
         others = {None: found, **self._find_in_other_alignments(program, keys, measured, PartOf(progress, 2 / 3, 0.8))}
+        standards = {name: certified_lengths(program, one, self.settings) for name, one in others.items()}
         letters, dimensions = letters_of(program), []
         for number, described in enumerate(program.dimensions):
             progress.report(0.8 + 0.2 * number / len(program.dimensions), 1, described.name)
-            dimensions.append(self._dimension(described, others[described.alignment], letters, keys, measured))
+            alignment = described.alignment
+            dimensions.append(self._dimension(described, others[alignment], standards[alignment], letters, keys, measured))
         features = tuple(one.feature for one in found.values() if one.feature is not None)
         further = {
             one.name: placed.alignment
@@ -136,7 +139,8 @@ class InspectionSession:
             if (placed := self._placements.peek(keys.alignments[one.name])) is not None and placed.alignment is not None
         }
         progress.report(3, 3, "inspection complete")
-        inspection = Inspection(program.name, main.alignment, features, tuple(dimensions), further, length_statements(self.settings))
+        statements = (*length_statements(self.settings), *certified_statements(program, dimensions, standards[None].contradiction))
+        inspection = Inspection(program.name, main.alignment, features, tuple(dimensions), further, statements)
         return SessionResult(inspection, self.rows(program), frozenset(measured))
 
     def _prepare(self) -> MeasuredPoints:
@@ -206,6 +210,7 @@ class InspectionSession:
             placed = self._place(program, named.name, keys, measured, progress)
             if not using:
                 continue
+            using += [one for one in program.dimensions if one.certificate is not None and one not in using]  # correct theirs
             names = {name for one in using for names in (*one.feature_sets, *one.datum_sets) for name in names}
             if placed.points is None:
                 reason = f"the alignment {named.name} failed: {placed.failure.message if placed.failure else ''}"
@@ -216,9 +221,15 @@ class InspectionSession:
         return others
 
     def _dimension(
-        self, described: DimensionProgram, found: Found, letters: Mapping[str, str], keys: ProgramKeys, measured: set[Node]
+        self,
+        described: DimensionProgram,
+        found: Found,
+        certified: CertifiedLengths,
+        letters: Mapping[str, str],
+        keys: ProgramKeys,
+        measured: set[Node],
     ) -> Dimension:
-        evaluated, made = self._values.get(keys.value(described), lambda: evaluate(described, found, self.settings))
+        evaluated, made = self._values.get(keys.value(described), lambda: evaluate(described, found, self.settings, certified))
         if made:
             measured.add(Node("dimension", described.name))
         return decide(described, evaluated, found, self.settings, letters)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -10,9 +10,10 @@ import numpy as np
 from measureapp.data.control_frame import control_frame
 from measureapp.data.datum_letters import common_datums
 from measureapp.data.dimension import CONTRADICTED, Dimension, Verdict
-from measureapp.data.inspection_program import ZONES, DimensionProgram
+from measureapp.data.inspection_program import ZONES, DimensionProgram, InspectionProgram
 from measureapp.errors import InspectionError
-from measureapp.inspection.evaluate import evaluate_dimension, evaluate_pattern_mean
+from measureapp.inspection.certified_lengths import CertifiedLength, CertifiedLengths
+from measureapp.inspection.evaluate import evaluate_dimension, evaluate_pattern_mean, measure_of
 from measureapp.inspection.features.feature_errors import CALIBRATION, NOISE, SCALE, TEMPERATURE
 from measureapp.inspection.features.found_feature import FoundFeature
 from measureapp.inspection.settings import InspectionSettings
@@ -35,12 +36,57 @@ class Evaluated:
     reason: str = ""
 
 
-def evaluate(described: DimensionProgram, found: Mapping[str, FoundFeature], settings: InspectionSettings) -> Evaluated:
-    """Evaluate a dimension on the features found."""
+def evaluate(
+    described: DimensionProgram, found: Mapping[str, FoundFeature], settings: InspectionSettings, certified: CertifiedLengths
+) -> Evaluated:
+    """Evaluate a dimension on the features found; a certified length itself stays as measured."""
     try:
-        return Evaluated(_evaluate(described, found, settings))
+        return Evaluated(_evaluate(described, found, settings, CertifiedLengths() if described.certificate else certified))
     except InspectionError as error:
         return Evaluated(None, error.message)
+
+
+def certified_lengths(program: InspectionProgram, found: Mapping[str, FoundFeature], settings: InspectionSettings) -> CertifiedLengths:
+    """Return the certified lengths of a program, as far as their features were found."""
+    lengths = []
+    for described in program.dimensions:
+        if described.certificate is None:
+            continue
+        features = tuple(found[name] for name in described.features)
+        try:
+            measure = measure_of(described.kind, features, settings)
+        except InspectionError:  # its own row says why
+            continue
+        known = described.certificate.known_length(described.nominal, settings.temperature)
+        value = CertifiedLengths().value(measure, features)
+        whole = float(np.linalg.norm(list(_complete_budget(value, described.unit, features, settings)[0].values())))
+        assumed_mm = max(whole**2 - value.sigma**2, 0.0) ** 0.5
+        lengths.append(CertifiedLength(described.name, measure, features, known, assumed_mm))
+    return CertifiedLengths.of(lengths)
+
+
+def certified_statements(program: InspectionProgram, dimensions: Sequence[Dimension], contradiction: str) -> Iterator[str]:
+    """Return what was done with each certified length, for reports."""
+    measured = {one.name: one for one in dimensions}
+    for described in program.dimensions:
+        if described.certificate is None:
+            continue
+        known = f"{described.name} is a {_certified_words(described)}"
+        own = measured[described.name]
+        if own.measured is None or own.uncertainty is None:
+            yield f"{known}; not measured, so that it corrects nothing."
+        elif contradiction:
+            yield f"{known}; nothing is corrected. {contradiction}."
+        else:
+            yield f"{known}; measured {own.measured:.4f} ± {own.uncertainty:.4f} mm. Other lengths are corrected by what it is off."
+
+
+def _certified_words(described: DimensionProgram) -> str:
+    """Return what its certificate states of a length; empty where there is none."""
+    if described.certificate is None:
+        return ""
+    number = f", certificate {described.certificate.number}" if described.certificate.number else ""
+    return f"certified length of {described.nominal:.4f} ± {described.certificate.uncertainty_mm:.4f} mm (k = 2){number}"
 
 
 def decide(
@@ -76,12 +122,12 @@ def _decide(
     uncertainty = COVERAGE_FACTOR * float(np.linalg.norm(list(budget.values())))
     if not (np.isfinite(value.value) and np.isfinite(uncertainty)):
         return _make_dimension(described, found, None, None, Verdict.NOT_MEASURED, "the points do not determine this value")
-    how = "; ".join(filter(None, (value.how, *assumptions)))
+    how = "; ".join(filter(None, (value.how, _certified_words(described), *assumptions)))
     verdict = _verdict(described, value, uncertainty, settings)
-    contradicted = verdict in (Verdict.PASS, Verdict.FAIL) and _is_contradicted(described, value, budget, settings)
+    contradicted = verdict in (Verdict.PASS, Verdict.FAIL) and (bool(value.doubt) or _is_contradicted(described, value, budget, settings))
     verdict = Verdict.NOT_PROVEN if contradicted else verdict
     made = _make_dimension(described, found, value.value, uncertainty, verdict, "", how, value.bonus)
-    warning = CONTRADICTION if contradicted else _warn_of_narrow_tolerance(described, uncertainty) or value.warning
+    warning = value.doubt or (CONTRADICTION if contradicted else "") or _warn_of_narrow_tolerance(described, uncertainty) or value.warning
     return replace(made, warning=warning, budget={contribution: COVERAGE_FACTOR * sigma for contribution, sigma in budget.items()})
 
 
@@ -114,17 +160,20 @@ def _warn_of_narrow_tolerance(described: DimensionProgram, uncertainty: float) -
     )
 
 
-def _evaluate(described: DimensionProgram, found: Mapping[str, FoundFeature], settings: InspectionSettings) -> Value:
+def _evaluate(
+    described: DimensionProgram, found: Mapping[str, FoundFeature], settings: InspectionSettings, certified: CertifiedLengths
+) -> Value:
     """Return the value, or the mean, minimum or maximum over a pattern; noise averages out in a mean only."""
     values = [
-        evaluate_dimension(described, tuple(found[name] for name in names), tuple(found[name] for name in datums), settings)
+        evaluate_dimension(described, tuple(found[name] for name in names), tuple(found[name] for name in datums), settings, certified)
         for names, datums in zip(described.feature_sets, described.datum_sets, strict=True)
     ]
     if len(values) == 1:
         return values[0]
     numbers = np.array([v.value for v in values])
     if described.statistic == "mean":
-        together = evaluate_pattern_mean(described, [tuple(found[name] for name in names) for names in described.feature_sets], settings)
+        sets = [tuple(found[name] for name in names) for names in described.feature_sets]
+        together = evaluate_pattern_mean(described, sets, settings, certified)
         return together or Value(
             float(numbers.mean()), _average_budgets([v.budget for v in values], _are_disjoint(described)), values[0].how
         )

@@ -14,6 +14,7 @@ from measureapp.data.mesh import Mesh
 from measureapp.data.plan import ScanPlan, Viewpoint
 from measureapp.errors import PlanError
 from measureapp.inspection.dimensions import inspect
+from measureapp.inspection.programming.nominals import with_designed_standards
 from measureapp.pipeline.assemble import inspection_settings, pose_prior, stitch_settings
 from measureapp.pipeline.prediction.calibration_draw import with_calibration_error
 from measureapp.pipeline.prediction.views import Exposing, PredictedScene
@@ -102,5 +103,5 @@ def evaluate(
         registration_cache=cache,
     )
     settings = inspection_settings(rig.calibration, rig.description, views)
-    found = inspect(stitched, job.program, job.nominal, settings, PartOf(progress, 0.7, 1.0))
+    found = inspect(stitched, with_designed_standards(job.program), job.nominal, settings, PartOf(progress, 0.7, 1.0))
     return Prediction(tuple(views), stitched, found.dimensions, found.features, rig.source)

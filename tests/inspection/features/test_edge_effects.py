@@ -8,7 +8,7 @@ from scipy.spatial import cKDTree
 
 from measureapp.data.cut import Cut
 from measureapp.data.inspection_program import MeasuredFeature
-from measureapp.inspection.features.edge_effects import CHANCE, REST, estimate_edge_effects
+from measureapp.inspection.features.edge_effects import REST, estimate_edge_effects
 from measureapp.inspection.features.feature_errors import EDGES, ErrorSource
 from measureapp.inspection.features.found_feature import find_feature
 from measureapp.inspection.measured_points import MeasuredPoints
@@ -57,11 +57,15 @@ def test_a_narrow_face_that_its_edges_lift_has_an_interval_that_holds_the_truth(
     assert max(np.abs(errors)) < 1.0 and np.std(errors) < 0.1
 
 
-def test_noise_alone_is_taken_for_edges_as_rarely_as_stated():
-    trials, by_chance = 100, 0.0455  # beyond `CHANCE` = 2 standard deviations of a normal distribution
-    alarms = sum(ErrorSource(EDGES) in found_on(strip(5.0, 0.0, seed), 5.0).errors for seed in range(trials))
-    assert CHANCE == 2.0
-    assert alarms < trials * by_chance + 4 * (trials * by_chance * (1 - by_chance)) ** 0.5
+@pytest.mark.parametrize("lift_mm", [0.0, 0.002, 0.004, 0.006])
+def test_a_lift_that_noise_hides_is_in_the_interval_too(lift_mm):
+    """Of two standard deviations of its estimate and less; without that of the estimate, half of the intervals missed the truth."""
+    scores = []
+    for seed in range(20):
+        value, budget = propagate(height, [found_on(strip(5.0, lift_mm, seed), 5.0)])
+        scores.append(value / (2 * np.hypot(budget["noise"], budget["edges"])))
+        assert budget["edges"] < 0.005  # nothing beside what a lift of 0.03 mm adds
+    assert np.mean(np.abs(scores) <= 1.0) >= 0.9 and np.sqrt(np.mean(np.square(scores))) < 0.75
 
 
 def test_a_wide_face_is_hardly_moved_by_its_edges():
@@ -75,7 +79,7 @@ def test_the_errors_of_two_faces_by_edges_add_up_in_their_thickness_and_cancel_i
     single = propagate(height, [one])[1]["edges"]
     thickness = propagate(lambda features: height(features[:1]) - height(features[1:]), [one, under])[1]["edges"]
     step = propagate(lambda features: height(features[:1]) - height(features[1:]), [one, other])[1]["edges"]
-    assert thickness == pytest.approx(2 * single, rel=0.1) and step < 0.1 * single
+    assert thickness == pytest.approx(2 * single, rel=0.1) and step < 0.15 * single  # which is what each knows of its own
 
 
 def test_the_shift_of_a_cylinder_is_that_of_its_radius():

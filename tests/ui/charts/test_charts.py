@@ -151,6 +151,18 @@ def test_charts_follow_the_theme_without_new_data(qtbot, look):
         assert corner == theme.colour("surface")
 
 
+def test_a_chart_that_cannot_be_seen_takes_the_theme_when_it_is_shown(qtbot, look):
+    chart = shown(qtbot, BarChart(look, "Contribution"))
+    chart.show_bars(BARS)
+    chart.hide()
+    look.set_shade("dark")
+    assert chart.plot.backgroundBrush().color() == Theme.load("light").colour("surface")
+    chart.show()
+    assert chart.plot.backgroundBrush().color() == Theme.load("dark").colour("surface")
+    (bars,) = drawn(chart, pg.BarGraphItem)
+    assert bars.opts["brushes"][0] == Theme.load("dark").colour("faint")
+
+
 def test_negative_numbers_have_a_true_minus_sign_and_no_prefix(qtbot, look):
     chart = shown(qtbot, DeviationHistogram(look))
     chart.show_values(np.zeros(3), Legend("Deviation", -0.0005, 0.0005))

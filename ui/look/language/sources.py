@@ -23,6 +23,7 @@ TOLD = {
     ("calibrate", "kinds"),
     ("calibrate", "guidance"),
     ("calibrate", "draft"),
+    ("inspection", "certified_lengths.py"),
     ("inspection", "verdict.py"),
     ("inspection", "value.py"),
     ("inspection", "blades"),

@@ -59,7 +59,7 @@ class DimensionSide(QWidget):
         self.tolerance = ToleranceEditor(look, controllers.tolerancing, controllers.creating)
         self.create.dimensionAdded.connect(self._await)
         self._awaited = ""  # name of the dimension that was added last
-        self.actions, self.datums = RowActions(self.table, programming), DatumMenu(self.features, programming)
+        self.actions, self.datums = RowActions(look, self.table, programming), DatumMenu(self.features, programming)
         self.table.frameAsked.connect(self._edit_frame)
         self.actions.toleranceAsked.connect(self._begin_frame)
         self.create.tolerance.clicked.connect(self._begin_frame)

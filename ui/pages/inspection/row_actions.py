@@ -13,13 +13,16 @@ from measureapp.data.control_frame import CHARACTERISTICS
 from ui.controllers.program_rows import DimensionRow
 from ui.controllers.programming import ProgrammingController
 from ui.look.language.words import tr
+from ui.look.look import Look
 from ui.look.wording import several
 from ui.pages.inspection.cell_edits import apply_edit, one_after_the_other
 from ui.pages.inspection.dimension_model import CellEdit, Column
 from ui.pages.inspection.dimension_table import DimensionTable
 
 if TYPE_CHECKING:
+    from measureapp.data.dimension_program import DimensionProgram
     from measureapp.data.inspection_program import InspectionProgram
+    from measureapp.data.length_certificate import LengthCertificate
     from measureapp.inspection.session.graph import Node
 
 
@@ -28,9 +31,9 @@ class RowActions(QObject):
 
     toleranceAsked = Signal()  # a new geometrical tolerance
 
-    def __init__(self, table: DimensionTable, programming: ProgrammingController) -> None:
+    def __init__(self, look: Look, table: DimensionTable, programming: ProgrammingController) -> None:
         super().__init__(table)
-        self._table, self._programming = table, programming
+        self._look, self._table, self._programming = look, table, programming
         table.menuAsked.connect(self._fill)
         keys: dict[QKeySequence, Callable[[], None]] = {
             QKeySequence(Qt.Key.Key_Delete): self.remove,
@@ -97,6 +100,28 @@ class RowActions(QObject):
         if name:
             self._table.frameAsked.emit(name)
 
+    def certify(self) -> None:
+        """Ask for the certificate of the current length."""
+        entry = self._current_length()
+        if entry is None:
+            return
+        from ui.pages.inspection.certificate_dialog import CertificateDialog
+
+        self.dialog = CertificateDialog(self._look, entry, self._table.window())
+        self.dialog.chosen.connect(lambda length_mm, certificate: self._certify(entry.name, length_mm, certificate))
+        self.dialog.open()
+
+    def _certify(self, name: str, length_mm: float, certificate: LengthCertificate | None) -> None:
+        from measureapp.inspection.programming import edits
+
+        done = tr("Lengths are corrected by {name}.", name=name) if certificate else tr("{name} corrects no lengths any more.", name=name)
+        self._programming.edit(lambda program: edits.set_certificate(program, name, length_mm, certificate), done)
+
+    def _current_length(self) -> DimensionProgram | None:
+        """Return the entry of the current row if it is a length that can be certified."""
+        row = self._table.current_row()
+        return row.entry if row is not None and row.entry is not None and row.entry.is_single_length else None
+
     def _current_frame(self) -> str:
         """Return the name of the current row if it has a control frame."""
         row = self._table.current_row()
@@ -115,6 +140,7 @@ class RowActions(QObject):
             ("Edit the tolerance frame…", "", self.edit_frame),
             ("New geometrical tolerance…", "", self.toleranceAsked.emit),
             ("Restore the nominal of the CAD features", "", self.restore_nominal),
+            ("Certified length…", "", self.certify),
             ("", "", None),
             ("Duplicate", "Ctrl+D", self.duplicate),
             ("Delete", "Del", self.remove),
@@ -130,6 +156,8 @@ class RowActions(QObject):
             action.setEnabled(can)
             if act == self.edit_frame:
                 action.setEnabled(can and self._current_frame() != "")
+            if act == self.certify:
+                action.setEnabled(can and self._current_length() is not None)
             if act == self.restore_nominal:
                 action.setEnabled(can and any(not row.is_zone and not row.is_linked for row in self.chosen))
         menu.addSeparator()

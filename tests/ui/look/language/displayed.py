@@ -38,9 +38,9 @@ def displayed_texts(top: QWidget) -> Iterator[tuple[str, str]]:
 
 
 def chart_texts(top: QWidget) -> Iterator[tuple[str, str]]:
-    """Return kind and text of the axes, numbers and scales of all charts in ``top``."""
+    """Return kind and text of the axes, numbers and scales of the charts in ``top`` that are seen; others follow when they are shown."""
     for chart in top.findChildren(QWidget):
-        if type(chart).__name__ != "Plot":
+        if type(chart).__name__ != "Plot" or not chart.isVisible():
             continue
         for item in chart.scene().items():
             name = type(item).__name__
