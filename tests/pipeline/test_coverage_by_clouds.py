@@ -67,7 +67,7 @@ def test_dimensions_of_one_rig_lie_within_three_standard_uncertainties() -> None
     assert np.abs(scores_of(found)).max() < 3
     for one in found[:4]:
         assert one.uncertainty is not None and one.uncertainty < ROBOT_U_MM / 2
-        assert set(one.budget) == {"noise", "stitching", "calibration", "form", "common"}
+        assert set(one.budget) == {"noise", "stitching", "calibration", "form", "common", "edges"}
 
 
 @pytest.mark.slow

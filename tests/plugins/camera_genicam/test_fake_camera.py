@@ -29,7 +29,7 @@ def first_of_a_sequence(camera: Any, frames: int = 1) -> Any:
     camera.set_exposure_us(RAMP_EXPOSURE_US)
     camera.arm(frames, "software")
     camera.trigger()
-    return camera.next_frame(timeout_s=2.0)
+    return camera.next_frame(timeout_s=WAIT_S)
 
 
 def process_of(camera: Any) -> subprocess.Popen[bytes]:

@@ -97,15 +97,16 @@ def test_editors_and_spin_boxes_have_the_height_of_a_control(qtbot, look):
 def test_a_selected_row_keeps_the_colour_of_its_text(qtbot, look):
     table = QTableWidget(1, 1)
     table.setItem(0, 0, QTableWidgetItem(""))
-    shown(qtbot, table, 200, 120)
     with qtbot.waitExposed(table):
+        shown(qtbot, table, 200, 120)
+
+    def is_tinted() -> None:
         table.selectRow(0)
-
-    def is_tinted() -> bool:
         cell = table.visualItemRect(table.item(0, 0)).center() + table.viewport().pos()
-        return colour_at(table, cell.x(), cell.y()) == look.theme.colours["accent_soft"].upper()
+        assert table.item(0, 0).isSelected()
+        assert colour_at(table, cell.x(), cell.y()) == look.theme.colours["accent_soft"].upper()
 
-    qtbot.waitUntil(is_tinted)  # rows are laid out and painted when Qt comes to it
+    qtbot.waitUntil(is_tinted, timeout=30_000)  # rows are laid out and painted when Qt comes to it
 
 
 def test_a_progress_bar_is_filled_as_far_as_it_is(qtbot, look):
