@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 WARM_UP = (
     *("scipy.optimize", "scipy.spatial", "numba", "open3d", "trimesh", "measureapp.pipeline.warm_up", "measureapp.pipeline.sample"),
     *("measureapp.fringe.patterns.check", "measureapp.planning.edit", "measureapp.planning.frusta"),  # the first click on the page Plan
-    *("measureapp.pipeline.plan_check", "measureapp.pipeline.plan_coverage"),
+    *("measureapp.pipeline.plan_check", "measureapp.pipeline.plan_coverage", "measureapp.project.calibration.certificate_file"),  # a wizard
     *("measureapp.planning.coverage.head", "measureapp.acquire.control", "measureapp.acquire.time_left", "ui.charts.plotting"),
 )
 IMPORTED_SHARE = 0.3
