@@ -40,17 +40,15 @@ class CertifiedLengths:
     """The certified lengths of a program; without any, values are as measured."""
 
     lengths: tuple[CertifiedLength, ...] = ()
-    contradiction: str = ""  # what is wrong with the one that is off the most: then nothing is corrected
+    contradiction: str = ""  # what is wrong with the first that contradicts its uncertainty: then nothing is corrected
 
     @classmethod
     def of(cls, lengths: Sequence[CertifiedLength]) -> CertifiedLengths:
         """Return the certified lengths, compared with their measured values: more than three standard deviations are a contradiction."""
         for one in lengths:
             measured = cls().value(one.measure, one.found)
-            off_mm, sigma_mm = (
-                measured.value - one.known.length_mm,
-                float(np.linalg.norm([measured.sigma, one.assumed_mm, one.known.sigma_mm])),
-            )
+            off_mm = measured.value - one.known.length_mm
+            sigma_mm = float(np.linalg.norm([measured.sigma, one.assumed_mm, one.known.sigma_mm]))
             if abs(off_mm) > CONTRADICTED * sigma_mm:
                 return cls(tuple(lengths), _contradiction(one.name, off_mm, 2 * sigma_mm))
         return cls(tuple(lengths))

@@ -27,7 +27,7 @@ class Chart(QWidget):
         self._look, self._ground = look, ground
         self._axes_of, self._draw_on = axes, draw
         self.plot: Plot | None = None
-        self._in_old_colours = False
+        self._is_outdated = False
         layout = QVBoxLayout()
         layout.setContentsMargins(0, 0, 0, 0)
         self.setLayout(layout)
@@ -51,8 +51,8 @@ class Chart(QWidget):
         return self.plot
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Take the theme that was chosen while the chart could not be seen."""
-        if self._in_old_colours:
+        """Take the theme and the language that were chosen while the chart could not be seen."""
+        if self._is_outdated:
             self._dress()
         super().showEvent(event)
 
@@ -60,10 +60,10 @@ class Chart(QWidget):
         if self.isVisible():
             self._dress()
         else:  # the charts of all pages at once would hold up the window
-            self._in_old_colours = True
+            self._is_outdated = True
 
     def _dress(self) -> None:
-        self._in_old_colours = False
+        self._is_outdated = False
         if self.plot is not None:
             self.plot.dress(self._look.theme, self._ground)
             self.plot.clear()

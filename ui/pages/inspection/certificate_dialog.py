@@ -25,7 +25,7 @@ USE = (
 )
 
 
-class Stated(LengthCertificate):
+class StatedLength(LengthCertificate):
     """A certificate with its length."""
 
     certified_mm: float = Field(gt=0)
@@ -40,7 +40,7 @@ class CertificateDialog(QDialog):
         super().__init__(parent)
         self.setWindowTitle(tr("Certified length"))
         self._former_mm = entry.nominal
-        self.form = ModelForm(Stated, FIELDS)
+        self.form = ModelForm(StatedLength, FIELDS)
         stated = {} if entry.certificate is None else entry.certificate.model_dump(mode="json")
         self.form.set_raw({**stated, "certified_mm": entry.nominal})
         self.use = Button("Correct by it", look, "", "primary", "Measure the lengths again, corrected by this one; it can be undone")
