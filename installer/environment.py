@@ -103,7 +103,8 @@ def _install(home: Environment) -> None:
 
 def _pip(home: Environment, *arguments: str) -> None:
     quiet = () if sys.stdout.isatty() else ("--quiet",)
-    command = [str(home.python), "-m", "pip", "install", "--no-input", "--disable-pip-version-check", *quiet, *arguments]
+    # Python translates what it imports, a small part of all packages, by itself; all of it would take a third of the set-up.
+    command = [str(home.python), "-m", "pip", "install", "--no-input", "--disable-pip-version-check", "--no-compile", *quiet, *arguments]
     if subprocess.run(command, env=home.variables(), cwd=ROOT, check=False).returncode != 0:
         raise SetupTrouble(
             "pip could not install the packages; its reason stands above.",
