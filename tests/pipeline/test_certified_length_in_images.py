@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pytest
 from demo_fixture import Demo
 
 from measureapp.data.inspection_program import InspectionProgram
@@ -14,7 +15,9 @@ from measureapp.project.program_file import read_program
 CERTIFIED_MM = 0.002
 
 
-def test_the_other_lengths_come_nearer_to_the_truth_and_their_interval_contains_it(demo: Demo) -> None:
+@pytest.mark.parametrize("off", [-0.8, 0.8])
+def test_the_other_lengths_come_nearer_to_the_truth_and_their_interval_contains_it(demo: Demo, off: float) -> None:
+    """The certificate is off by most of its uncertainty, to either side."""
     project = demo.project
     measurement = project.measurement()
     settings = project_settings(project, measurement.calibration, select_views(measurement.views, project.view_choices()))
@@ -23,7 +26,7 @@ def test_the_other_lengths_come_nearer_to_the_truth_and_their_interval_contains_
     program = read_program(project.program).model_dump(mode="json", exclude_unset=True)
     for one in program["dimensions"]:
         if one["name"] == "c":
-            one |= {"nominal": truth["c"], "certificate": {"uncertainty_mm": CERTIFIED_MM}}
+            one |= {"nominal": truth["c"] + off * CERTIFIED_MM, "certificate": {"uncertainty_mm": CERTIFIED_MM}}
     found = inspect(measurement.stitched, InspectionProgram.model_validate(program), read_mesh(project.nominal), settings).dimensions
     corrected = {one.name: one for one in found}
     for name in ("a", "b"):
