@@ -5986,6 +5986,10 @@
       <translation>{v1}：{v2} 与 {v3} 不平行，相差 {v4}°：不能作为一个基准</translation>
     </message>
     <message>
+      <source>{v1}: {v2} and {v3} cannot be one datum, as two axes in line, two faces in one plane or two centres can</source>
+      <translation>{v1}：{v2} 与 {v3} 不能作为一个基准；共线的两条轴线、共面的两个平面或两个中心点可以</translation>
+    </message>
+    <message>
       <source>{v1}: {v2} is a {v3} and no point: intersect or project it first</source>
       <translation>{v1}：{v2} 是{v3}而非点：请先求交或投影</translation>
     </message>

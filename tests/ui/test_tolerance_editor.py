@@ -58,7 +58,7 @@ def test_what_is_not_allowed_is_said_in_a_sentence_and_cannot_be_applied(page, e
     assert page.side.table.isVisible() and len(page.side.table.rows) == 3
 
 
-def test_two_features_become_a_common_datum(page, editor):  # noqa: F811
+def test_two_features_become_a_common_datum(application, page, editor):  # noqa: F811
     choose(editor.feature, "plate")
     choose(editor.kind, "surface_profile")
     choose(editor.datums[0], "ball")
@@ -67,7 +67,10 @@ def test_two_features_become_a_common_datum(page, editor):  # noqa: F811
     assert editor.problem.text() == "Two datums are the same feature." and not editor.apply.isEnabled()
     choose(editor.partners[0], "plate")
     assert editor.picture.frame.datums == ("A-B",)
-    assert not editor.apply.isEnabled() and not editor.problem.isHidden()  # a plate and a ball are no common datum
+    assert "ball and plate cannot be one datum" in editor.problem.text() and not editor.apply.isEnabled()
+    application.settings.set_text("language", "zh_CN")
+    application.language.retranslation.finish()
+    assert {box.itemText(0) for box in editor.partners} == {"单独"} and editor.partners[0].itemText(1) == "Ball"
 
 
 def test_a_double_click_on_a_frame_edits_it(application, page, qtbot):  # noqa: F811

@@ -213,6 +213,10 @@ def _common_datum(name: str, distance: float, of: Sequence[Feature]) -> Feature:
     first, second = of
     shape: Shape = "line" if all(one.shape in AXES for one in of) else "plane"
     if shape == "plane" and {first.shape, second.shape} != {"plane"}:
+        if any(one.shape in ("plane", *AXES) for one in of):
+            raise InspectionError(
+                f"{name}: {first.name} and {second.name} cannot be one datum, as two axes in line, two faces in one plane or two centres can"
+            )
         return _best_fit_line(name, distance, of)
     if (off := _off_parallel_deg(first, second)) > PARALLEL_WITHIN_DEG:
         raise InspectionError(f"{name}: {first.name} and {second.name} are {off:.1f}° from parallel: they cannot be one datum")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QSize, Qt, Signal, Slot
+from PySide6.QtCore import QEvent, QSize, Qt, Signal, Slot
 from PySide6.QtGui import QShortcut
 from PySide6.QtWidgets import QDoubleSpinBox, QFrame, QGridLayout, QWidget
 
@@ -170,6 +170,14 @@ class ToleranceEditor(QFrame):
                 _offer(box, items, names[place] if place < len(names) else "")
         self._is_filling = False
         self._show()
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Name what stands for no datum in the new language; all other items of these lists are names that people gave."""
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.LanguageChange:
+            for boxes, words in ((self.datums, tr("None")), (self.partners, tr("alone"))):
+                for box in boxes:
+                    box.setItemText(0, words)
 
     @Slot()
     def _show(self) -> None:
