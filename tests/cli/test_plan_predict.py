@@ -52,6 +52,23 @@ def test_the_json_document_has_budgets_and_on_request_the_trials(project, predic
     assert answer["advice"] == ["a: none of the changes tried halves U."]
 
 
+def test_what_is_stated_of_part_and_clouds_is_what_the_prediction_starts_from(project, predicted, monkeypatch, capsys) -> None:
+    asked = []
+    setup = SimpleNamespace(plan=None, scene=None, job=None)
+
+    def prepare(_project, _progress, light, form_mm):
+        asked.append((light, form_mm))
+        return setup
+
+    monkeypatch.setattr("measureapp.pipeline.prediction.setup.setup_of_project", prepare)
+    assert main(["plan", "predict", str(project.path)]) == 0
+    assert main(["plan", "predict", str(project.path), "--brightness", "0.3", "--form-error", "0.003"]) == 0
+    assert asked[0] == (None, None)
+    assert asked[1][0].white == 0.3 and asked[1][1] == 0.003
+    assert main(["plan", "predict", str(project.path), "--form-error", "-1"]) == 2
+    capsys.readouterr()
+
+
 def test_a_plan_without_a_rig_or_program_asks_for_them(tmp_path: Path, capsys) -> None:
     assert main(["plan", "predict", str(tmp_path / "plan.toml")]) == 2
     assert "--rig is missing" in capsys.readouterr().err

@@ -37,6 +37,15 @@ def register(app: typer.Typer) -> None:
                 help="Grey level of the part under white light at the longest exposure; 1: just saturated. Default: as measured, else 1.",
             ),
         ] = None,
+        form_error: Annotated[
+            float | None,
+            typer.Option(
+                "--form-error",
+                min=0.0,
+                max=1.0,
+                help="Standard deviation of the smooth errors of a cloud, in mm. Default: as the last scan shows, else as usual rigs have.",
+            ),
+        ] = None,
         improve: Annotated[
             bool, typer.Option("--improve", help="Try further viewpoints and longer exposures, and state what each would gain.")
         ] = False,
@@ -46,13 +55,15 @@ def register(app: typer.Typer) -> None:
         from measureapp.pipeline.prediction.improvements import advise
         from measureapp.pipeline.prediction.uncertainty import predict_uncertainty
 
-        setup = _setup(plan, rig, program, calibration, brightness)
+        setup = _setup(plan, rig, program, calibration, brightness, form_error)
         found = predict_uncertainty(setup.plan, setup.scene, setup.job, TerminalProgress())
         advice = advise(setup.plan, setup.scene, setup.job, found, TerminalProgress()) if improve else None
         reply(_document(found, advice), "\n".join(_lines(found, advice)), as_json)
 
 
-def _setup(plan: Path, rig: str | None, program: Path | None, calibration: Path | None, brightness: float | None) -> PredictionSetup:
+def _setup(
+    plan: Path, rig: str | None, program: Path | None, calibration: Path | None, brightness: float | None, form_mm: float | None
+) -> PredictionSetup:
     from measureapp.pipeline.prediction.light import PartLight
     from measureapp.pipeline.prediction.setup import setup_of_files, setup_of_project
     from measureapp.project.folder import ProjectFolder
@@ -65,12 +76,12 @@ def _setup(plan: Path, rig: str | None, program: Path | None, calibration: Path 
         if rig is not None or program is not None or calibration is not None:
             hint = "Name the plan's file, or omit --rig, --program and --calibration for a project."
             raise InputError(f"{plan} is a folder; a project has its own rig, program and calibration.", hint)
-        return setup_of_project(ProjectFolder.open(plan), progress, light)
+        return setup_of_project(ProjectFolder.open(plan), progress, light, form_mm)
     if rig is None or program is None:
         missing = "--rig" if rig is None else "--program"
         raise InputError(f"{missing} is missing for the plan {plan}.", "Give --rig and --program, or name a project folder.")
     calibrated = None if calibration is None else ProjectFolder.open(calibration)
-    return setup_of_files(read_plan(plan), read_rig(rig), program, progress, calibrated=calibrated, light=light)
+    return setup_of_files(read_plan(plan), read_rig(rig), program, progress, calibrated=calibrated, light=light, form_mm=form_mm)
 
 
 def _document(found: Prediction, advice: Advice | None) -> dict[str, Any]:

@@ -14,7 +14,7 @@ from measureapp.data.measurement import ViewResult
 from measureapp.data.mesh import Mesh
 from measureapp.data.plan import ExposureBracket, ScanPlan, Viewpoint
 from measureapp.geometry.transform import RigidTransform
-from measureapp.pipeline.prediction.calibration_draw import displace, draw_error
+from measureapp.pipeline.prediction.drawn_errors import displace, draw_error
 from measureapp.pipeline.prediction.uncertainty import Job, Prediction, evaluate, exposing_of, predict_views
 from measureapp.pipeline.prediction.views import PredictedScene, table_top_mm
 from measureapp.planning.coverage.samples import SurfaceSamples

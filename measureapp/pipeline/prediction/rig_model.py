@@ -1,4 +1,4 @@
-"""The rig that a prediction is made for: its description, its calibration, and how uncertain that is."""
+"""The rig that a prediction is made for: its description, its calibration, and how its clouds err."""
 
 from __future__ import annotations
 
@@ -21,6 +21,7 @@ class RigModel:
     uncertainty: RigUncertainty | None  # None: the calibration states none
     source: str  # where the calibration is from, in words
     noise: Mapping[str, CameraNoise] = field(default_factory=dict)  # measured noise of cameras
+    form_mm: float = 0.0  # standard deviation of the smooth errors of a cloud beyond noise and calibration
 
     @property
     def decode_settings(self) -> DecodeSettings:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 from measureapp.data.calibration import RigCalibration
@@ -12,6 +12,7 @@ from measureapp.data.rig import RigDescription
 from measureapp.errors import InputError, PlanError
 from measureapp.geometry.transform import RigidTransform
 from measureapp.inspection.surface.nominal import NominalSurface
+from measureapp.pipeline.prediction.form_errors import measured_form_mm, usual_form_mm
 from measureapp.pipeline.prediction.light import PartLight
 from measureapp.pipeline.prediction.measured_light import light_of_views
 from measureapp.pipeline.prediction.rig_model import RigModel
@@ -34,12 +35,15 @@ class PredictionSetup:
     job: Job
 
 
-def setup_of_project(project: ProjectFolder, progress: Progress, light: PartLight | None = None) -> PredictionSetup:
+def setup_of_project(
+    project: ProjectFolder, progress: Progress, light: PartLight | None = None, form_mm: float | None = None
+) -> PredictionSetup:
     """Prepare the prediction of a project's plan; the part stands where the last measurement found it, else as the plan states.
 
     Parameters
     ----------
     light : of the part; None: as the last measurement found it, else as `PartLight` assumes
+    form_mm : standard deviation of the clouds' errors of form; None: as the last measurement found it, else as on usual rigs
 
     Raises
     ------
@@ -54,8 +58,9 @@ def setup_of_project(project: ProjectFolder, progress: Progress, light: PartLigh
     if plan is None:
         raise PlanError(f"{project.path} has no scan plan.", "Plan the scan first.")
     job = job_of_project(project)
-    rig = rig_of_project(project) or typical_rig(project.rig(), plan, project.settings.board, arm_of(project.rig()), progress)
     measurement = project.measurement()
+    rig = rig_of_project(project) or typical_rig(project.rig(), plan, project.settings.board, arm_of(project.rig()), progress)
+    rig = with_form_errors(rig, form_mm, measurement)
     place = None if measurement is None else placed_nominal(measurement)
     surface = NominalSurface(job.nominal)
     if place is None:
@@ -74,6 +79,7 @@ def setup_of_files(
     calibrated: ProjectFolder | None = None,
     part_from_nominal: RigidTransform | None = None,
     light: PartLight | None = None,
+    form_mm: float | None = None,
 ) -> PredictionSetup:
     """Prepare the prediction of a plan on a rig, with the calibration of a project, or a typical one.
 
@@ -81,6 +87,7 @@ def setup_of_files(
     ----------
     program : inspection program that names its nominal
     part_from_nominal : pose on the table, in the calibration's frame `part`; None: as the plan states
+    form_mm : standard deviation of the clouds' errors of form; None: as the last scan of ``calibrated`` found it, else as on usual rigs
 
     Raises
     ------
@@ -100,6 +107,7 @@ def setup_of_files(
         if _sizes(rig.description) != _sizes(description):
             message = f"{calibrated.path} was calibrated with other cameras than those of {description.name}, or at another resolution."
             raise InputError(message, "Name a project of this rig, or omit the calibration.")
+    rig = with_form_errors(rig, form_mm, None if calibrated is None else calibrated.measurement())
     surface = NominalSurface(job.nominal)
     place = part_from_nominal or standing_on_table(surface, rig, plan.part_pose)
     return PredictionSetup(plan, PredictedScene.of(rig, surface, place, light), job)
@@ -119,6 +127,18 @@ def rig_with(project: ProjectFolder, calibration: RigCalibration) -> RigModel:
     """Return the rig of a project with its calibration."""
     made = f"calibration of {calibration.provenance.created or 'unknown date'}"
     return RigModel(project.rig(), calibration, project.rig_uncertainty(), made, project.noise())
+
+
+def with_form_errors(rig: RigModel, form_mm: float | None, measurement: Measurement | None) -> RigModel:
+    """Return the rig with stated errors of form (mm), with those that a scan has shown, or with those of usual rigs; its source says which."""
+    measured = measured_form_mm(measurement)
+    if form_mm is not None:
+        size_mm, origin = form_mm, "as stated"
+    elif measured is not None:
+        size_mm, origin = measured, "as the last scan shows"
+    else:
+        size_mm, origin = usual_form_mm(rig.description), "as usual rigs have"
+    return replace(rig, form_mm=size_mm, source=f"{rig.source}; clouds with errors of form of {size_mm:.4f} mm, {origin}")
 
 
 def job_of_project(project: ProjectFolder) -> Job:

@@ -16,7 +16,7 @@ from measureapp.errors import PlanError
 from measureapp.inspection.dimensions import inspect
 from measureapp.inspection.programming.nominals import with_designed_standards
 from measureapp.pipeline.assemble import inspection_settings, pose_prior, stitch_settings
-from measureapp.pipeline.prediction.calibration_draw import with_calibration_error
+from measureapp.pipeline.prediction.drawn_errors import with_drawn_errors
 from measureapp.pipeline.prediction.views import Exposing, PredictedScene
 from measureapp.progress import NoProgress, PartOf, Progress
 from measureapp.register.joint.registration_cache import RegistrationCache
@@ -63,7 +63,7 @@ def predict_uncertainty(plan: ScanPlan, scene: PredictedScene, job: Job, progres
     """
     progress = progress or NoProgress()
     views = predict_views(plan, scene, PartOf(progress, 0.0, VIEWS_SHARE))
-    return evaluate(with_calibration_error(views, scene.rig), scene, job, PartOf(progress, VIEWS_SHARE, 1.0))
+    return evaluate(with_drawn_errors(views, scene.rig), scene, job, PartOf(progress, VIEWS_SHARE, 1.0))
 
 
 def predict_views(plan: ScanPlan, scene: PredictedScene, progress: Progress) -> tuple[ViewResult, ...]:

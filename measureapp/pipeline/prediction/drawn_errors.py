@@ -1,4 +1,4 @@
-"""One error of the calibration, drawn from its covariance, in predicted clouds.
+"""One error of the calibration, drawn from its covariance, and smooth errors of each view in predicted clouds.
 
 A scan has one calibration, whose errors bend all its clouds. Bent clouds fit together less well, and registration states errors of form by how well they
 fit. Points exactly on the nominal would hide this share.
@@ -16,6 +16,7 @@ from measureapp.data.measurement import ViewResult
 from measureapp.data.view_errors import POSE, CalibrationErrors
 from measureapp.geometry.transform import RigidTransform
 from measureapp.pipeline.assemble import camera_errors
+from measureapp.pipeline.prediction.form_errors import bend
 from measureapp.pipeline.prediction.rig_model import RigModel
 
 DRAWS = 31  # of which the median is taken: a single one may bend clouds several times as much as another
@@ -23,8 +24,8 @@ POINTS = 300  # of each cloud, to compare draws
 SEED = 1
 
 
-def with_calibration_error(views: Sequence[ViewResult], rig: RigModel) -> tuple[ViewResult, ...]:
-    """Displace clouds and kinematic positions by a typical error of the calibration; without a covariance they stay as they are."""
+def with_drawn_errors(views: Sequence[ViewResult], rig: RigModel) -> tuple[ViewResult, ...]:
+    """Displace clouds and kinematic positions by a typical error of the calibration, and each cloud by a smooth error of its own."""
     return displace(views, rig, draw_error(views, rig))
 
 
@@ -35,11 +36,15 @@ def draw_error(views: Sequence[ViewResult], rig: RigModel) -> FloatArray | None:
 
 
 def displace(views: Sequence[ViewResult], rig: RigModel, drawn: FloatArray | None) -> tuple[ViewResult, ...]:
-    """Displace clouds and kinematic positions by one error of the calibration, as `draw_error` returns it."""
+    """Displace clouds and kinematic positions by one error of the calibration, as `draw_error` returns it, and each cloud by a smooth error of its own.
+
+    Without a covariance of the calibration, only the smooth errors remain.
+    """
+    bent = [bend(view, rig.form_mm) for view in views]
     errors = None if rig.uncertainty is None or drawn is None else camera_errors(rig.uncertainty, views)
     if errors is None or drawn is None:
-        return tuple(views)
-    return tuple(_displaced(view, number, errors, drawn) for number, view in enumerate(views))
+        return tuple(bent)
+    return tuple(_displaced(view, number, errors, drawn) for number, view in enumerate(bent))
 
 
 def _thinned(view: ViewResult) -> FloatArray:
