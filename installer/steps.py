@@ -91,7 +91,7 @@ def test(arguments: Sequence[str]) -> int:
         results.append(_check("pytest", [*pytest, *arguments], home))
     else:
         results.append(_check("pytest", [*pytest, *several, "-m", "not slow and not timed"], home))
-        results.append(_timed_tests([*pytest, "-m", "timed and not slow"], home))
+        results.append(_timed_tests([*pytest, "-m", "timed and not slow"], several, home))
     print("== summary")
     for name, code, seconds in results:
         print(f"{name:<14}{'passed' if code == 0 else f'failed ({code})':<14}{seconds:7.1f} s")
@@ -137,9 +137,9 @@ def _older_processor(home: environment.Environment) -> tuple[str, int, float]:
         return _check("older CPU", [str(home.python), "-m", "pytest", "-q", *KERNEL_TESTS], home, variables)
 
 
-def _timed_tests(pytest: list[str], home: environment.Environment) -> tuple[str, int, float]:
-    """Run the tests with a limit in seconds; what exceeds it is run once more, for another program on the machine may have held it up."""
-    name, code, seconds = _check("timed tests", pytest, home)
+def _timed_tests(pytest: list[str], several: list[str], home: environment.Environment) -> tuple[str, int, float]:
+    """Run the tests with a limit in seconds side by side, for most of it they wait; what exceeds it is run once more, and then one by one."""
+    name, code, seconds = _check("timed tests", [*pytest, *several], home)
     if code != SOME_FAILED:
         return name, code, seconds
     _, again, more = _check("timed tests that failed, once more", [*pytest, "--last-failed"], home)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from math import radians
 from typing import Literal
@@ -87,6 +88,11 @@ def run_trial(scenes: tuple[Scene, ...], patterns: PatternSet, rule: Literal["co
     for scene in scenes:
         world = scene.world()
         found.append(evaluate(world, decode(capture(world, patterns), DecodeSettings(rule=rule))["left"]))
+    return summarise(patterns, rule, found)
+
+
+def summarise(patterns: PatternSet, rule: str, found: Sequence[PhaseMapErrors]) -> Trial:
+    """Return what the phase maps of all scenes amount to."""
     error, sigma = (np.concatenate([getattr(each, name) for each in found]) for name in ("error_px", "sigma_px"))
     valid, decodable = sum(each.valid for each in found), sum(each.decodable for each in found)
     return Trial(

@@ -13,13 +13,14 @@ from pathlib import Path
 from typing import Any
 
 from filelock import FileLock
-from found_boards import found_once
+from found_boards import found_once, keep_found, take_found
 
 from measureapp.cli import main
 from measureapp.project.folder import ProjectFolder
 from measureapp.project.folder_lock import LOCK
 
 ANSWER = "answer.json"
+BOARDS = "boards"  # found in the demo's images
 REQUEST = ("--part", "gypsum", "--resolution", "quarter", "--viewpoints", "6", "--seed", "1", "--rig", "ideal")
 
 
@@ -47,6 +48,8 @@ def shared_demo(folder: Path, user: str) -> Iterator[Demo]:
     with lock:
         if not (folder / ANSWER).exists():
             _run(folder)
+        else:
+            take_found(folder / BOARDS)
         (users / user).touch()
     answer = json.loads((folder / ANSWER).read_text(encoding="utf-8"))
     yield Demo(folder / "project", **answer)
@@ -76,6 +79,7 @@ def _run(folder: Path) -> None:
     shutil.rmtree(folder / "project", ignore_errors=True)  # of one that failed
     with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err), found_once():
         code = main(["demo", *REQUEST, "--out", str(folder / "project"), "--json"])
+    keep_found(folder / BOARDS)
     answer = {"code": code, "document": json.loads(out.getvalue()), "messages": err.getvalue()}
     (folder / "project" / LOCK).unlink(missing_ok=True)  # copies made of links would all be locked by one
     (folder / ANSWER).write_text(json.dumps(answer), encoding="utf-8")

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import hashlib
+import pickle
 from collections.abc import Iterator
 from contextlib import contextmanager
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -29,3 +31,13 @@ def found_once() -> Iterator[None]:
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(detection, "find_board", find)
         yield
+
+
+def keep_found(file: Path) -> None:
+    """Write what was found, for the other processes of a run."""
+    file.write_bytes(pickle.dumps(_found))
+
+
+def take_found(file: Path) -> None:
+    """Read what another process of this run found."""
+    _found.update(pickle.loads(file.read_bytes()))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -20,6 +21,7 @@ HEIGHT, WIDTH = 60, 400
 READBACK = AxisReadback(RigidTransform.identity("base", "flange"), 0.0, 0.0)
 
 
+@cache
 def shiny_stack(name: str = "view01") -> FringeStack:
     """Fringes on a surface that is dark at its top and saturates the longer exposures below; the right camera sees half of the light."""
     brightness = np.geomspace(0.15, 12.0, HEIGHT)[:, None] * np.ones((1, WIDTH))

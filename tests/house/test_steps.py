@@ -76,28 +76,30 @@ def test_test_runs_every_check_and_returns_the_worst(installer, called, capsys) 
     assert "failed (2)" in capsys.readouterr().out
 
 
-@pytest.mark.parametrize(
-    ("workers", "shared"), [(1, []), (3, ["-n", "3", "--dist", "loadfile", "--no-loadscope-reorder", "-m", "not slow and not timed"])]
-)
+@pytest.mark.parametrize(("workers", "shared"), [(1, []), (3, ["-n", "3", "--dist", "loadfile", "--no-loadscope-reorder"])])
 def test_the_whole_suite_compiles_first_and_runs_in_as_many_processes_as_there_is_room_for(
     installer, called, monkeypatch, capsys, workers, shared
 ) -> None:
     monkeypatch.setattr(installer.machine, "workers", lambda: workers)
     assert installer.steps.perform("test", []) == 0
-    timed = [["python", "-m", "pytest", "-m", "timed and not slow"]] if shared else []
-    assert called.commands[-1 - len(timed) :] == [["python", "-m", "pytest", *shared], *timed]
+    usual = ["-m", "not slow and not timed"] if shared else []
+    timed = [["python", "-m", "pytest", "-m", "timed and not slow", *shared]] if shared else []
+    assert called.commands[-1 - len(timed) :] == [["python", "-m", "pytest", *shared, *usual], *timed]
     assert ["python", "-c", installer.steps.COMPILE_KERNELS] in called.commands[:-1]
     assert "kernels       passed" in capsys.readouterr().out
 
 
-def test_a_timed_test_that_fails_is_run_once_more_and_that_run_counts(installer, called, monkeypatch, capsys) -> None:
+def test_a_timed_test_that_fails_is_run_once_more_alone_and_that_run_counts(installer, called, monkeypatch, capsys) -> None:
     monkeypatch.setattr(installer.machine, "workers", lambda: 2)
     call = installer.steps._call
     for codes, counted in (([1, 0], 0), ([1, 1], 1), ([2], 2)):
         left = list(codes)
 
         def answer(command, home, more=None, left=left):
-            return left.pop(0) if "timed and not slow" in command else call(command, home, more)
+            if "timed and not slow" not in command:
+                return call(command, home, more)
+            assert ("--last-failed" in command) != ("-n" in command)
+            return left.pop(0)
 
         monkeypatch.setattr(installer.steps, "_call", answer)
         assert installer.steps.perform("test", []) == counted

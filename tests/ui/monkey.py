@@ -148,8 +148,15 @@ def _visible(window: QWidget) -> list[QWidget]:
     """Return the visible, enabled widgets of what accepts input: a menu, a modal dialog, or the window and its dialogs."""
     popup, modal = QApplication.activePopupWidget(), QApplication.activeModalWidget()
     roots = [popup] if popup is not None else [modal] if modal is not None else [window, *_dialogs()]
-    found = [widget for root in roots for widget in (root, *root.findChildren(QWidget))]
-    return [widget for widget in found if widget.isVisible() and widget.isEnabled() and not widget.visibleRegion().isEmpty()] or roots
+    return [widget for root in roots for widget in _seen(root)] or roots
+
+
+def _seen(widget: QWidget) -> Iterator[QWidget]:
+    """Yield a widget and those in it, parents first; what is hidden, disabled or covered has nothing in it that is not."""
+    if widget.isVisible() and widget.isEnabled() and not widget.visibleRegion().isEmpty():
+        yield widget
+        for child in widget.findChildren(QWidget, options=Qt.FindChildOption.FindDirectChildrenOnly):
+            yield from _seen(child)
 
 
 def _dialogs() -> list[QWidget]:

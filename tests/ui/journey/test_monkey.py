@@ -11,7 +11,7 @@ PATIENCE_MS = 20_000
 LEAVES = ("Quit", "Exit")
 
 
-@pytest.mark.parametrize("events", [150, pytest.param(2000, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("events", [80, pytest.param(2000, marks=pytest.mark.slow)])
 @pytest.mark.parametrize("page", [page.name for page in PAGES])
 def test_random_events_raise_nothing(application, filled, qtbot, page, events):
     monkey = Monkey(filled, seed=sum(map(ord, page)), spared=LEAVES)

@@ -46,7 +46,8 @@ class Retranslation(QObject):
     def begin(self) -> None:
         """Begin anew."""
         widgets = sorted(QApplication.allWidgets(), key=lambda one: not one.isVisible())
-        actions = dict.fromkeys(action for widget in widgets for action in widget.findChildren(QAction))
+        own = Qt.FindChildOption.FindDirectChildrenOnly  # each widget is in the list itself
+        actions = dict.fromkeys(action for widget in widgets for action in widget.findChildren(QAction, options=own))
         self._left = chain(widgets, actions)
         self._timer.start()
 

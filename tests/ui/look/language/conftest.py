@@ -18,10 +18,16 @@ NAMES = re.compile(  # of files, devices, views, standards and people stay as th
 )
 
 
-@pytest.fixture(scope="module")
-def bracketed() -> Catalogue:
+@pytest.fixture(scope="session")
+def all_texts() -> dict[str, str]:
+    """Every text of the program and its room; all sources are read for them."""
+    return {**core_texts(), **window_texts()}
+
+
+@pytest.fixture(scope="session")
+def bracketed(all_texts) -> Catalogue:
     """A language in which every text is in brackets, and longer."""
-    return Catalogue("zh_CN", {text: Entry(text, f"⟦{text}⟧") for text in {**core_texts(), **window_texts()}})
+    return Catalogue("zh_CN", {text: Entry(text, f"⟦{text}⟧") for text in all_texts})
 
 
 @pytest.fixture

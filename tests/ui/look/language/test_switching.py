@@ -13,7 +13,6 @@ from tests.ui.look.language.displayed import chart_texts, displayed_texts, paint
 from ui.viewport.backend import missing_graphics
 
 PATIENCE_MS = 60_000
-MOST_CHOSEN = 2  # rows of a table, of which each changes the properties
 
 
 @pytest.fixture
@@ -36,13 +35,13 @@ def all_texts(top: QWidget) -> list[tuple[str, str]]:
     return [*displayed_texts(top), *chart_texts(top), *painted_texts(top)]
 
 
-def choices(top: QWidget) -> Iterator[Callable[[], None]]:
-    """Yield what selects one row after another in the tables of ``top``."""
+def choices(top: QWidget, most: int) -> Iterator[Callable[[], None]]:
+    """Yield what selects the first rows of each table of ``top``, one after another: each changes the properties."""
     for view in top.findChildren(QAbstractItemView):
         model = view.model()
         if model is None or isinstance(model, QAbstractListModel) or not view.isVisible():
             continue
-        for row in range(min(model.rowCount(), MOST_CHOSEN)):
+        for row in range(min(model.rowCount(), most)):
             yield lambda view=view, row=row: view.setCurrentIndex(view.model().index(row, 0, QModelIndex()))
 
 
@@ -65,12 +64,13 @@ def tongues(speaking, english_left) -> Tongues:
     return Tongues(speaking, english_left)
 
 
-def test_open_pages_follow_the_language(application, sample, qtbot, tongues):
+@pytest.mark.parametrize("rows", [1, pytest.param(5, marks=pytest.mark.slow)])
+def test_open_pages_follow_the_language(application, sample, qtbot, tongues, rows):
     for name, page in sample.pages.items():
         sample.show_page(name)
         settle(application, qtbot)
         tongues.listen(name, sample)
-        for choose in choices(page):
+        for choose in choices(page, rows):
             choose()
             qtbot.wait(50)
             tongues.listen(name, page, sample.properties)

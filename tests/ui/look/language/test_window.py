@@ -11,7 +11,7 @@ from tests.ui.cut_texts import cut_texts
 from tests.ui.look.language.displayed import displayed_texts
 from ui.look.language.catalogue import Catalogue, Entry, placeholders, read_catalogue
 from ui.look.language.retranslating import GIVEN
-from ui.look.language.sources import catalogue_file, core_texts, window_texts
+from ui.look.language.sources import catalogue_file
 from ui.pages.calibration_rows import added_to_length_mm
 
 
@@ -82,11 +82,10 @@ def test_wizards_speak_the_language_that_is_chosen(calibration_page, speaking, e
         assert not left, name
 
 
-def test_the_catalogue_has_every_text_and_its_placeholders():
+def test_the_catalogue_has_every_text_and_its_placeholders(all_texts):
     """`python -m ui.look.language` brings it up to date."""
     known = read_catalogue(catalogue_file("zh_CN")).entries
-    wanted = {**core_texts(), **window_texts()}
-    assert not wanted.keys() - known.keys() and not known.keys() - wanted.keys()
+    assert not all_texts.keys() - known.keys() and not known.keys() - all_texts.keys()
     for source, entry in known.items():
         if entry.translation and "{" in source:
             try:
