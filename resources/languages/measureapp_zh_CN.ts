@@ -15823,6 +15823,10 @@ There is no page about “{name}”.</source>
       <translation>正在停止…</translation>
     </message>
     <message>
+      <source>Stops when the present step ends; nothing new is begun.</source>
+      <translation>当前步骤结束后停止；不再开始新的步骤。</translation>
+    </message>
+    <message>
       <source>Such as “Housing 4711”</source>
       <translation>例如“壳体 4711”</translation>
     </message>
