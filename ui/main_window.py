@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cached_property
 from pathlib import Path
 
 from PySide6.QtCore import QDateTime, Qt
@@ -83,16 +84,9 @@ class MainWindow(QMainWindow):
         self.show_page(kept if kept in self.pages else "rig")
 
     def _add_commands(self) -> None:
-        words = {page.name: page.word for page in self.pages.values()}
         self.actions_ = Actions(self, lambda: self.session.role == "engineer")
         self.project_menu = ProjectMenu(self.look, self.session, self.controllers, self.settings, self)
-        self.messages = MessagesDialog(self.look, self.session.messages, self._words_of, self)
-        self.help = HelpDialog(self.look, self)
         self.tour = Tour(self, TourBar(self.look), self)
-        self.help.tourClicked.connect(self.tour.begin)
-        self.settings_dialog = SettingsDialog(self.look, self.settings, self)
-        self.palette_ = CommandPalette(self.look, self.actions_, words, self)
-        self.shortcuts = ShortcutList(self.look, self.actions_, words, self)
         register_commands(self.actions_, self)
         programming = self.controllers.programming
         self.drops = DropTarget(
@@ -110,6 +104,40 @@ class MainWindow(QMainWindow):
             ),
             self,
         )
+
+    @cached_property
+    def messages(self) -> MessagesDialog:
+        """The message centre; as all dialogs it is made when first opened, so that the window is there sooner."""
+        made = MessagesDialog(self.look, self.session.messages, self._words_of, self)
+        made.remedyAsked.connect(self.actions_.perform)
+        made.logAsked.connect(self.save_log)
+        return made
+
+    @cached_property
+    def help(self) -> HelpDialog:
+        """The help pages."""
+        made = HelpDialog(self.look, self)
+        made.tourClicked.connect(self.tour.begin)
+        return made
+
+    @cached_property
+    def settings_dialog(self) -> SettingsDialog:
+        """The settings."""
+        return SettingsDialog(self.look, self.settings, self)
+
+    @cached_property
+    def palette_(self) -> CommandPalette:
+        """The command palette."""
+        return CommandPalette(self.look, self.actions_, self._words_of_pages, self)
+
+    @cached_property
+    def shortcuts(self) -> ShortcutList:
+        """The list of shortcuts."""
+        return ShortcutList(self.look, self.actions_, self._words_of_pages, self)
+
+    @property
+    def _words_of_pages(self) -> dict[str, str]:
+        return {page.name: page.word for page in self.pages.values()}
 
     def _words_of(self, id_: str) -> str:
         action = self.actions_.action(id_)
@@ -190,9 +218,7 @@ class MainWindow(QMainWindow):
         controllers.files.measured.connect(lambda: self.show_page("inspection"))
         header.operatorSetupClicked.connect(self.shell.set_up)
         self.strip.cancelClicked.connect(controllers.jobs.cancel)
-        self.strip.messagesClicked.connect(self.messages.begin)
-        self.messages.remedyAsked.connect(self.actions_.perform)
-        self.messages.logAsked.connect(self.save_log)
+        self.strip.messagesClicked.connect(self.show_messages)
         self.actions_.refused.connect(lambda words, reason: session.tell(f"{words}: {reason}", "", "info", cause=MOMENT))
         controllers.jobs.progressed.connect(self._show_progress)
         self.closing.closeClicked.connect(self._stop_and_close)
@@ -250,6 +276,22 @@ class MainWindow(QMainWindow):
     def show_help(self) -> None:
         """Show the help of the page."""
         self.help.show_page(self.page.name)
+
+    def show_messages(self) -> None:
+        """Show the message centre."""
+        self.messages.begin()
+
+    def show_settings(self) -> None:
+        """Show the settings."""
+        self.settings_dialog.begin()
+
+    def show_shortcuts(self) -> None:
+        """Show the list of shortcuts."""
+        self.shortcuts.begin()
+
+    def show_commands(self) -> None:
+        """Show the command palette."""
+        self.palette_.begin()
 
     def change_theme(self) -> None:
         """Change between the light and the dark theme, and keep the choice."""

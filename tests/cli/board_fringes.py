@@ -23,7 +23,7 @@ from measureapp.simulate.world import PAPER_BOARD
 
 PATTERNS = PATTERN_SETS["three-close-both"]
 EXPOSURE_US = 60_000
-SEED, POSITIONS = 3, 8
+SEED, POSITIONS = 3, 6
 BOARD = ("--board", "14x11", "--square-mm", "15")
 RIG = read_rig("paper").at_resolution("quarter")
 

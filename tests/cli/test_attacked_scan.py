@@ -18,7 +18,7 @@ from measureapp.cli import main
 from measureapp.data.plan import ExposureBracket
 from measureapp.resources import plugin_folder
 from tests.cli.attacked_plugin import write_plugin
-from tests.cli.rig_files import write_quarter_rig
+from tests.cli.rig_files import write_binned_rig
 
 AXES = {"VirtualRobot", "VirtualGuide", "VirtualTable"}
 ALL = {*AXES, "VirtualCamera", "VirtualProjector"}
@@ -58,7 +58,7 @@ def arguments(tmp_path: Path) -> Callable[..., list[str]]:
         changed = plan.model_copy(update={"viewpoints": viewpoints, "bracket": ExposureBracket(exposures_us=(80_000, 40_000))})
         (tmp_path / "plan.json").write_text(changed.model_dump_json(), encoding="utf-8")
         settings = f'attack = "{attack}", record = "{tmp_path / "record"}", shipped = "{SHIPPED}", time_scale = {time_scale}'
-        rig = write_quarter_rig(tmp_path / "rig.toml", settings)
+        rig = write_binned_rig(tmp_path / "rig.toml", settings, binning=8)
         rig.write_text(rig.read_text(encoding="utf-8").replace('driver = "virtual_rig"', 'driver = "attacked_rig"'), encoding="utf-8")
         return ["scan", str(tmp_path / "plan.json"), "--rig", str(rig), "--project", str(tmp_path / "project"), "--json"]
 

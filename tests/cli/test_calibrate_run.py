@@ -9,11 +9,11 @@ import pytest
 
 from measureapp.cli import main
 from measureapp.errors import CalibrationError
-from tests.cli.rig_files import write_quarter_rig
+from tests.cli.rig_files import write_binned_rig
 
 
 def test_a_recording_has_no_devices_to_calibrate(tmp_path: Path, capsys) -> None:
-    rig = write_quarter_rig(tmp_path / "rig.toml", 'part = "flat"')
+    rig = write_binned_rig(tmp_path / "rig.toml", 'part = "flat"')
     rig.write_text(rig.read_text(encoding="utf-8").replace('driver = "virtual_rig"', 'driver = "recorded"'), encoding="utf-8")
     assert main(["calibrate", "run", "--rig", str(rig), "--project", str(tmp_path / "p"), "--json"]) == 2
     assert "is a recording" in json.loads(capsys.readouterr().out)["error"]["message"]
@@ -21,7 +21,7 @@ def test_a_recording_has_no_devices_to_calibrate(tmp_path: Path, capsys) -> None
 
 
 def test_half_a_board_is_refused(tmp_path: Path, capsys) -> None:
-    rig = write_quarter_rig(tmp_path / "rig.toml", 'part = "flat"')
+    rig = write_binned_rig(tmp_path / "rig.toml", 'part = "flat"')
     assert main(["calibrate", "run", "--rig", str(rig), "--project", str(tmp_path / "p"), "--board", "9x6", "--json"]) == 2
     assert "--square-mm" in json.loads(capsys.readouterr().out)["error"]["message"]
 
@@ -37,7 +37,7 @@ def test_a_board_that_is_not_seen_is_an_answer_in_words(tmp_path: Path, capsys, 
 
 @pytest.mark.slow
 def test_one_command_takes_and_solves_everything_and_a_second_call_takes_nothing_again(tmp_path: Path, capsys) -> None:
-    rig, project = write_quarter_rig(tmp_path / "rig.toml", 'part = "flat"'), tmp_path / "p"
+    rig, project = write_binned_rig(tmp_path / "rig.toml", 'part = "flat"'), tmp_path / "p"
     assert main(["calibrate", "run", "--rig", str(rig), "--project", str(project), "--json"]) == 0
     first = json.loads(capsys.readouterr().out)
     assert first["verdict"]["level"] == "good" and first["verdict"]["expanded_mm"] < 0.5

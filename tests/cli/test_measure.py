@@ -78,9 +78,14 @@ def test_a_missing_program_is_bad_input(clouds, capsys) -> None:
     assert "absent.toml" in capsys.readouterr().err
 
 
-def test_geometrical_tolerances_are_answered_with_their_datums_and_origin(capsys) -> None:
-    folder = resource("parts/gear")
-    assert main(["measure", str(folder / "nominal.stl"), str(folder / "tolerances.toml"), "--json"]) == 0
+def test_geometrical_tolerances_are_answered_with_their_datums_and_origin(tmp_path, capsys) -> None:
+    folder, program = resource("parts/gear"), tmp_path / "position.toml"
+    described, *dimensions = (folder / "tolerances.toml").read_text(encoding="utf-8").split("[[dimensions]]")
+    asked = next(one for one in dimensions if 'name = "boss_position"\n' in one).partition("#")[0]
+    features = [one for one in described.split("[[features]]") if 'name = "teeth"' not in one]
+    program.write_text("[[dimensions]]".join(["[[features]]".join(features), asked]), encoding="utf-8")
+    (tmp_path / "nominal.stl").write_bytes((folder / "nominal.stl").read_bytes())
+    assert main(["measure", str(folder / "nominal.stl"), str(program), "--json"]) == 0
     found = {entry["name"]: entry for entry in json.loads(capsys.readouterr().out)["dimensions"]}
     position = found["boss_position"]
     assert position["kind"] == "position" and position["datums"] == ["gear face", "bore"]

@@ -21,7 +21,7 @@ from measureapp.progress import NoProgress
 from measureapp.project.folder import ProjectFolder, ProjectSettings
 from measureapp.project.rig_file import read_rig
 from tests.cli.refusal import refused_with
-from tests.cli.rig_files import write_quarter_rig
+from tests.cli.rig_files import write_binned_rig
 
 CAMERAS = ("left", "right", "upper")
 FULL_WELL_E, READ_NOISE_E = 1500.0, 3.5  # of the usual model a quarter of the electrons, so twice the noise
@@ -31,7 +31,7 @@ SENSOR = f"world = {{ sensor = {{ full_well_e = {FULL_WELL_E}, read_noise_e = {R
 @pytest.fixture
 def rig(tmp_path: Path) -> Path:
     """The demo's rig with noisier cameras than the usual model."""
-    return write_quarter_rig(tmp_path / "noisy.toml", f'part = "gypsum", seed = 1, {SENSOR}')
+    return write_binned_rig(tmp_path / "noisy.toml", f'part = "gypsum", seed = 1, {SENSOR}')
 
 
 @pytest.fixture

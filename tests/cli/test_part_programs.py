@@ -13,7 +13,7 @@ from measureapp.planning.viewpoints import plan_around_part
 from measureapp.project.folder import ProjectFolder
 from measureapp.project.rig_file import read_rig
 from measureapp.resources import resource
-from tests.cli.rig_files import write_quarter_rig
+from tests.cli.rig_files import write_binned_rig
 
 
 def answer(capsys: pytest.CaptureFixture[str], *arguments: object) -> tuple[int, dict]:
@@ -44,7 +44,7 @@ def test_a_part_program_tells_what_it_contains_and_gives_it_back(program: Path, 
 
 
 def test_a_scan_by_a_part_program_stores_all_of_it_in_the_project(program: Path, tmp_path: Path, capsys) -> None:
-    rig = write_quarter_rig(tmp_path / "quarter.toml", 'part = "gypsum", seed = 1')
+    rig = write_binned_rig(tmp_path / "quarter.toml", 'part = "gypsum", seed = 1')
     code, document = answer(capsys, "scan", program, "--rig", rig, "--project", tmp_path / "project")
     assert (code, document["ended"]) == (0, "done")
     project = ProjectFolder.open(tmp_path / "project")

@@ -11,13 +11,13 @@ from demo_fixture import Demo
 from measureapp.cli import main
 from measureapp.data.plan import ExposureBracket, ScanPlan
 from measureapp.project.folder import ProjectFolder
-from tests.cli.rig_files import write_quarter_rig
+from tests.cli.rig_files import write_binned_rig
 
 
 @pytest.fixture(scope="module")
 def rig(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The demo's rig as a file: the paper's at a quarter of its resolution, with the demo's seed."""
-    return write_quarter_rig(tmp_path_factory.mktemp("rig") / "quarter.toml", 'part = "gypsum", seed = 1')
+    return write_binned_rig(tmp_path_factory.mktemp("rig") / "quarter.toml", 'part = "gypsum", seed = 1')
 
 
 @pytest.fixture(scope="module")

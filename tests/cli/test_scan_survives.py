@@ -20,7 +20,7 @@ from measureapp.errors import StorageError
 from measureapp.planning.viewpoints import plan_around_part
 from measureapp.project.frame_store import FrameStore
 from measureapp.project.rig_file import read_rig
-from tests.cli.rig_files import write_quarter_rig
+from tests.cli.rig_files import write_binned_rig
 
 Words = Callable[..., list[str]]
 
@@ -32,7 +32,7 @@ def words(tmp_path: Path) -> Words:
     viewpoints = tuple(plan.viewpoints[0].model_copy(update={"id": f"v{index}", "table_deg": 90.0 * index}) for index in range(3))
     changed = plan.model_copy(update={"viewpoints": viewpoints, "bracket": ExposureBracket(exposures_us=(40_000,))})
     (tmp_path / "plan.json").write_text(changed.model_dump_json(), encoding="utf-8")
-    rig = write_quarter_rig(tmp_path / "rig.toml", 'part = "gypsum", seed = 1')
+    rig = write_binned_rig(tmp_path / "rig.toml", 'part = "gypsum", seed = 1', binning=8)
     base = ["scan", str(tmp_path / "plan.json"), "--rig", str(rig), "--project", str(tmp_path / "project"), "--json"]
     return lambda *more: [*base, *more]
 

@@ -73,7 +73,7 @@ def test_the_example_of_geometrical_tolerances_holds_on_a_true_gear(samples, sca
     """Every zone of a part as drawn has the width 0, or twice its offset; what is measured differs by no more than its uncertainty."""
     sample = samples("gear")
     described = read_program(resource("parts/gear/tolerances.toml"))
-    inspection = inspect(scan(sample.nominal, on_table(70.0), NOISE_MM), described, sample.nominal)
+    inspection = inspect(scan(sample.nominal, on_table(70.0), NOISE_MM, count=50_000), described, sample.nominal)
     assert {"flatness", "cylindricity", "perpendicularity", "position", "circular_runout", "surface_profile"} <= {
         dimension.kind for dimension in inspection.dimensions
     }

@@ -152,6 +152,7 @@ class NativeView(QWidget):
         layout = QVBoxLayout(self)
         layout.setContentsMargins(0, 0, 0, 0)
         self._stage, self._window, self._stale = stage, window, True
+        self._shows_own = False  # False: the desktop shows what was there before, of another view or size
         window.join(self)
         self.mouse: Mouse | None = None
         self._more, self._next = QTimer(self), QTimer(self)
@@ -182,6 +183,7 @@ class NativeView(QWidget):
         """Get the desktop window, when the view becomes visible."""
         self._window.give_to(self)
         if self.mouse is None:
+            self._shows_own = False
             self.mouse = Mouse(self._window.surface, self._stage, self.pick)
         self.refresh()
 
@@ -231,6 +233,7 @@ class NativeView(QWidget):
         surface = self._window.surface
         ratio = surface.devicePixelRatioF()
         width, height = max(1, round(surface.width() * ratio)), max(1, round(surface.height() * ratio))
+        self._shows_own = self._shows_own and (width, height) == tuple(self._window.vtk.GetSize())
         self._stage.resize(surface.width(), surface.height())
         self._stage.fit_room()
         self._window.put_in(self._stage.scene, width, height)
@@ -239,12 +242,16 @@ class NativeView(QWidget):
         self._draw(width, height, ratio)
 
     def _draw(self, width: int, height: int, ratio: float) -> None:
-        """Draw a frame; one that is too thin stays in memory, while the desktop shows the former picture."""
+        """Draw a frame; one that is too thin stays in memory, while the desktop shows the former picture, if that is of this view.
+
+        Frames of a growing picture are drawn over each other with what is painted over them, so that a changing number would stay in it.
+        """
         scene, window = self._stage.scene, self._window
-        shown = scene.is_presentable
+        shown = scene.is_presentable or not self._shows_own
+        self._shows_own = self._shows_own or scene.is_presentable
         window.overlay.renderer.SetDraw(shown)
         if shown:
-            self._stage.say_progress()
+            self._stage.say_progress(counting=scene.is_moving)
             window.overlay.show(self._painted(width, height, ratio))
         window.vtk.SetSwapBuffers(shown)
         window.draw()

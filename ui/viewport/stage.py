@@ -85,14 +85,14 @@ class Stage(QObject):
         if self.scene.clip is not None and self.scene.clip.is_on:
             paint_clip_handles(painter, camera, self.scene.clip, self.style)
 
-    def say_progress(self) -> None:
-        """State how many of many points are shown."""
+    def say_progress(self, *, counting: bool = True) -> None:
+        """State how many of many points are shown, unless they are not to be counted."""
         scene, total = self.scene, len(self.scene.cloud)
         shown = scene.moving_count if scene.is_moving else scene.picture_points
         if scene.is_moving and not shown and total > MANY_POINTS:
             self.furniture.progress = "Simplified while turning"
         else:
-            self.furniture.progress = shown_words(shown, total) if total > MANY_POINTS and shown < total else ""
+            self.furniture.progress = shown_words(shown, total) if counting and total > MANY_POINTS and shown < total else ""
 
     def begin_move(self) -> None:
         """Draw what there is time for, until the camera rests."""

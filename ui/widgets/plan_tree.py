@@ -47,6 +47,9 @@ class PlanTree(QTreeView):
         for column, width in enumerate(WIDTHS):
             if width:
                 header.resizeSection(column, width)
+        header.setSelectionModel(
+            QItemSelectionModel(self.rows, header)
+        )  # else it asks about every row of each column whenever it is painted
         self.selectionModel().selectionChanged.connect(self.selectionMoved)
         look.changed.connect(self.viewport().update)
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from PySide6.QtCore import Qt, Signal, SignalInstance
-from PySide6.QtWidgets import QFrame, QGridLayout, QLabel, QScrollArea, QVBoxLayout, QWidget
+from PySide6.QtCore import QEvent, Qt, Signal, SignalInstance
+from PySide6.QtWidgets import QApplication, QFrame, QGridLayout, QLabel, QScrollArea, QVBoxLayout, QWidget
 
 from ui.look.language.words import translated
 from ui.look.look import Look
@@ -65,6 +65,8 @@ class PropertiesPanel(QFrame):
         self.setFixedWidth(self._width)
         self.shown = Properties("Properties")
         self._values: list[QLabel] = []  # the note, then the values
+        self._shape: tuple[object, ...] = ()  # of the rows
+        self._missed: Properties | None = None  # shown while folded, not laid out yet
 
     @property
     def folded(self) -> bool:
@@ -81,12 +83,24 @@ class PropertiesPanel(QFrame):
         self._scroll.setVisible(not fold)
         self.title.setVisible(not fold)
         self._button.set_icon("unfold" if fold else "fold")
+        if not fold and self._missed is not None:
+            self._lay_out(self._missed)
+            self._rows.activate()
+            QApplication.sendEvent(self._body, QEvent(QEvent.Type.LayoutRequest))  # else the rows are squeezed for a moment
 
     def show_properties(self, properties: Properties) -> None:
-        """Show these properties; where only values differ from those before, no row is made anew."""
-        same = _shape(properties) == _shape(self.shown) and bool(self._values)
+        """Show these properties; while folded, when they are unfolded."""
         self.shown = properties
         self.title.setText(translated(properties.title))
+        if self.folded:
+            self._missed = properties
+        else:
+            self._lay_out(properties)
+
+    def _lay_out(self, properties: Properties) -> None:
+        """Make the rows; where only values differ from those before, none is made anew."""
+        same = _shape(properties) == self._shape and bool(self._values)
+        self._shape, self._missed = _shape(properties), None
         if same:
             for shown, words in zip(self._values, _values(properties), strict=True):
                 shown.setText(translated(words))

@@ -21,17 +21,17 @@ from tests.calibrate import paper_head
 PROJECTOR = PinholeCamera(1024, 768, np.array([[1609.0, 0, 515], [0, 1607.0, 380], [0, 0, 1]]), [-0.05, 0.03, 4e-4, -3e-4, 0.0])
 CAMERA_FROM_PROJECTOR = RigidTransform.from_parts(rotation_about([0, 1, 0], -0.30), [165.0, 20.0, 60.0], "camera", "projector")
 PITCH_PX, SIGMA_RAD, CORNER_SIGMA_PX = 32.0, 0.01, 0.05
-SIZE = (1296, 972)
+SIZE = (648, 486)
 
 
 def small_head():
-    """The paper's left and right cameras at half resolution (fewer rays to follow)."""
+    """The paper's left and right cameras at a quarter of their resolution (fewer rays to follow)."""
     head = paper_head.drawn_head(np.random.default_rng(2))
     cameras = {}
     for name in ("left", "right"):
         lens = head.cameras[name].pinhole
-        matrix = np.array(lens.matrix) / 2
-        matrix[:2, 2] -= 0.25
+        matrix = np.array(lens.matrix) / 4
+        matrix[:2, 2] -= 0.375
         matrix[2, 2] = 1
         cameras[name] = replace(head.cameras[name], pinhole=PinholeCamera(*SIZE, matrix, lens.distortion))
     return replace(head, cameras=cameras)
@@ -112,7 +112,7 @@ def test_the_projector_is_recovered_within_its_standard_deviations(found):
     assert set(found.calibration.cameras) == {"left", "right"}
     assert set(found.calibration.pair_rms_px) == {"left-right"}
     assert found.solution.sigmas_px["left"] == pytest.approx(CORNER_SIGMA_PX, rel=0.1)
-    assert found.solution.sigmas_px["projector"] < 0.05  # many pixels around each corner
+    assert found.solution.sigmas_px["projector"] < 0.1  # that of the corners is 0.08 of the projector's larger pixels; phases add little
 
 
 def test_the_projector_does_not_spoil_the_cameras(captured, found):

@@ -55,7 +55,8 @@ def main(folder: Path) -> None:
         for name in ("clouds", "inspection"):
             built.window.show_page(name)
             user.wait(lambda: not built.controllers.drawing.queue.busy, 60.0, f"picture of {name}")
-            Loop().wait(500)
+            stage = built.window.pages[name].view.stage
+            user.wait(lambda stage=stage: stage is not None and stage.is_resting and stage.scene.is_complete, 60.0, f"points of {name}")
             assert application.primaryScreen().grabWindow(built.window.winId()).save(str(folder / f"{name}.png"))
         kinds = {type(widget).__name__ for widget in built.window.findChildren(QWidget)}
         print(f"platform {application.platformName()}, native {'NativeView' in kinds}", flush=True)  # noqa: T201

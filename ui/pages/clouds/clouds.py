@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Slot
@@ -77,12 +78,9 @@ class CloudsPage(ViewportPage):
         self.side, self.side_width = self.table, TABLE_WIDTH
         self.picture = CloudPicture(look, session, self.table.hidden)
         self._asked: tuple[str, int, tuple[int, int] | None] = ("", 0, None)  # view, index of the camera, pixel
-        self.dialog = HolesDialog(look, controllers.holes, self)
         self.holes = Button("Images and holes", look, "holes", tip="The images of the selected view, and why pixels have no point")
         self.holes.clicked.connect(self.act)
         self.action_row.addWidget(self.holes)
-        self.images_dialog = ImagesDialog(look, controllers.images, self)
-        self.dialog.imagesAsked.connect(self.images_dialog.open_view)
         self.images = Button(
             "Images…", look, "images", tip="Stored images, phase, modulation, σ and exposures of the selected view, and profiles"
         )
@@ -116,6 +114,21 @@ class CloudsPage(ViewportPage):
         session.projectChanged.connect(self.table.hidden.clear)
         session.busyChanged.connect(self._show_busy)
         self._show()
+
+    @cached_property
+    def dialog(self) -> HolesDialog:
+        """The window that says why pixels have no point; it is made when first opened, so that the program starts sooner."""
+        made = HolesDialog(self.look, self.controllers.holes, self)
+        made.imagesAsked.connect(self._open_images)
+        return made
+
+    @cached_property
+    def images_dialog(self) -> ImagesDialog:
+        """The window of images and maps of a view; likewise."""
+        return ImagesDialog(self.look, self.controllers.images, self)
+
+    def _open_images(self, viewpoint_id: str, camera: str, pixel: tuple[int, int] | None) -> None:
+        self.images_dialog.open_view(viewpoint_id, camera, pixel)
 
     def _tools(self, look: Look) -> QHBoxLayout:
         """Return the tool bar above the picture."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
-from PySide6.QtCore import Qt, Slot
+from PySide6.QtCore import QSignalBlocker, Qt, Slot
 from PySide6.QtGui import QHideEvent, QKeySequence, QResizeEvent, QShortcut, QShowEvent
 from PySide6.QtWidgets import QSplitter, QWidget
 
@@ -135,11 +135,13 @@ class PlanPage(ViewportPage):
     def _show(self) -> None:
         plan = self.planning.plan
         self.show_filled(plan is not None)
-        self.tree.show_plan(plan, self.aims.angles)
+        with QSignalBlocker(self.tree):  # all that follows from the selection is shown once, below
+            self.tree.show_plan(plan, self.aims.angles)
+            if plan is not None and not self.tree.names():
+                self.tree.select((next(iter(plan)).id,))
         self.form.show_plan(plan)
-        if plan is not None and not self.tree.names():
-            self.tree.select((next(iter(plan)).id,))
-        self._show_prediction()
+        self._say_prediction()
+        self._show_selection()
         self._show_actions()
 
     @Slot()
@@ -160,9 +162,12 @@ class PlanPage(ViewportPage):
 
     @Slot()
     def _show_selection(self) -> None:
-        names = self.tree.names()
-        self.form.show_selection(names, self.tree.viewpoints())
+        self.form.show_selection(self.tree.names(), self.tree.viewpoints())
         self.tools.show_state()
+        self._show_chosen()
+
+    def _show_chosen(self) -> None:
+        """Show what is known of the selected viewpoint: what prevents it, what it sees, its properties, its picture."""
         self._show_problem()
         self._show_legend()
         viewpoint = self.tree.current_viewpoint()
@@ -178,6 +183,12 @@ class PlanPage(ViewportPage):
 
     @Slot()
     def _show_prediction(self) -> None:
+        self._say_prediction()
+        if self.planning.plan is not None:
+            self._show_chosen()
+
+    def _say_prediction(self) -> None:
+        """Say below the heading, and in the rows, what the check has found."""
         plan, found = self.planning.plan, self._prediction()
         if plan is None:
             self.state.setText(tr("No scan plan."))
@@ -199,12 +210,6 @@ class PlanPage(ViewportPage):
             self.tree.show_states({})
         said = ", ".join(translated(one) for one in words[:2]) + "".join(f" · {translated(part)}" for part in words[2:])
         self.state.setText(said if said.endswith("…") else f"{said}.")
-        self._show_problem()
-        self._show_legend()
-        viewpoint, rig = self.tree.current_viewpoint(), self.session.rig
-        if viewpoint is not None and rig is not None:
-            self.show_properties(viewpoint_properties(plan, viewpoint, rig, found))
-        self.redraw()
 
     def _show_problem(self) -> None:
         """Say below the picture why the selected viewpoint, or the whole plan, cannot be scanned."""

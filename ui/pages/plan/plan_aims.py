@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from measureapp.planning.aim import Aim
 
 SHORTEST_QUATERNION = 1e-3
+KEPT_AIMS = 500
 
 
 class PlanAims:
@@ -22,13 +23,24 @@ class PlanAims:
     def __init__(self, session: Session) -> None:
         self._session = session
         self._targets: dict[str, tuple[float, float, float]] = {}  # entered last, by viewpoint
+        self._known: dict[str, tuple[tuple[object, ...], Aim]] = {}  # by viewpoint, with what it was found for: rows are painted often
 
     def aim(self, viewpoint: Viewpoint) -> Aim | None:
         """Return where a viewpoint looks; None without a rig."""
         from measureapp.planning.aim import aim_of
 
-        rig = self._session.rig
-        return None if rig is None else aim_of(viewpoint.flange, viewpoint.guide_mm, rig, self._targets.get(viewpoint.id))
+        rig, target = self._session.rig, self._targets.get(viewpoint.id)
+        if rig is None:
+            return None
+        found_for = (viewpoint, rig, target)
+        known = self._known.get(viewpoint.id)
+        if known is not None and all(one is other for one, other in zip(known[0], found_for, strict=True)):
+            return known[1]
+        if len(self._known) >= KEPT_AIMS:
+            self._known.clear()
+        found = aim_of(viewpoint.flange, viewpoint.guide_mm, rig, target)
+        self._known[viewpoint.id] = found_for, found
+        return found
 
     def angles(self, viewpoint: Viewpoint) -> tuple[float, float]:
         """Return azimuth and elevation in degrees."""
