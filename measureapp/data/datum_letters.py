@@ -1,4 +1,7 @@
-"""Letters of datum features (ISO 5459): one letter names one feature of the drawing, in every frame that refers to it."""
+"""Letters of datum features (ISO 5459): one letter names one feature of the drawing, in every frame that refers to it.
+
+A common datum, which two features establish together, has the letters of both: A-B.
+"""
 
 from __future__ import annotations
 
@@ -25,10 +28,10 @@ def is_datum_letter(word: str) -> bool:
     return len(word) in (1, 2) and set(word) <= set(ascii_uppercase) and len(set(word)) == 1
 
 
-def letters_of(program: InspectionProgram) -> dict[str, str]:
+def letters_of(program: InspectionProgram, further: Iterable[str] = ()) -> dict[str, str]:
     """Return the letter of each datum by its feature: those that the program states, then free ones in the order of first use.
 
-    So a program of an earlier version, which states none, gets the same letters whenever it is read.
+    So a program of an earlier version, which states none, gets the same letters whenever it is read. ``further`` datums come after its own.
 
     >>> from measureapp.data.inspection_program import InspectionProgram
     >>> plane = {"shape": "plane", "point_mm": (0, 0, 0), "direction": (0, 0, 1)}
@@ -39,10 +42,25 @@ def letters_of(program: InspectionProgram) -> dict[str, str]:
     {'r': 'A', 'q': 'B'}
     """
     letters = {feature: letter for letter, feature in program.datum_letters.items()}
-    for feature in _used(program):
-        if feature not in letters:
-            letters[feature] = free_letter(letters.values())
-    return letters
+    commons = features_of_commons(program)
+    for used in (*_used(program), *further):
+        for feature in commons.get(used, (used,)):
+            if feature not in letters:
+                letters[feature] = free_letter(letters.values())
+    joined = {name: "-".join(letters[one] for one in of) for name, of in commons.items() if all(one in letters for one in of)}
+    return letters | joined
+
+
+def features_of_commons(program: InspectionProgram) -> dict[str, tuple[str, ...]]:
+    """Return the features that establish each common datum of a program, by its name."""
+    from measureapp.data.feature_program import ConstructedFeature, copy_names, parent_sets  # needs pydantic, which help does without
+
+    found: dict[str, tuple[str, ...]] = {}
+    for one in program.features:
+        if isinstance(one, ConstructedFeature) and one.shape == "common_datum":
+            for name, of in zip(copy_names(one.name, one.repeat), parent_sets(one), strict=True):
+                found[name] = tuple(single for parent in of for single in found.get(parent, (parent,)))
+    return found
 
 
 def free_letter(taken: Iterable[str]) -> str:

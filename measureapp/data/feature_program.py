@@ -25,12 +25,16 @@ ConstructedShape = Literal[
     "best_fit_plane",
     "best_fit_circle",
     "pitch_circle",
+    "common_datum",
 ]
 CONTOURS = ("circle", "line", "slot", "edge")  # found in a slice or strip of the surface
 GROWN = ("plane", "cylinder", "sphere", "cone")
 ROUND = ("cylinder", "sphere", "cone", "circle")
 THROUGH_POINTS = {"best_fit_line": 2, "best_fit_plane": 3, "best_fit_circle": 3, "pitch_circle": 3}  # least number of parents
-PARENTS = {"midpoint": (2, 2), "midplane": (2, 2), "symmetry": (2, 2), "intersection": (2, 3), "projection": (2, 2)}
+PARENTS = {
+    **{"midpoint": (2, 2), "midplane": (2, 2), "symmetry": (2, 2), "intersection": (2, 3), "projection": (2, 2)},
+    "common_datum": (2, 2),
+}
 WITH_DISTANCE = ("offset", "point_on_axis")
 NO_LENGTH = 1e-12
 
@@ -126,7 +130,8 @@ class ConstructedFeature(Model):
 
     The midpoint of two points, the mid-plane of two planes, the plane or axis of symmetry, the intersection of an axis or plane with a
     plane, or of three planes, the projection of a point or axis onto a plane (named second), a plane offset along its normal, the point
-    of an axis at a distance from a plane (named second), or a line, plane or circle through points.
+    of an axis at a distance from a plane (named second), a line, plane or circle through points, or the common datum (ISO 5459, A-B) of
+    two axes in line, two faces in one plane or two centres.
     """
 
     name: str = Field(min_length=1)

@@ -9,7 +9,7 @@ from pydantic import Field, field_validator, model_validator
 
 from measureapp.data.alignment_program import AlignmentProgram, BestFit, alignment_entry, alignment_features
 from measureapp.data.blade_section import BLADE_KINDS, BladeSection
-from measureapp.data.datum_letters import is_datum_letter
+from measureapp.data.datum_letters import features_of_commons, is_datum_letter
 from measureapp.data.deviation_scale import DeviationScale
 from measureapp.data.dimension_program import FORMS, PAIRS, PROFILES, ZONES, Criterion, DimensionKind, DimensionProgram, Section
 from measureapp.data.feature_program import (
@@ -111,11 +111,14 @@ class InspectionProgram(Model):
     def _require_letters_for(self, known: set[str]) -> None:
         """Require that each letter names one feature of those known, and no feature has two."""
         letters: dict[str, str] = {}
+        commons = features_of_commons(self)
         for letter, feature in self.datum_letters.items():
             if not is_datum_letter(letter):
                 raise ValueError(f"`datum_letters`: {letter!r} is not a datum letter: use a capital such as A, or one twice, such as AA")
             if feature not in known:
                 raise ValueError(f"datum {letter} names feature {feature!r}, which is not defined")
+            if feature in commons:
+                raise ValueError(f"feature {feature!r} is a common datum, which has the letters of its features, not {letter}")
             if feature in letters:
                 raise ValueError(f"feature {feature!r} has two datum letters, {letters[feature]} and {letter}: remove one of them")
             letters[feature] = letter

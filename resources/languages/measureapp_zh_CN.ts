@@ -3990,6 +3990,10 @@
       <translation>特征 {v1} 有两个基准字母 {v2} 和 {v3}：请去掉其中一个</translation>
     </message>
     <message>
+      <source>feature {v1} is a common datum, which has the letters of its features, not {v2}</source>
+      <translation>特征 {v1} 是公共基准，其字母为各组成特征的字母，不是 {v2}</translation>
+    </message>
+    <message>
       <source>feature {v1} is constructed from {v2}, a free_form: use a plane, an axis or a centre</source>
       <translation>特征 {v1} 由 free_form {v2} 构造：请用平面、轴线或中心</translation>
     </message>
@@ -5970,8 +5974,20 @@
       <translation>{v1}：{v2}不能确定，多数模拟噪声试验失败</translation>
     </message>
     <message>
+      <source>{v1}: {v2} and {v3} are {v4} mm from one {v5}: they cannot be one datum</source>
+      <translation>{v1}：{v2} 与 {v3} 偏离同一{v5} {v4} mm：不能作为一个基准</translation>
+    </message>
+    <message>
       <source>{v1}: {v2} and {v3} are {v4}° from parallel and have no axis of symmetry</source>
       <translation>{v1}：{v2} 与 {v3} 偏离平行 {v4}°，没有对称轴</translation>
+    </message>
+    <message>
+      <source>{v1}: {v2} and {v3} are {v4}° from parallel: they cannot be one datum</source>
+      <translation>{v1}：{v2} 与 {v3} 不平行，相差 {v4}°：不能作为一个基准</translation>
+    </message>
+    <message>
+      <source>{v1}: {v2} and {v3} cannot be one datum, as two axes in line, two faces in one plane or two centres can</source>
+      <translation>{v1}：{v2} 与 {v3} 不能作为一个基准；共线的两条轴线、共面的两个平面或两个中心点可以</translation>
     </message>
     <message>
       <source>{v1}: {v2} is a {v3} and no point: intersect or project it first</source>
@@ -10031,6 +10047,14 @@
       <translation>颜色</translation>
     </message>
     <message>
+      <source>Common datum (A-B)</source>
+      <translation>公共基准（A-B）</translation>
+    </message>
+    <message>
+      <source>Common datum (A-B) with</source>
+      <translation>公共基准（A-B）的另一特征</translation>
+    </message>
+    <message>
       <source>Concentricity</source>
       <translation>同心度</translation>
     </message>
@@ -10833,6 +10857,10 @@
     <message>
       <source>Zoom to its features</source>
       <translation>缩放到其特征</translation>
+    </message>
+    <message>
+      <source>alone</source>
+      <translation>单独</translation>
     </message>
     <message>
       <source>angle</source>
@@ -15793,6 +15821,10 @@ There is no page about “{name}”.</source>
     <message>
       <source>Stopping…</source>
       <translation>正在停止…</translation>
+    </message>
+    <message>
+      <source>Stops when the present step ends; nothing new is begun.</source>
+      <translation>当前步骤结束后停止；不再开始新的步骤。</translation>
     </message>
     <message>
       <source>Such as “Housing 4711”</source>

@@ -58,6 +58,21 @@ def test_what_is_not_allowed_is_said_in_a_sentence_and_cannot_be_applied(page, e
     assert page.side.table.isVisible() and len(page.side.table.rows) == 3
 
 
+def test_two_features_become_a_common_datum(application, page, editor):  # noqa: F811
+    choose(editor.feature, "plate")
+    choose(editor.kind, "surface_profile")
+    choose(editor.datums[0], "ball")
+    assert editor.picture.frame.datums == ("A",)
+    choose(editor.partners[0], "ball")
+    assert editor.problem.text() == "Two datums are the same feature." and not editor.apply.isEnabled()
+    choose(editor.partners[0], "plate")
+    assert editor.picture.frame.datums == ("A-B",)
+    assert "ball and plate cannot be one datum" in editor.problem.text() and not editor.apply.isEnabled()
+    application.settings.set_text("language", "zh_CN")
+    application.language.retranslation.finish()
+    assert {box.itemText(0) for box in editor.partners} == {"单独"} and editor.partners[0].itemText(1) == "Ball"
+
+
 def test_a_double_click_on_a_frame_edits_it(application, page, qtbot):  # noqa: F811
     table = page.side.table
     place = next(number for number, row in enumerate(table.shown_rows) if row.name == "flat")

@@ -79,6 +79,7 @@ def test_cancel_stops_the_demo_and_keeps_what_is_known(started, window, demo, qt
     qtbot.waitUntil(lambda: len(session.views) == 6, timeout=10_000)
     window.strip.cancel.click()
     assert window.strip.cancel.text().strip() == "Stopping…"
+    qtbot.waitUntil(lambda: "when the present step ends" in window.strip.note.text(), timeout=10_000)  # which takes long
     demo.gate.set()
     qtbot.waitUntil(lambda: idle(started), timeout=10_000)
     assert session.measurement is None

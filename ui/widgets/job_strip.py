@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 
-from PySide6.QtCore import QSize, Qt, Signal
+from PySide6.QtCore import QSize, Qt, QTimer, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QFrame, QLabel, QProgressBar, QSizePolicy, QWidget
 
@@ -17,6 +17,7 @@ LEVEL_ICONS = {"info": ("info", "soft"), "done": ("pass", "verdict_pass"), "warn
 LEVEL_ICONS["error"] = ("error", "verdict_fail")
 SETTLED_SHARE = 0.03
 SETTLED_S = 2.0
+LATE_MS = 1000  # after Cancel; a step that is longer, such as compiling the kernels for the first time, is named as the reason
 JOB_SHARE, MESSAGE_SHARE = 3, 2  # of the width while a job runs
 
 
@@ -41,6 +42,10 @@ class JobStrip(QFrame):
         self.bar.setAccessibleName(tr("Progress of the job"))
         self.cancel = Button("Cancel", look, "cancel", "normal", "Stop at the next safe point")
         self.cancel.clicked.connect(self._on_cancel)
+        self._late = QTimer(self)
+        self._late.setSingleShot(True)
+        self._late.setInterval(LATE_MS)
+        self._late.timeout.connect(lambda: self.note.setText(tr("Stops when the present step ends; nothing new is begun.")))
         self._job = self._job_area()
         self._icon = QLabel()
         self.message = Button("", look, "", "message", "Show all messages")
@@ -68,6 +73,7 @@ class JobStrip(QFrame):
         self._job.setVisible(bool(title))
         self._places.setStretch(0, JOB_SHARE if title else 0)
         self._places.setStretch(2, MESSAGE_SHARE if title else 1)
+        self._late.stop()
         self.title.setText(translated(title))
         self.note.setText("")
         self.time_left.setText("")
@@ -115,6 +121,7 @@ class JobStrip(QFrame):
     def _on_cancel(self) -> None:
         self.cancel.setEnabled(False)
         self.cancel.setText(tr("Stopping…"))
+        self._late.start()
         self.cancelClicked.emit()
 
     def _redraw(self) -> None:

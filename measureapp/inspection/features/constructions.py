@@ -8,13 +8,14 @@ from dataclasses import replace
 import numpy as np
 
 from measureapp.arrays import FloatArray
-from measureapp.data.feature import Feature
+from measureapp.data.feature import Feature, Shape
 from measureapp.errors import InspectionError
 from measureapp.geometry.shapes import tangents
 
 AXES = ("cylinder", "cone", "line")
 LEAST_CROSSING_DEG = 5.0
 PARALLEL_WITHIN_DEG = 10.0
+TOGETHER_MM, TOGETHER_DEG = 1.0, 1.0  # by which two features may be off one line or plane and still be one datum, whichever is more
 IN_LINE = 1e-6  # relative extent across a line below which points do not determine a plane or circle
 
 Maker = Callable[[Sequence[Feature]], Feature]
@@ -203,6 +204,46 @@ def _circle_in_plane(name: str, points: FloatArray) -> tuple[FloatArray, float]:
     return centre, float(np.linalg.norm(points - centre, axis=1).mean())
 
 
+def _common_datum(name: str, distance: float, of: Sequence[Feature]) -> Feature:
+    """Common datum (ISO 5459): the one axis of two axes in line, the one plane of two faces, the line through two centres.
+
+    Both count together: their directions and the line from one middle to the other, each by its variance. To first order this is the
+    least-squares fit to the points of both, since the middle and the direction of a fit are independent.
+    """
+    first, second = of
+    shape: Shape = "line" if all(one.shape in AXES for one in of) else "plane"
+    if shape == "plane" and {first.shape, second.shape} != {"plane"}:
+        if any(one.shape in ("plane", *AXES) for one in of):
+            raise InspectionError(
+                f"{name}: {first.name} and {second.name} cannot be one datum, as two axes in line, two faces in one plane or two centres can"
+            )
+        return _best_fit_line(name, distance, of)
+    if (off := _off_parallel_deg(first, second)) > PARALLEL_WITHIN_DEG:
+        raise InspectionError(f"{name}: {first.name} and {second.name} are {off:.1f}° from parallel: they cannot be one datum")
+    place, turn = _weights(of, "position_mm"), _weights(of, "direction_rad")
+    facing = float(np.sign(_direction(first) @ _direction(second)) or 1.0)
+    mean = turn[0] * _direction(first) + facing * turn[1] * _direction(second)
+    mean /= np.linalg.norm(mean)
+    between = second.point_mm - first.point_mm
+    along = float(between @ mean)
+    across = between - along * mean
+    sides = float(np.linalg.norm(across))
+    apart, lever = (sides, along) if shape == "line" else (abs(along), sides)
+    if apart > max(TOGETHER_MM, abs(lever) * np.sin(np.radians(TOGETHER_DEG))):
+        raise InspectionError(f"{name}: {first.name} and {second.name} are {apart:.3f} mm from one {shape}: they cannot be one datum")
+    both = place[0] * place[1] / sum(place)
+    tilt = both * along / (sum(turn) + both * lever**2) * across
+    direction = mean + tilt if shape == "line" else mean - tilt
+    middle = np.average([one.point_mm for one in of], axis=0, weights=place)
+    return Feature(name, shape, middle, direction / np.linalg.norm(direction))
+
+
+def _weights(of: Sequence[Feature], name: str) -> list[float]:
+    """Return the inverse variances of features by noise; 1 each where they are not known, as of nominal ones."""
+    deviations = [one.standard_deviations.get(name, 0.0) for one in of]
+    return [1 / value**2 for value in deviations] if all(value > 0 for value in deviations) else [1.0] * len(of)
+
+
 def _centres(name: str, of: Sequence[Feature]) -> FloatArray:
     for one in of:
         if one.shape in ("plane", *AXES):
@@ -227,9 +268,13 @@ def _upright(direction: FloatArray) -> FloatArray:
 
 
 def _require_parallel(name: str, first: Feature, second: Feature) -> None:
-    off = np.degrees(np.arccos(np.clip(abs(float(_direction(first) @ _direction(second))), 0, 1)))
+    off = _off_parallel_deg(first, second)
     if off > PARALLEL_WITHIN_DEG:
         raise InspectionError(f"{name}: {first.name} and {second.name} are {off:.1f}° from parallel and have no axis of symmetry")
+
+
+def _off_parallel_deg(first: Feature, second: Feature) -> float:
+    return float(np.degrees(np.arccos(np.clip(abs(float(_direction(first) @ _direction(second))), 0, 1))))
 
 
 def _direction(feature: Feature) -> FloatArray:
@@ -250,4 +295,5 @@ MAKERS: Mapping[str, NamedMaker] = {
     "best_fit_plane": _best_fit_plane,
     "best_fit_circle": _best_fit_circle,
     "pitch_circle": _pitch_circle,
+    "common_datum": _common_datum,
 }

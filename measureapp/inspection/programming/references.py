@@ -7,7 +7,7 @@ from typing import Any
 
 from pydantic import ValidationError
 
-from measureapp.data.datum_letters import letters_of
+from measureapp.data.datum_letters import is_datum_letter, letters_of
 from measureapp.data.dimension_program import LIMITS
 from measureapp.data.inspection_program import InspectionProgram
 from measureapp.data.model import first_problem
@@ -51,7 +51,9 @@ def program_from(document: Document) -> InspectionProgram:
 
 
 def _by_letter(letters: Mapping[str, str]) -> dict[str, str]:
-    return {letter: feature for feature, letter in sorted(letters.items(), key=lambda one: (len(one[1]), one[1]))}
+    """Return the letters as a program states them; those of common datums follow from their features'."""
+    single = {feature: letter for feature, letter in letters.items() if is_datum_letter(letter)}
+    return {letter: feature for feature, letter in sorted(single.items(), key=lambda one: (len(one[1]), one[1]))}
 
 
 def rename_references(document: Document, rename: Callable[[str], str]) -> None:

@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from itertools import zip_longest
 from typing import Any
 
 from measureapp.data.control_frame import ControlFrame, control_frame
-from measureapp.data.datum_letters import free_letter, letters_of
+from measureapp.data.datum_letters import features_of_commons, letters_of
 from measureapp.data.dimension_program import FORMS, ONE_DATUM, PROFILES, DimensionProgram
 from measureapp.data.feature import Feature
 from measureapp.data.feature_program import substitute_index
 from measureapp.data.inspection_program import InspectionProgram
 from measureapp.data.material import MaterialCondition
 from measureapp.errors import InputError, InspectionError
+from measureapp.inspection.features.constructions import MAKERS
 from measureapp.inspection.features.found_feature import FoundFeature
 from measureapp.inspection.programming import edits
 from measureapp.inspection.session.graph import Node
@@ -56,6 +58,7 @@ class ToleranceChoice:
     condition: MaterialCondition = "regardless"
     size_limits_mm: tuple[float, float] | None = None  # of the feature's diameter, for its material condition
     zone_offset_mm: float = 0.0  # of a profile
+    partners: tuple[str, ...] = ()  # of each datum the feature with which it is one common datum (A-B); empty: it is one alone
 
     @classmethod
     def of(cls, entry: DimensionProgram) -> ToleranceChoice:
@@ -106,6 +109,13 @@ def require_allowed(program: InspectionProgram, choice: ToleranceChoice, feature
         The datums do not fix the zone.
     """
     words = choice.kind.replace("_", " ")
+    if any(partner == datum for datum, partner in zip(choice.datums, choice.partners, strict=False)):
+        raise InputError("Two datums are the same feature.", HINT)
+    program, choice = with_common_datums(program, choice)
+    commons = features_of_commons(program)
+    features = {**features, **_made_commons(commons, features)}
+    if choice.feature in {one for name in choice.datums for one in commons.get(name, ())}:
+        raise InputError(f"{choice.feature} cannot be the datum of its own tolerance.", HINT)
     named = {name: _one(name) for name in (choice.feature, *choice.datums)}
     shapes = {name: _shape(program, one, features) for name, one in named.items()}
     if not choice.feature:
@@ -133,6 +143,7 @@ def with_tolerance(program: InspectionProgram, choice: ToleranceChoice, former: 
     InputError
         The program does not allow it; says why.
     """
+    program, choice = with_common_datums(program, choice)
     entry = next((one for one in program.dimensions if one.name == former), None)
     values: dict[str, Any] = {
         "kind": choice.kind,
@@ -156,11 +167,11 @@ def with_tolerance(program: InspectionProgram, choice: ToleranceChoice, former: 
 
 def frame_of(program: InspectionProgram, choice: ToleranceChoice, shapes: Mapping[str, str], former: str = "") -> ControlFrame:
     """Return the frame of a choice, also of one that is not allowed; a datum without a letter has the one it would be given."""
-    letters = letters_of(program)
+    program, choice = with_common_datums(program, choice)
+    letters, commons = letters_of(program, choice.datums), features_of_commons(program)
+    round_or_flat = {name: "plane" if all(shapes.get(one) == "plane" for one in of) else "line" for name, of in commons.items()}
+    shapes = {**round_or_flat, **shapes}
     materials = next((one.datum_material for one in program.dimensions if one.name == former), ())
-    for name in choice.datums:
-        if name not in letters:
-            letters[name] = free_letter(letters.values())
     given = DimensionProgram.model_construct(
         **{
             **{name: field.default for name, field in DimensionProgram.model_fields.items()},
@@ -177,6 +188,29 @@ def frame_of(program: InspectionProgram, choice: ToleranceChoice, shapes: Mappin
     frame = control_frame(given, {name: shapes.get(_one(name), "") for name in (choice.feature, *choice.datums)}, letters)
     assert frame is not None  # its kind is a characteristic, and it has a tolerance
     return frame
+
+
+def with_common_datums(program: InspectionProgram, choice: ToleranceChoice) -> tuple[InspectionProgram, ToleranceChoice]:
+    """Construct the common datums of a choice that the program does not have yet; the choice then names them as its datums."""
+    names = []
+    for datum, partner in zip_longest(choice.datums, choice.partners[: len(choice.datums)], fillvalue=""):
+        known = features_of_commons(program)
+        name = next((name for name, of in known.items() if set(of) == {datum, partner}), "") if partner else datum
+        if not name:
+            name = edits.unique_name(program, "feature", f"{datum} and {partner}")
+            program = edits.add(program, "feature", {"name": name, "shape": "common_datum", "of": [datum, partner]})
+        names.append(name)
+    return program, replace(choice, datums=tuple(names), partners=())
+
+
+def _made_commons(commons: Mapping[str, Sequence[str]], features: Mapping[str, Feature]) -> dict[str, Feature]:
+    """Return the common datums that are not among the features yet. Raises InspectionError where two features cannot be one datum."""
+    made: dict[str, Feature] = {}
+    for name, of in commons.items():
+        parents = [features[one] for one in of if one in features]
+        if name not in features and len(parents) == 2:
+            made[name] = MAKERS["common_datum"](name, 0.0, parents)
+    return made
 
 
 def _require_datums(choice: ToleranceChoice, words: str, shapes: Mapping[str, str]) -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from pydantic import ValidationError
@@ -9,6 +11,7 @@ from pydantic import ValidationError
 from measureapp.data.feature_program import ConstructedFeature
 from measureapp.data.inspection_program import InspectionProgram
 from measureapp.geometry.feature import Feature
+from measureapp.geometry.fits import fit as fit_shape
 from measureapp.inspection.dimensions import inspect
 from measureapp.inspection.features.construct import construct
 from measureapp.inspection.features.found_feature import FoundFeature
@@ -173,3 +176,25 @@ def test_stated_uncertainties_are_those_of_repeated_measurements(count):
             continue
         assert np.mean(np.abs(errors) <= [draw[name].uncertainty for draw in draws]) >= 0.954 - 3.1 * np.sqrt(0.954 * 0.046 / count)
         assert stated == pytest.approx(2 * errors.std(), rel=4 / np.sqrt(2 * count))  # four standard deviations of a sampled one
+
+
+def test_a_common_datum_of_two_seats_is_the_axis_through_both():
+    found = made("common_datum", axis("left", [0, 0.02, 0], [1, 0, 0]), axis("right", [200, -0.02, 0], [-1, 0, 0])).feature
+    assert found.shape == "line" and found.point_mm == pytest.approx([100, 0, 0])
+    assert found.direction == pytest.approx([1, -0.0002, 0], abs=1e-7)  # not along the seats, but from one to the other
+    assert "5.000 mm from one line" in made("common_datum", axis("left", [0, 0, 0], [1, 0, 0]), axis("off", [20, 5, 0], [1, 0, 0])).reason
+    assert "90.0° from parallel" in made("common_datum", axis("left", [0, 0, 0], [1, 0, 0]), axis("up", [20, 0, 0], [0, 0, 1])).reason
+
+
+def test_a_common_datum_is_the_fit_to_the_points_of_both_faces():
+    rng = np.random.default_rng(4)
+    parts = []
+    for x, size, lean in ((0, 10, 2e-4), (70, 25, -1e-4)):
+        flat = rng.uniform(-size, size, (400 * size, 2)) + np.array([x, 0])
+        parts.append(np.column_stack([flat, 0.01 * rng.normal(size=len(flat)) + lean * (flat[:, 0] - x)]))
+    fits = [replace(fit_shape("plane", points), name=f"face {number}") for number, points in enumerate(parts)]
+    both = fit_shape("plane", np.vstack(parts))
+    found = made("common_datum", *fits).feature
+    assert found.shape == "plane"
+    assert np.cross(found.direction, both.direction) == pytest.approx(np.zeros(3), abs=2e-6)  # the faces lean by a hundred times that
+    assert abs((found.point_mm - both.point_mm) @ both.direction) < 2e-4

@@ -4,15 +4,18 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from inspection.machined_part import Part
 from inspection.session.machined import machined_part, program_of
 
 from measureapp.data.control_frame import CHARACTERISTICS
+from measureapp.data.datum_letters import letters_of
 from measureapp.data.dimension_program import FORMS, DimensionProgram
 from measureapp.data.feature import Feature
-from measureapp.data.inspection_program import MeasuredFeature
+from measureapp.data.inspection_program import InspectionProgram, MeasuredFeature
 from measureapp.errors import InputError, InspectionError
 from measureapp.inspection.evaluate import evaluate_dimension
 from measureapp.inspection.features.found_feature import FoundFeature
+from measureapp.inspection.programming import edits
 from measureapp.inspection.programming.nominals import nominals_of
 from measureapp.inspection.programming.tolerance_frames import TOLERANCED, ToleranceChoice, frame_of, refusal, takes_datums, with_tolerance
 from measureapp.inspection.session.session import InspectionSession
@@ -126,3 +129,52 @@ def test_the_frame_shows_the_letters_that_the_program_will_give():
     changed, _ = with_tolerance(program, replace(PLACE, datums=("side", "base")))
     assert changed.datum_letters == {"A": "base", "B": "side"}
     assert all(isinstance(one, MeasuredFeature) for one in changed.features[:4])
+
+
+def shaft():
+    """Return two bearing seats and a part of the shaft between them, 0.03 mm off their axis, with its program."""
+    part = Part(np.random.default_rng(3), 0.005)
+    seats = {"left": 0.0, "middle": 60.0, "right": 120.0}
+    for name, height in seats.items():
+        part.round([0.03 if name == "middle" else 0.0, 0, height], 8.0, length_mm=20, hole=False, count=4000)
+    features = [
+        {"name": name, "shape": "cylinder", "point_mm": [0, 0, height], "direction": [0, 0, 1], "radius_mm": 8}
+        for name, height in seats.items()
+    ]
+    return part.at_its_place(), InspectionProgram.model_validate({"name": "shaft", "alignment": "none", "features": features})
+
+
+def test_a_common_datum_is_chosen_by_its_two_features_and_has_both_letters():
+    cloud, program = shaft()
+    choice = ToleranceChoice("coaxiality", "middle", 0.1, ("left",), partners=("right",))
+    assert refusal(program, choice, nominals_of(program)) == ""
+    assert frame_of(program, choice, {"middle": "cylinder"}).datums == ("A-B",)
+    changed, _ = with_tolerance(program, choice)
+    assert letters_of(changed) == {"left": "A", "right": "B", "left and right": "A-B"}
+    assert changed.datum_letters == {"A": "left", "B": "right"}
+    found = InspectionSession(cloud, None).measure(changed).inspection.dimensions[-1]
+    assert found.frame.datums == ("A-B",) and found.datum_letters == ("A-B",)
+    assert found.measured == pytest.approx(0.06, abs=found.uncertainty)
+    again, _ = with_tolerance(changed, replace(choice, kind="total_runout", partners=("left",), datums=("right",)))
+    assert [one.name for one in again.features] == ["left", "middle", "right", "left and right"]  # one common datum, whichever comes first
+    lettered = edits.set_datum_letter(again, "left", "D")
+    assert letters_of(lettered)["left and right"] == "D-B"
+    with pytest.raises(InputError, match="has the letters of its features"):
+        edits.set_datum_letter(again, "left and right", "C")
+
+
+@pytest.mark.parametrize(
+    ("feature", "datum", "partner", "sentence"),
+    [
+        ("middle", "left", "left", "Two datums are the same feature."),
+        ("middle", "left", "middle", "middle cannot be the datum of its own tolerance."),
+    ],
+)
+def test_features_that_are_no_common_datum_are_refused(feature, datum, partner, sentence):
+    _, program = shaft()
+    assert refusal(program, ToleranceChoice("coaxiality", feature, 0.1, (datum,), partners=(partner,)), nominals_of(program)) == sentence
+
+
+def test_faces_in_different_planes_are_no_common_datum():
+    found = why(ToleranceChoice("parallelism", "mid", 0.1, ("top",), partners=("base",)))
+    assert "top and base are 30.000 mm from one plane: they cannot be one datum." in found

@@ -32,6 +32,7 @@ CONSTRUCTIONS = {
     "best_fit_plane": "Plane through the points",
     "best_fit_circle": "Circle through the points",
     "pitch_circle": "Pitch circle",
+    "common_datum": "Common datum (A-B)",
 }
 
 

@@ -6,7 +6,7 @@ from PySide6.QtCore import QObject, QPoint, Qt
 from PySide6.QtGui import QActionGroup
 from PySide6.QtWidgets import QMenu
 
-from measureapp.data.datum_letters import GIVEN, letters_of
+from measureapp.data.datum_letters import GIVEN, is_datum_letter, letters_of
 from ui.controllers.programming import ProgrammingController
 from ui.look.language.words import tr
 from ui.look.wording import sentence_case
@@ -28,9 +28,9 @@ class DatumMenu(QObject):
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         state = self._programming.state
         letters = {} if state is None else letters_of(state.program)
-        mine, holders = letters.get(name, ""), {letter: feature for feature, letter in letters.items()}
+        mine, holders = letters.get(name, ""), {letter: feature for feature, letter in letters.items() if is_datum_letter(letter)}
         chosen = menu.addMenu(tr("Datum letter of {name}", name=sentence_case(name)))
-        chosen.setEnabled(self._programming.can_change)
+        chosen.setEnabled(self._programming.can_change and (not mine or is_datum_letter(mine)))  # a common datum has those of its features
         group = QActionGroup(chosen)
         for letter in ("", *sorted({*GIVEN, *holders}, key=lambda one: (len(one), one))):
             holder = holders.get(letter, "")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QSize, Qt, Signal, Slot
+from PySide6.QtCore import QEvent, QSize, Qt, Signal, Slot
 from PySide6.QtGui import QShortcut
 from PySide6.QtWidgets import QDoubleSpinBox, QFrame, QGridLayout, QWidget
 
@@ -58,6 +58,7 @@ class ToleranceEditor(QFrame):
         self.picture = FramePicture(look)
         self.kind, self.feature = _box("Characteristic"), _box("Toleranced feature", is_given=True)
         self.datums = [_box(words, is_given=True) for words in ("Primary datum", "Secondary datum", "Tertiary datum")]
+        self.partners = [_box("Common datum (A-B) with", is_given=True) for _ in self.datums]
         self.condition = _box("Material condition")
         self.width = _number("Width of the zone", 0.001)
         self.offset = _number("Offset of the zone, out of the material", -LIMIT)
@@ -74,7 +75,7 @@ class ToleranceEditor(QFrame):
         self.cancel = Button("Cancel", look, "", "quiet", "Leave the program as it is (Esc)")
         self.apply = Button("Apply", look, "", "primary", "Put the tolerance into the program and measure it; it can be undone")
         self._lay_out()
-        for box in (self.kind, self.feature, self.condition, *self.datums):
+        for box in (self.kind, self.feature, self.condition, *self.datums, *self.partners):
             box.currentIndexChanged.connect(self._show)
         for number in (self.width, self.offset, self.least, self.most):
             number.valueChanged.connect(self._show)
@@ -90,7 +91,7 @@ class ToleranceEditor(QFrame):
         grid.setVerticalSpacing(4)
         grid.setColumnStretch(1, 1)
         self._rows: dict[str, tuple[QWidget, ...]] = {}
-        lines: tuple[tuple[str, str, tuple[QWidget, ...]], ...] = (
+        lines: tuple[tuple[str, str, Sequence[QWidget]], ...] = (
             ("kind", "Characteristic", (self.kind,)),
             ("feature", "Feature", (self.feature,)),
             ("width", "Tolerance", (self.width,)),
@@ -98,8 +99,8 @@ class ToleranceEditor(QFrame):
             ("condition", "Condition", (self.condition,)),
             ("size", "Diameter", (self.least, self.most)),
             *(
-                (f"datum{place}", words, (box,))
-                for place, (words, box) in enumerate(zip(("Datum 1", "Datum 2", "Datum 3"), self.datums, strict=True))
+                (f"datum{place}", words, boxes)
+                for place, (words, *boxes) in enumerate(zip(("Datum 1", "Datum 2", "Datum 3"), self.datums, self.partners, strict=True))
             ),
         )
         for place, (key, words, fields) in enumerate(lines):
@@ -108,7 +109,7 @@ class ToleranceEditor(QFrame):
             if len(fields) == 1:
                 grid.addWidget(fields[0], place, 1)
             else:
-                grid.addLayout(row(*fields, 0, spacing=8), place, 1)
+                grid.addLayout(row(*fields, *(() if key.startswith("datum") else (0,)), spacing=8), place, 1)
             self._rows[key] = (heading, *fields)
         below = row(self.pick, 0, self.cancel, self.apply, spacing=8)
         self.setLayout(column(self.title, self.picture, grid, self.problem, below, 0, margin=8, spacing=6))
@@ -147,13 +148,15 @@ class ToleranceEditor(QFrame):
         from measureapp.inspection.programming.tolerance_frames import ToleranceChoice, takes_datums, takes_material
 
         kind, feature = self.kind.currentData(), self.feature.currentData() or ""
-        chosen = [box.currentData() for box in self.datums[: takes_datums(kind)]]
+        pairs = zip(self.datums[: takes_datums(kind)], self.partners, strict=False)
+        chosen = [(box.currentData(), partner.currentData() or "") for box, partner in pairs if box.currentData()]
+        datums, partners = tuple(name for name, _ in chosen), tuple(partner for _, partner in chosen)
         condition = self.condition.currentData() if takes_material(kind, self._tolerancing.shape(feature)) else "regardless"
         limits = None if condition == "regardless" else (self.least.value(), self.most.value())
         offset = self.offset.value() if kind in PROFILES else 0.0
-        return ToleranceChoice(kind, feature, self.width.value(), tuple(name for name in chosen if name), condition, limits, offset)
+        return ToleranceChoice(kind, feature, self.width.value(), datums, condition, limits, offset, partners if any(partners) else ())
 
-    def _fill(self, kind: str, feature: str, datums: Sequence[str]) -> None:
+    def _fill(self, kind: str, feature: str, datums: Sequence[str], partners: Sequence[str] = ()) -> None:
         """Offer characteristics, features and datums, and choose these."""
         self._is_filling = True
         names, letters = self._tolerancing.names(), self._tolerancing.letters()
@@ -161,10 +164,20 @@ class ToleranceEditor(QFrame):
         _offer(self.feature, [(name, sentence_case(name)) for name in dict.fromkeys((*names, *([feature] if feature else [])))], feature)
         ordered = sorted(dict.fromkeys((*names, *datums)), key=lambda name: (name not in letters, letters.get(name, "")))
         offered = [("", tr("None")), *((name, f"{letters.get(name, '')}  {sentence_case(name)}".strip()) for name in ordered)]
-        for place, box in enumerate(self.datums):
-            _offer(box, offered, datums[place] if place < len(datums) else "")
+        alone = [("", tr("alone")), *offered[1:]]
+        for boxes, items, names in ((self.datums, offered, datums), (self.partners, alone, partners)):
+            for place, box in enumerate(boxes):
+                _offer(box, items, names[place] if place < len(names) else "")
         self._is_filling = False
         self._show()
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Name what stands for no datum in the new language; all other items of these lists are names that people gave."""
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.LanguageChange:
+            for boxes, words in ((self.datums, tr("None")), (self.partners, tr("alone"))):
+                for box in boxes:
+                    box.setItemText(0, words)
 
     @Slot()
     def _show(self) -> None:
@@ -212,7 +225,8 @@ class ToleranceEditor(QFrame):
         taken = {self.feature: choice.feature, **dict.fromkeys(self.datums, "")}
         chosen = {box: box.currentData() or taken[box] for box in boxes}
         chosen[focused or free] = name
-        self._fill(choice.kind, chosen[self.feature], [chosen.get(box, "") for box in self.datums])
+        partners = [box.currentData() or "" for box in self.partners]
+        self._fill(choice.kind, chosen[self.feature], [chosen.get(box, "") for box in self.datums], partners)
 
     @Slot()
     def _draw_symbols(self) -> None:

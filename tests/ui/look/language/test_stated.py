@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from pydantic import ValidationError
 
+from measureapp.data.cloud import PointCloud
 from measureapp.data.consistency import Consistency, ConsistencyCheck
 from measureapp.data.inspection_program import InspectionProgram
 from measureapp.data.model import first_problem
@@ -19,6 +20,7 @@ from measureapp.inspection.features.found_feature import find_feature
 from measureapp.inspection.measured_points import MeasuredPoints
 from measureapp.inspection.settings import InspectionSettings
 from measureapp.pipeline.consistency.check import PROPERTIES
+from measureapp.register.clouds.quality import assess_cloud
 from ui.look.language.catalogue import read_catalogue
 from ui.look.language.sources import catalogue_file
 from ui.look.language.words import Translator
@@ -62,6 +64,29 @@ def test_why_points_could_not_be_fitted(chinese):
         with pytest.raises(FitError) as refused:
             fit(shape, points)
         assert not left_in_english(chinese, f"bore: {refused.value.message}")
+
+
+def test_several_reasons_of_a_view_follow_the_language_there_and_back():
+    quality = assess_cloud(rough_cloud(), completeness=0.02)
+    reasons = len(quality.reason.split("; "))
+    assert reasons > 1, quality.reason
+    translator, catalogue = Translator(), read_catalogue(catalogue_file("zh_CN"))
+    shown = translator.renewed(sentence(quality.reason))
+    for _ in range(2):
+        translator.use(catalogue)
+        shown = translator.renewed(shown)
+        assert not left_in_english(translator, shown) and len(shown.split("; ")) == reasons
+        translator.use(None)
+        shown = translator.renewed(shown)
+        assert shown == sentence(quality.reason)
+
+
+def rough_cloud() -> PointCloud:
+    """Return a cloud of noisy points."""
+    rng, count = np.random.default_rng(2), 3000
+    points = np.column_stack([rng.uniform(-8, 8, (count, 2)), rng.normal(0, 0.8, count)])
+    ones = np.ones(count)
+    return PointCloud(points, np.tile([0.0, 0, 1], (count, 1)), 0.02 * ones, ones, np.full((count, 2), -1), 3 * ones, "camera", "view-01")
 
 
 def test_what_was_excluded_around_the_part(chinese):
