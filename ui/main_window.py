@@ -156,16 +156,24 @@ class MainWindow(QMainWindow):
         self.stack.setCurrentWidget(self.pages[name])
         self.rail.choose(name)
         self.settings.set_text("page", name)
-        self._give_room()
-        self._show_properties()
+        if self._lacks_room:
+            self._give_room()
+            self._show_properties()
+        else:  # those of the page before are not laid out once more when they are unfolded
+            self._show_properties()
+            self._give_room()
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Fold the properties when the page needs the space."""
         super().resizeEvent(event)
         self._give_room()
 
+    @property
+    def _lacks_room(self) -> bool:
+        return self.page.wants_room and self.width() < ROOMY_WIDTH
+
     def _give_room(self) -> None:
-        self.properties.fold(self.page.wants_room and self.width() < ROOMY_WIDTH)
+        self.properties.fold(self._lacks_room)
 
     def closeEvent(self, event: QCloseEvent) -> None:
         """Ask once before a running job is stopped; wait until its thread has ended."""

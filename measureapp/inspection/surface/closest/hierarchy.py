@@ -35,7 +35,7 @@ class TriangleHierarchy:
 
         if use_reference():
             return closest_on_triangles(points_mm, self._shapes[:, :9].reshape(-1, 3, 3))
-        points = np.ascontiguousarray(points_mm, dtype=np.float64)
+        points = np.array(points_mm, dtype=np.float64, order="C")  # a copy: for read-only points the kernel would be compiled once more
         found = np.full(len(points), -1, np.int64) if near is None else near.astype(np.int64)
         weights = np.empty((len(points), 2))
         in_bands(
