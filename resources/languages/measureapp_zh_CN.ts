@@ -11218,6 +11218,14 @@
       <translation>数据包间隔</translation>
     </message>
     <message>
+      <source>Demo: {name}, {resolution} resolution, {count} views, seed {seed}</source>
+      <translation>演示：{name}，{resolution}分辨率，{count} 个视图，种子 {seed}</translation>
+    </message>
+    <message>
+      <source>Demo: {name}, {resolution} resolution, {count} views, seed {seed}, {world} rig</source>
+      <translation>演示：{name}，{resolution}分辨率，{count} 个视图，种子 {seed}，{world}测量系统</translation>
+    </message>
+    <message>
       <source>Depth discontinuity</source>
       <translation>深度不连续</translation>
     </message>
@@ -11250,6 +11258,10 @@
       <translation>平板</translation>
     </message>
     <message>
+      <source>Flat: flatness of the top</source>
+      <translation>平板：顶面平面度</translation>
+    </message>
+    <message>
       <source>Flying point</source>
       <translation>飞点</translation>
     </message>
@@ -11264,6 +11276,14 @@
     <message>
       <source>Gear</source>
       <translation>齿轮</translation>
+    </message>
+    <message>
+      <source>Gear: diameters and boss</source>
+      <translation>齿轮：直径与凸台</translation>
+    </message>
+    <message>
+      <source>Gear: form, orientation, location and run-out</source>
+      <translation>齿轮：形状、方向、位置与跳动</translation>
     </message>
     <message>
       <source>Give at least {limits}.</source>
@@ -11282,6 +11302,10 @@
       <translation>石膏</translation>
     </message>
     <message>
+      <source>Gypsum cross: a, b, c, d</source>
+      <translation>石膏十字：a、b、c、d</translation>
+    </message>
+    <message>
       <source>Head on the flange</source>
       <translation>法兰上的测头</translation>
     </message>
@@ -11296,6 +11320,14 @@
     <message>
       <source>Impeller</source>
       <translation>叶轮</translation>
+    </message>
+    <message>
+      <source>Impeller: blades</source>
+      <translation>叶轮：叶片</translation>
+    </message>
+    <message>
+      <source>Impeller: diameters and blades</source>
+      <translation>叶轮：直径与叶片</translation>
     </message>
     <message>
       <source>Inspection</source>
@@ -11470,6 +11502,10 @@
       <translation>球板</translation>
     </message>
     <message>
+      <source>Sphere plate: diameters and centre distances</source>
+      <translation>球板：直径与球心距</translation>
+    </message>
+    <message>
       <source>Stitching</source>
       <translation>拼接</translation>
     </message>
@@ -11578,6 +11614,10 @@
       <translation>边缘处</translation>
     </message>
     <message>
+      <source>bad</source>
+      <translation>较差</translation>
+    </message>
+    <message>
       <source>board</source>
       <translation>标定板</translation>
     </message>
@@ -11598,12 +11638,36 @@
       <translation>个尺寸</translation>
     </message>
     <message>
+      <source>full</source>
+      <translation>全</translation>
+    </message>
+    <message>
+      <source>gear</source>
+      <translation>齿轮</translation>
+    </message>
+    <message>
+      <source>good</source>
+      <translation>良好</translation>
+    </message>
+    <message>
       <source>grazing for a partner</source>
       <translation>另一相机掠射</translation>
     </message>
     <message>
       <source>guide</source>
       <translation>导轨</translation>
+    </message>
+    <message>
+      <source>gypsum</source>
+      <translation>石膏</translation>
+    </message>
+    <message>
+      <source>half</source>
+      <translation>二分之一</translation>
+    </message>
+    <message>
+      <source>impeller</source>
+      <translation>叶轮</translation>
     </message>
     <message>
       <source>is a blade_section</source>
@@ -11638,12 +11702,20 @@
       <translation>对方掠射</translation>
     </message>
     <message>
+      <source>quarter</source>
+      <translation>四分之一</translation>
+    </message>
+    <message>
       <source>robot</source>
       <translation>机器人</translation>
     </message>
     <message>
       <source>seen by another</source>
       <translation>由另一相机看到</translation>
+    </message>
+    <message>
+      <source>sphere_plate</source>
+      <translation>球板</translation>
     </message>
     <message>
       <source>table</source>
@@ -11668,6 +11740,10 @@
     <message>
       <source>two features</source>
       <translation>两个特征</translation>
+    </message>
+    <message>
+      <source>usual</source>
+      <translation>普通</translation>
     </message>
     <message>
       <source>{days} days ago</source>

@@ -6,6 +6,24 @@ from ui.look.language.words import later
 
 SAMPLE_PARTS = (later("Gypsum"), later("Impeller"), later("Gear"), later("Sphere plate"), later("Flat"))  # named after their folders
 SAMPLE_NAME = "Sample: {name}"
+DEMO_NAMES = (
+    "Demo: {name}, {resolution} resolution, {count} views, seed {seed}",
+    "Demo: {name}, {resolution} resolution, {count} views, seed {seed}, {world} rig",
+)
+IN_DEMO_NAMES = (
+    *(later("impeller"), later("gypsum"), later("gear"), later("sphere_plate")),  # not "flat", which features are named, too
+    *(later("full"), later("half"), later("quarter")),
+    *(later("good"), later("usual"), later("bad")),
+)
+SAMPLE_PROGRAMS = (
+    "Gypsum cross: a, b, c, d",
+    "Impeller: diameters and blades",
+    "Impeller: blades",
+    "Gear: diameters and boss",
+    "Gear: form, orientation, location and run-out",
+    "Sphere plate: diameters and centre distances",
+    "Flat: flatness of the top",
+)
 BODIES = (later("part"), later("board"), later("robot"), later("guide"), later("table"))  # of the cell, in sentences about collisions
 METHODS = (
     "Joint calibration of the rig",

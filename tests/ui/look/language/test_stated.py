@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import tomllib
 
 import numpy as np
 import pytest
@@ -20,7 +21,9 @@ from measureapp.inspection.features.found_feature import find_feature
 from measureapp.inspection.measured_points import MeasuredPoints
 from measureapp.inspection.settings import InspectionSettings
 from measureapp.pipeline.consistency.check import PROPERTIES
+from measureapp.pipeline.sample import SampleScan, sample_request
 from measureapp.register.clouds.quality import assess_cloud
+from measureapp.resources import resource
 from ui.look.language.catalogue import read_catalogue
 from ui.look.language.sources import catalogue_file
 from ui.look.language.words import Translator
@@ -146,3 +149,13 @@ def test_why_a_change_of_the_program_is_not_possible(chinese, changed):
         InspectionProgram.model_validate(program(**changed))
     said = f"The change is not possible: {first_problem(refused.value, 'the program')}."
     assert not left_in_english(chinese, said), chinese.renewed(said)
+
+
+def test_the_names_of_demos_and_of_their_programs(chinese, tmp_path):
+    for part in ("gypsum", "impeller", "gear", "sphere_plate"):
+        title = sample_request(SampleScan(part, "quarter", 4, 1, conditions="usual"), tmp_path).created.name
+        assert not left_in_english(chinese, title)
+        assert not re.findall(r"[A-Za-z]{3,}", KEPT.sub("", chinese.translate("{name} is open.", {"name": title})))
+    for file in sorted(resource("parts").glob("*/*.toml")):
+        name = tomllib.loads(file.read_text(encoding="utf-8")).get("name")
+        assert name is None or not left_in_english(chinese, name), file
