@@ -88,8 +88,12 @@ class Workshop:
         return found
 
     def wait(self, condition: Callable[[], Any]) -> None:
-        """Wait for a job."""
-        self.qtbot.waitUntil(lambda: bool(condition()), timeout=60_000)
+        """Wait for a job; what the window said meanwhile is in the failure."""
+        try:
+            self.qtbot.waitUntil(lambda: bool(condition()), timeout=60_000)
+        except self.qtbot.TimeoutError as late:
+            said = [message.text for message in self.application.session.messages.open]
+            raise AssertionError(f"{late}; the window says {said}") from late
 
     def identify(self, serial: str) -> None:
         """Choose the gypsum cross and state a serial number, as far as the screen for loading."""
