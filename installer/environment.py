@@ -103,7 +103,7 @@ def _install(home: Environment) -> None:
 
 def _pip(home: Environment, *arguments: str) -> None:
     quiet = () if sys.stdout.isatty() else ("--quiet",)
-    # Python translates what it imports, a small part of all packages, by itself; all of it would take a third of the set-up.
+    # Python compiles what it imports, a small part of all packages, to bytecode by itself; compiling everything is a third of the set-up.
     command = [str(home.python), "-m", "pip", "install", "--no-input", "--disable-pip-version-check", "--no-compile", *quiet, *arguments]
     if subprocess.run(command, env=home.variables(), cwd=ROOT, check=False).returncode != 0:
         raise SetupTrouble(

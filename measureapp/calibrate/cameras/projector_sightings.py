@@ -127,10 +127,10 @@ def _read_one(values: FloatArray, sigma: FloatArray, valid: BoolArray, place: Fl
     weight, seen = 1.0 / np.asarray(sigma[window][use], float), np.asarray(values[window][use], float)
     for _ in range(2):  # without the pixels far off, once
         weighted = terms * weight
-        inverse = _pseudo_inverse(weighted @ weighted.T)
+        inverse = np.linalg.pinv(weighted @ weighted.T, rcond=RANK_TOLERANCE)
         found = inverse @ (weighted @ (seen * weight))
         off = np.abs(seen - found @ terms) * weight
-        spread = max(1.4826 * _median(off), 1.0)
+        spread = max(1.4826 * float(np.median(off)), 1.0)
         near = off <= FAR_FACTOR * spread
         if near.all():
             break
@@ -138,20 +138,6 @@ def _read_one(values: FloatArray, sigma: FloatArray, valid: BoolArray, place: Fl
         if len(seen) < LEAST_PIXELS:
             return nothing
     return float(found[0]), spread * float(np.sqrt(inverse[0, 0]))
-
-
-def _pseudo_inverse(normal: FloatArray) -> FloatArray:
-    """Return that of symmetric normal equations by their eigenvalues; `numpy.linalg.pinv` takes several times as long for six unknowns."""
-    lengths, axes = np.linalg.eigh(normal)
-    kept = lengths > RANK_TOLERANCE * lengths[-1]
-    axes = axes[:, kept]
-    return np.asarray((axes / lengths[kept]) @ axes.T)
-
-
-def _median(values: FloatArray) -> float:
-    """Return the median as `numpy.median` does, which takes several times as long for a few hundred values."""
-    ordered = np.sort(values)
-    return 0.5 * float(ordered[(len(values) - 1) // 2] + ordered[len(values) // 2])
 
 
 def _is_surrounded(x: FloatArray, y: FloatArray) -> bool:
