@@ -1,4 +1,4 @@
-"""Guards around every test: no screen is touched, nothing of the user is changed, nothing is left running."""
+"""Guards around every test: no screen is touched, nothing of the user is changed, nothing is left running or pressed."""
 
 from __future__ import annotations
 
@@ -56,6 +56,19 @@ def _no_thread_is_left() -> Iterator[None]:
     left = _settled(lambda: [thread for thread in threading.enumerate() if thread not in before and _is_ours(thread)])
     if left:
         pytest.fail(f"The test left threads running: {', '.join(thread.name for thread in left)}", pytrace=False)
+
+
+@pytest.fixture(autouse=True)
+def _no_key_is_left_pressed(request: pytest.FixtureRequest) -> Iterator[None]:
+    """Qt takes the modifiers of the last simulated click or key for pressed until the next one: a table then selects otherwise."""
+    yield
+    if "qapp" in request.fixturenames:
+        from PySide6.QtCore import Qt
+        from PySide6.QtTest import QTest
+        from PySide6.QtWidgets import QApplication, QWidget
+
+        if QApplication.keyboardModifiers() != Qt.KeyboardModifier.NoModifier:
+            QTest.keyRelease(QWidget(), Qt.Key.Key_Shift)
 
 
 @pytest.fixture(autouse=True)

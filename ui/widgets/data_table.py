@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Literal
 
-from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, QRect, QSize, Qt, Signal
+from PySide6.QtCore import QAbstractTableModel, QItemSelectionModel, QModelIndex, QPersistentModelIndex, QRect, QSize, Qt, Signal
 from PySide6.QtGui import QColor, QFont, QKeyEvent, QPainter, QPalette
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QStyle, QStyledItemDelegate, QStyleOptionViewItem, QTableView, QWidget
 
@@ -161,8 +161,9 @@ class DataTable(QTableView):
         """Show these rows; the selected row is kept."""
         chosen = self.currentIndex().row()
         self._model.set_rows(rows)
-        if 0 <= chosen < len(rows):
-            self.selectRow(chosen)
+        if 0 <= chosen < len(rows):  # not by `selectRow`, which selects otherwise while Shift or Ctrl is held down
+            flags = QItemSelectionModel.SelectionFlag.ClearAndSelect | QItemSelectionModel.SelectionFlag.Rows
+            self.selectionModel().setCurrentIndex(self._model.index(chosen, 0), flags)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Treat the space bar like a click on the first cell of the row."""

@@ -51,6 +51,7 @@ def test_the_engineer_releases_a_program_as_its_next_revision(workshop, changed,
     releases.table.selectRow(0)
     assert not releases.release.isEnabled()
     releases.by.setText("Ada Lovelace")
+    assert releases.release.isEnabled()
     releases.release.click()
     workshop.wait(lambda: is_released(read_part_program(changed)))
     workshop.wait(lambda: len(workshop.operator.shelf.cards) == 2)
