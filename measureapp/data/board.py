@@ -43,6 +43,11 @@ class BoardDescription(Model):
     certified_mm: tuple[tuple[float, float, float], ...] | None = Field(
         default=None, description="position of every mark in frame `board`, as certified; none: the nominal grid"
     )
+    displaced_mm: tuple[tuple[float, float], ...] | None = Field(
+        default=None,
+        description="displacement of every mark in x and y from where it is certified or else nominal, as the images of a calibration "
+        "show it; none: not estimated",
+    )
     lengths: BoardLengths | None = Field(
         default=None, description="class or certificate; none: nobody stated how well its lengths are known"
     )
@@ -51,13 +56,16 @@ class BoardDescription(Model):
     def _certificate_is_complete(self) -> BoardDescription:
         if self.certified_mm is not None and len(self.certified_mm) != self.count:
             raise ValueError(f"certified_mm has {len(self.certified_mm)} marks, the {self.label} has {self.count}")
+        if self.displaced_mm is not None and len(self.displaced_mm) != self.count:
+            raise ValueError(f"displaced_mm has {len(self.displaced_mm)} marks, the {self.label} has {self.count}")
         return self
 
     @model_serializer(mode="wrap")
     def _without_empty_certificate(self, serialise: SerializerFunctionWrapHandler) -> dict[str, Any]:
-        """Write `certified_mm` and `lengths` only where they are known: files without them keep the form they have always had."""
+        """Write what is known of marks and lengths only where it is: files without it keep the form they have always had."""
         written: dict[str, Any] = serialise(self)
-        return {name: value for name, value in written.items() if name not in ("certified_mm", "lengths") or value is not None}
+        seldom = ("certified_mm", "displaced_mm", "lengths")
+        return {name: value for name, value in written.items() if name not in seldom or value is not None}
 
     @property
     @abstractmethod
@@ -66,9 +74,15 @@ class BoardDescription(Model):
 
     @property
     def flat_corners_mm(self) -> FloatArray:
-        """The marks (columns·rows, 3) without bow, row by row: as certified, else of the nominal grid; as warm as the board was."""
+        """The marks (columns·rows, 3) without bow, row by row: as certified, else of the nominal grid; as warm as the board was.
+
+        What images show of their displacement is added.
+        """
         marks = self.nominal_corners_mm if self.certified_mm is None else np.array(self.certified_mm, float)
-        return marks if self.lengths is None else marks * self.lengths.factor
+        marks = marks if self.lengths is None else marks * self.lengths.factor
+        if self.displaced_mm is not None:
+            marks[:, :2] += np.array(self.displaced_mm)
+        return marks
 
     @property
     @abstractmethod

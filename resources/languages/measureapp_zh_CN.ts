@@ -1969,6 +1969,10 @@
       <translation> 在其他机器人位姿下使用时，机器人与手眼关系增加 {v1} (k = 2)。</translation>
     </message>
     <message>
+      <source>, beyond what is stated of it ({v1})</source>
+      <translation>，超出对其所声明的范围（{v1}）</translation>
+    </message>
+    <message>
       <source>A camera is called {v1}.</source>
       <translation>有相机名为 {v1}。</translation>
     </message>
@@ -2603,6 +2607,10 @@
     <message>
       <source>The images of cameras {v1} and {v2} do not belong together: in {v3} of {v4} views they show different board positions.</source>
       <translation>相机 {v1} 与 {v2} 的图像不匹配：{v4} 个视图中有 {v3} 个显示不同的标定板位置。</translation>
+    </message>
+    <message>
+      <source>The marks of the board are displaced by {v1} (rms){v2}, the one in row {v3}, column {v4} by {v5}: their places were estimated with the cameras. Have the board certified, or use a better one.</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <source>The marks of the board that are visible are too few, or lie on one line.</source>

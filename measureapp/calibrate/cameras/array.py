@@ -11,7 +11,7 @@ import numpy as np
 from measureapp.arrays import FloatArray
 from measureapp.calibrate.boards.find import require_unambiguous
 from measureapp.calibrate.boards.quality import blur_px
-from measureapp.calibrate.cameras.bundle import Bundle, BundleState, IndexedSighting, adjust
+from measureapp.calibrate.cameras.bundle import IN_PLANE, Bundle, BundleState, IndexedSighting, adjust
 from measureapp.calibrate.cameras.camera import FIXED_COEFFICIENTS, LEAST_VIEWS, calibrate_camera, estimate_poses
 from measureapp.calibrate.cameras.cleaning import Cleaned, CornerRejection, Names, drop_empty_views, reject_corners
 from measureapp.calibrate.cameras.known import (
@@ -22,6 +22,7 @@ from measureapp.calibrate.cameras.known import (
     require_agreement,
     require_known,
 )
+from measureapp.calibrate.cameras.marks import MarkScatter, find_scatter
 from measureapp.calibrate.cameras.pairs import LoopCheck, find_contradictions, loops, placed_from_reference
 from measureapp.calibrate.cameras.projector_sightings import device_title
 from measureapp.calibrate.least_squares import Minimum
@@ -38,6 +39,8 @@ from measureapp.progress import NoProgress, PartOf, Progress
 ROUNDS = 6  # of adjustment and outlier rejection
 WEAK_FOCAL_SHARE = 0.05
 LEAST_SIGHTS_FOR_BOW = 12
+METHOD = "Zhang, then bundle adjustment of all cameras"
+METHOD_WITH_MARKS = f"{METHOD} and of the board's marks"
 BOW_NAMES = ("board.bow_xx_mm", "board.bow_xy_mm", "board.bow_yy_mm")
 POSE_NAMES = ("rotation_x_rad", "rotation_y_rad", "rotation_z_rad", "x_mm", "y_mm", "z_mm")
 
@@ -53,6 +56,7 @@ class CameraArrayProblem:
     rejected: tuple[Rejection, ...] = ()
     distortion_count: int = 5  # 4, 5 or 8 coefficients
     free_bow: bool = True  # estimate the board's departure from flat, where there are enough sightings
+    free_marks: bool = True  # estimate where its marks are, where images show that they are displaced
     known: CameraArrayCalibration | None = None  # cameras that are kept as they are; those to find come after them in `sizes_px`
 
 
@@ -64,7 +68,7 @@ class CameraArraySolution:
     joint_rms_px: float
     sigma_px: float  # standard deviation of one coordinate of a corner, over all cameras
     sigmas_px: Mapping[str, float]  # the same per camera
-    board: BoardDescription  # with its bow, where that was estimated
+    board: BoardDescription  # with its bow and the displacements of its marks, where those were estimated
     views: tuple[ViewResidual, ...]
     rejected: tuple[Rejection, ...]
     rejected_corners: tuple[CornerRejection, ...]
@@ -72,13 +76,15 @@ class CameraArraySolution:
     loops: tuple[LoopCheck, ...]
     parameters: tuple[str, ...]  # names of the rows of `covariance`: "left.fx", "right.x_mm", …
     covariance: FloatArray = field(repr=False, default_factory=lambda: np.empty((0, 0)))
+    scatter: MarkScatter | None = None  # of the marks about where the board has them, where they were estimated
 
 
 def solve(problem: CameraArrayProblem, progress: Progress | None = None, before: CameraArraySolution | None = None) -> CameraArraySolution:
     """Calibrate 1…n cameras from views of one board.
 
     Per camera Zhang's method; pairs by R = R_l R_rᵀ, t = t_l - R t_r; then one bundle adjustment over all lenses,
-    camera poses and board poses with a robust loss. Sightings that fit badly are left out, each with its reason.
+    camera poses and board poses with a robust loss. Sightings that fit badly are left out, each with its reason. Where the residuals
+    show that marks are not where the board has them, the adjustment is made again with their displacements as unknowns.
 
     Parameters
     ----------
@@ -103,20 +109,53 @@ def solve(problem: CameraArrayProblem, progress: Progress | None = None, before:
     free_bow = problem.free_bow and len(sights) >= LEAST_SIGHTS_FOR_BOW
     if free_bow and before is not None:
         start = replace(start, bow_mm=np.array(before.board.bow_mm))
-    corners: list[CornerRejection] = []
-    for number in range(ROUNDS):
-        part = PartOf(progress, 0.4 + 0.6 * number / ROUNDS, 0.4 + 0.6 * (number + 1) / ROUNDS, "bundle: ")
-        minimum, bundle = adjust(problem.board, sights, start, free_bow=free_bow, known_cameras=known, progress=part)
-        found = reject_corners(bundle, minimum.state, names)
+    adjusted = _adjust(problem, _Chosen(sights, names, rejected, []), start, (free_bow, None, known), PartOf(progress, 0.4, 0.8))
+    scatter = find_scatter(adjusted.bundle, adjusted.minimum) if problem.free_marks else None
+    if scatter is not None:
+        again = (free_bow, scatter.weights(problem.board), known)
+        adjusted = _adjust(problem, adjusted.chosen, adjusted.minimum.state, again, PartOf(progress, 0.8, 1.0))
+    progress.report(1, 1)
+    edges = {name: [one.edge_px for one in sightings if one.camera == name] for name in cameras}
+    return replace(_solution(adjusted, checks, problem.known, edges), scatter=scatter)
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Chosen:
+    """The sightings that count, and what was rejected."""
+
+    sights: list[IndexedSighting]
+    names: Names
+    rejected: list[Rejection]
+    corners: list[CornerRejection]
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class _Adjusted:
+    """An adjustment without outliers."""
+
+    bundle: Bundle
+    minimum: Minimum[BundleState]
+    chosen: _Chosen
+
+
+def _adjust(
+    problem: CameraArrayProblem, chosen: _Chosen, start: BundleState, free: tuple[bool, FloatArray | None, int], progress: Progress
+) -> _Adjusted:
+    """Adjust and reject outliers in turn; ``free``: whether the bow is, the weights of marks that are, and how many cameras are not."""
+    free_bow, mark_weights, known = free
+    for number in range(ROUNDS + 1):
+        part = PartOf(progress, number / (ROUNDS + 1), (number + 1) / (ROUNDS + 1), "bundle: ")
+        minimum, bundle = adjust(
+            problem.board, chosen.sights, start, free_bow=free_bow, mark_weights=mark_weights, known_cameras=known, progress=part
+        )
+        if number == ROUNDS:  # outliers of the last round are rejected as well, so the solution must not contain them
+            break
+        found = reject_corners(bundle, minimum.state, chosen.names)
         if not found.anything:
             break
-        rejected, corners = rejected + found.rejected, _still_used(corners, found)
-        start, sights, names = drop_empty_views(minimum.state, found.kept, names, known)
-    else:  # outliers of the last round are rejected as well, so the solution must not contain them
-        minimum, bundle = adjust(problem.board, sights, start, free_bow=free_bow, known_cameras=known, progress=progress)
-    progress.report(1, 1)
-    edges = {name: [one.edge_px for one in sightings if one.camera == name] for name in names[0]}
-    return _solution(bundle, minimum, names, rejected, corners, checks, problem.known, edges)
+        start, sights, names = drop_empty_views(minimum.state, found.kept, chosen.names, known)
+        chosen = _Chosen(sights, names, chosen.rejected + found.rejected, _still_used(chosen.corners, found))
+    return _Adjusted(bundle, minimum, chosen)
 
 
 def _still_used(corners: list[CornerRejection], found: Cleaned) -> list[CornerRejection]:
@@ -183,6 +222,7 @@ def _start_values(
         np.array([placed[camera] for camera in order]),
         np.array([boards[view] for view in dict.fromkeys(sighting.view for sighting in sightings)]),
         np.array(problem.board.bow_mm),
+        np.zeros((problem.board.count, IN_PLANE)),
     )
     return sightings, rejected, state, loops(poses)
 
@@ -194,16 +234,10 @@ def _indices(problem: CameraArrayProblem, sightings: list[Sighting]) -> tuple[di
 
 
 def _solution(
-    bundle: Bundle,
-    minimum: Minimum[BundleState],
-    names: Names,
-    rejected: list[Rejection],
-    corners: list[CornerRejection],
-    checks: tuple[LoopCheck, ...],
-    known: CameraArrayCalibration | None,
-    edges_px: Mapping[str, Sequence[float]],
+    adjusted: _Adjusted, checks: tuple[LoopCheck, ...], known: CameraArrayCalibration | None, edges_px: Mapping[str, Sequence[float]]
 ) -> CameraArraySolution:
-    state, (cameras, views) = minimum.state, names
+    bundle, minimum = adjusted.bundle, adjusted.minimum
+    state, (cameras, views) = minimum.state, adjusted.chosen.names
     variance = bundle.variance(state)
     labels = _labels(bundle, cameras)
     covariance = minimum.covariance(variance)
@@ -229,7 +263,8 @@ def _solution(
     own_rows = [index for index, label in enumerate(labels) if label not in BOW_NAMES]
     left_uncertain = LabelledCovariance(tuple(labels[index] for index in own_rows), covariance[np.ix_(own_rows, own_rows)])
     if known is None:
-        pairs, method = _pair_rms(bundle, residuals, cameras), Provenance(method="Zhang, then bundle adjustment of all cameras")
+        by = METHOD_WITH_MARKS if bundle.layout.marks else METHOD
+        pairs, method = _pair_rms(bundle, residuals, cameras), Provenance(method=by)
         array = CameraArrayCalibration(cameras[0], calibrations, pairs, method, None, left_uncertain, bundle.board.lengths)
     else:
         array = replace(known, cameras=calibrations, covariance=None if known.covariance is None else left_uncertain)
@@ -238,13 +273,13 @@ def _solution(
         joint_rms_px=rms(np.concatenate(residuals)),
         sigma_px=float(np.sqrt(np.average(sigmas**2, weights=counts))),
         sigmas_px={name: float(sigma) for name, sigma in zip(cameras, sigmas, strict=True)},
-        board=bundle.board.model_copy(update={"bow_mm": tuple(float(value) for value in state.bow_mm)}),
+        board=_board_as_seen(bundle, state),
         views=tuple(
             ViewResidual(cameras[sight.camera], views[sight.view], rms(values), len(values))
             for sight, values in zip(bundle.sights, residuals, strict=True)
         ),
-        rejected=tuple(rejected),
-        rejected_corners=tuple(corners),
+        rejected=tuple(adjusted.chosen.rejected),
+        rejected_corners=tuple(adjusted.chosen.corners),
         boards={
             view: RigidTransform(orthonormalise(pose), "camera", "board")
             for view, pose in zip(views, state.reference_from_board, strict=True)
@@ -253,6 +288,14 @@ def _solution(
         parameters=labels,
         covariance=covariance,
     )
+
+
+def _board_as_seen(bundle: Bundle, state: BundleState) -> BoardDescription:
+    """Return the board with its bow, and with the displacements of its marks where they were estimated."""
+    update: dict[str, object] = {"bow_mm": tuple(float(value) for value in state.bow_mm)}
+    if bundle.layout.marks:
+        update["displaced_mm"] = tuple((float(x), float(y)) for x, y in state.marks_mm)
+    return bundle.board.model_copy(update=update)
 
 
 def _labels(bundle: Bundle, cameras: tuple[str, ...]) -> tuple[str, ...]:

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from functools import partial
 
 import numpy as np
+from scipy.sparse import csr_array
 
 from measureapp.arrays import BoolArray, FloatArray, IntArray, read_only
 from measureapp.calibrate.least_squares import Minimum, NormalEquations, minimise
@@ -18,6 +19,7 @@ from measureapp.progress import Progress
 
 POSE = 6
 BOW = 3  # quadratic departure of the board from a plane
+IN_PLANE = 2  # coordinates of a mark in the plane of the board
 HUBER_FACTOR = 3.0  # residuals beyond this many standard deviations count linearly
 NOISE_ROUNDS = 4
 SAME_NOISE = 0.02  # relative change of a camera's noise that is not worth another adjustment
@@ -27,12 +29,13 @@ TINY = 1e-30
 
 @dataclass(frozen=True, slots=True, eq=False)
 class BundleState:
-    """Lenses, camera poses, board poses and the board's bow. Camera 0 is the reference and does not move."""
+    """Lenses, camera poses, board poses, the board's bow and its marks. Camera 0 is the reference and does not move."""
 
     pinholes: tuple[PinholeCamera, ...]
     reference_from_camera: FloatArray  # (C, 4, 4)
     reference_from_board: FloatArray  # (V, 4, 4)
     bow_mm: FloatArray  # (3,), factors of the board's `bow_terms`
+    marks_mm: FloatArray  # (M, 2), displacement of every mark in the plane of the board from where the board has it
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -80,11 +83,12 @@ class SeenByCamera:
 
 @dataclass(frozen=True, slots=True)
 class Layout:
-    """Index of each parameter in the vector: per camera lens and (but for the reference) pose, the bow, then the boards."""
+    """Index of each parameter in the vector: per camera lens and (but for the reference) pose, the bow, the marks, then the boards."""
 
     lens: int  # parameters of a lens
     cameras: int
     bow: int  # BOW, or 0 where the board counts as flat
+    marks: int = 0  # IN_PLANE times the marks of the board, or 0 where these are where the board has them
 
     @property
     def bow_at(self) -> int:
@@ -92,9 +96,14 @@ class Layout:
         return self.cameras * (self.lens + POSE) - POSE
 
     @property
+    def marks_at(self) -> int:
+        """Index of the first displacement of a mark."""
+        return self.bow_at + self.bow
+
+    @property
     def boards_at(self) -> int:
         """Index of the first board pose, which is the number of parameters that all views share."""
-        return self.bow_at + self.bow
+        return self.marks_at + self.marks
 
     def lens_at(self, camera: int) -> int:
         """Index of the first lens parameter of a camera."""
@@ -122,6 +131,7 @@ class Bundle:
     layout: Layout
     huber: float = np.inf
     sigmas_px: tuple[float, ...] = ()  # per camera, standard deviation of one coordinate of a corner; empty: 1 px
+    mark_weights: FloatArray | None = None  # (M, M), 1/mm², inverse covariance of the marks' displacements along x, as along y
     flat_mm: FloatArray = field(init=False, repr=False)  # (M, 3), the board's marks without bow
     bow_terms: FloatArray = field(init=False, repr=False)  # (M, 3)
     seen: tuple[SeenByCamera, ...] = field(
@@ -153,13 +163,14 @@ class Bundle:
     def _on_boards(self, state: BundleState, seen: SeenByCamera) -> tuple[FloatArray, FloatArray]:
         """Return the corners (N, 3) of the boards as bowed and turned in ``state``, and the origins (N, 3) of their boards."""
         corners = np.array(self.flat_mm[seen.ids])
+        corners[:, :IN_PLANE] += state.marks_mm[seen.ids]
         corners[:, 2] += self.bow_terms[seen.ids] @ state.bow_mm
         boards = state.reference_from_board[seen.views_of_corners]
         return np.einsum("nij,nj->ni", boards[:, :3, :3], corners), boards[:, :3, 3]
 
     def cost(self, state: BundleState) -> float:
-        """Return the robust sum of squares."""
-        total = 0.0
+        """Return the robust sum of squares; displaced marks count by what is known of the board."""
+        total = float(np.sum(state.marks_mm * self._pull_of_marks(state)))
         for seen in self.seen:
             length = self._whitened_lengths(state, seen)
             total += float(np.sum(np.where(length <= self.huber, length**2, self.huber * (2 * length - self.huber))))
@@ -192,7 +203,55 @@ class Bundle:
                 hessian[index, at : at + POSE] += across
                 hessian[at : at + POSE, index] += across.T
                 gradient[at : at + POSE] += pull
+            if self.layout.marks:
+                self._add_marks(state, seen, (weight, residual), (weighted, by_board, index), (hessian, gradient))
+        if self.layout.marks:
+            marks = slice(self.layout.marks_at, self.layout.boards_at)
+            gradient[marks] += self._pull_of_marks(state).ravel()
+            if self.mark_weights is not None:
+                hessian[marks, marks] += np.kron(self.mark_weights, np.eye(IN_PLANE))
         return NormalEquations(hessian, gradient, self.cost(state))
+
+    def _add_marks(
+        self,
+        state: BundleState,
+        seen: SeenByCamera,
+        pulls: tuple[FloatArray, FloatArray],
+        others: tuple[FloatArray, FloatArray, IntArray],
+        normal: tuple[FloatArray, FloatArray],
+    ) -> None:
+        """Add to hessian and gradient ``normal`` what one camera knows of the marks, each of which few of its corners show.
+
+        Parameters
+        ----------
+        pulls : weights (N,) and residuals (N, 2)
+        others : weighted derivatives by the parameters that all views share, derivatives by board poses, and which the shared ones are
+        """
+        (weight, residual), (weighted, by_board, index), (hessian, gradient) = pulls, others, normal
+        own = slice(self.layout.marks_at, self.layout.boards_at)
+        by_mark = _spread_out(self._by_marks(state, seen), IN_PLANE * seen.ids, self.layout.marks)
+        heavy = by_mark.multiply(np.repeat(weight, 2)[:, None]).tocsr()
+        boards = _spread_out(by_board, POSE * seen.views_of_corners, POSE * len(state.reference_from_board))
+        hessian[own, own] += (by_mark.T @ heavy).toarray()
+        gradient[own] += heavy.T @ residual.ravel()
+        for rows, across in (
+            (index, (by_mark.T @ weighted.reshape(-1, len(index))).T),
+            (np.arange(self.layout.boards_at, len(gradient)), (boards.T @ heavy).toarray()),
+        ):
+            hessian[rows, own] += across
+            hessian[own, rows] += across.T
+
+    def _by_marks(self, state: BundleState, seen: SeenByCamera) -> FloatArray:
+        """Return the derivatives (N, 2, 2) of the pixels by the displacements of the marks they show."""
+        turned, centres = self._on_boards(state, seen)
+        place = state.reference_from_camera[seen.camera]
+        _, by_point, _ = project_with_derivatives(state.pinholes[seen.camera], (turned + centres - place[:3, 3]) @ place[:3, :3])
+        in_camera = place[:3, :3].T @ state.reference_from_board[seen.views_of_corners][:, :3, :IN_PLANE]
+        return np.asarray(by_point @ in_camera)
+
+    def _pull_of_marks(self, state: BundleState) -> FloatArray:
+        """Return what is known of the board times the displacements, (M, 2)."""
+        return np.zeros_like(state.marks_mm) if self.mark_weights is None else np.asarray(self.mark_weights @ state.marks_mm)
 
     def _weight(self, length: FloatArray) -> FloatArray:
         return np.where(length <= self.huber, 1.0, self.huber / np.maximum(length, TINY))
@@ -223,7 +282,7 @@ class Bundle:
         if layout.bow:
             normals = state.reference_from_board[seen.views_of_corners][:, :3, 2]
             blocks.append(np.einsum("nij,nj->ni", by_reference, normals)[:, :, None] * self.bow_terms[seen.ids][:, None, :])
-            index.append(np.arange(layout.bow_at, layout.boards_at))
+            index.append(np.arange(layout.bow_at, layout.marks_at))
         if seen.camera:
             blocks.append(np.concatenate([by_reference @ cross_matrices(from_centre), -by_reference], axis=2))
             index.append(np.arange(layout.pose_at(seen.camera), layout.pose_at(seen.camera) + POSE))
@@ -240,14 +299,16 @@ class Bundle:
                 at = layout.pose_at(camera)
                 places.append(apply_changes(state.reference_from_camera[camera], step[at : at + POSE]))
         boards = apply_changes(state.reference_from_board, step[layout.boards_at :].reshape(-1, POSE))
-        bow = state.bow_mm + step[layout.bow_at : layout.boards_at] if layout.bow else state.bow_mm
-        return BundleState(tuple(lenses), np.array(places), boards, bow)
+        bow = state.bow_mm + step[layout.bow_at : layout.marks_at] if layout.bow else state.bow_mm
+        marks = state.marks_mm + step[layout.marks_at : layout.boards_at].reshape(-1, IN_PLANE) if layout.marks else state.marks_mm
+        return BundleState(tuple(lenses), np.array(places), boards, bow, marks)
 
     def variance(self, state: BundleState) -> float:
         """Return the variance of a residual in units of the one assumed by `sigmas_px`; 1 where that was right."""
         length = np.concatenate([self._whitened_lengths(state, seen) for seen in self.seen])
-        freedom = 2 * len(length) - self.layout.board_at(len(state.reference_from_board))
-        return float(np.sum(self._weight(length) * length**2)) / max(freedom, 1)
+        known = float(np.sum(state.marks_mm * self._pull_of_marks(state)))  # as many observations as there are displacements
+        freedom = 2 * len(length) + self.layout.marks - self.layout.board_at(len(state.reference_from_board))
+        return (float(np.sum(self._weight(length) * length**2)) + known) / max(freedom, 1)
 
 
 def adjust(
@@ -256,13 +317,14 @@ def adjust(
     start: BundleState,
     *,
     free_bow: bool,
+    mark_weights: FloatArray | None = None,
     known_cameras: int = 0,
     progress: Progress | None = None,
 ) -> tuple[Minimum[BundleState], Bundle]:
-    """Minimise the robust reprojection error over lenses, camera poses, board poses and, if requested, the board's bow.
+    """Minimise the robust reprojection error over lenses, camera poses, board poses and, if requested, the board's bow and its marks.
 
     Each camera's noise is estimated from its own residuals, and the adjustment repeated until the noise no longer changes.
-    The first ``known_cameras`` stay as they are.
+    The first ``known_cameras`` stay as they are; without ``mark_weights`` (M, M), 1/mm², so do the marks.
 
     Returns
     -------
@@ -271,7 +333,7 @@ def adjust(
     """
     state = start
     for _ in range(NOISE_ROUNDS):
-        bundle = robust_bundle(board, sights, state, free_bow=free_bow)
+        bundle = robust_bundle(board, sights, state, free_bow=free_bow, mark_weights=mark_weights)
         held = bundle.layout.lens_at(known_cameras) if known_cameras else 0
         minimum = minimise(state, partial(_linearise_beyond, bundle, held), bundle.cost, bundle.apply_step, progress=progress)
         state = minimum.state
@@ -290,11 +352,26 @@ def _linearise_beyond(bundle: Bundle, held: int, state: BundleState) -> NormalEq
     return NormalEquations(hessian, gradient, normal.cost)
 
 
-def robust_bundle(board: BoardDescription, sights: Sequence[IndexedSighting], state: BundleState, *, free_bow: bool) -> Bundle:
+def robust_bundle(
+    board: BoardDescription,
+    sights: Sequence[IndexedSighting],
+    state: BundleState,
+    *,
+    free_bow: bool,
+    mark_weights: FloatArray | None = None,
+) -> Bundle:
     """Return the bundle of ``sights`` with weights and Huber limits from the residuals at ``state``."""
-    layout = Layout(4 + len(state.pinholes[0].distortion), len(state.pinholes), BOW if free_bow else 0)
+    marks = 0 if mark_weights is None else state.marks_mm.size
+    layout = Layout(4 + len(state.pinholes[0].distortion), len(state.pinholes), BOW if free_bow else 0, marks)
     plain = Bundle(board, tuple(sights), layout)
-    return Bundle(board, tuple(sights), layout, HUBER_FACTOR * float(np.sqrt(2)), robust_sigmas(plain, state))
+    return Bundle(board, tuple(sights), layout, HUBER_FACTOR * float(np.sqrt(2)), robust_sigmas(plain, state), mark_weights)
+
+
+def _spread_out(blocks: FloatArray, firsts: IntArray, size: int) -> csr_array:
+    """Return derivatives (N, 2, K) as a sparse matrix (2 N, size), the columns of each pair of rows beginning at its first (N,)."""
+    count, _, own = blocks.shape
+    columns = np.repeat(firsts, 2)[:, None] + np.arange(own)
+    return csr_array((blocks.ravel(), columns.ravel(), np.arange(0, blocks.size + 1, own)), shape=(2 * count, size))
 
 
 def robust_sigmas(bundle: Bundle, state: BundleState) -> tuple[float, ...]:

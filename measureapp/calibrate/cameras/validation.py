@@ -151,7 +151,8 @@ def _as_solved(problem: CameraArrayProblem, solution: CameraArraySolution) -> Ca
     for corner in solution.rejected_corners:
         wrong.setdefault((corner.camera, corner.view), set()).add(corner.corner)
     kept = tuple(_without(one, wrong.get((one.camera, one.view), set())) for one in problem.sightings if (one.camera, one.view) in used)
-    return replace(problem, sightings=kept, rejected=(), free_bow=any(name in BOW_NAMES for name in solution.parameters))
+    free_bow = any(name in BOW_NAMES for name in solution.parameters)
+    return replace(problem, board=solution.board, sightings=kept, rejected=(), free_bow=free_bow, free_marks=False)
 
 
 def _without(sighting: Sighting, corners: set[int]) -> Sighting:
@@ -194,6 +195,7 @@ def _one_view(
         np.array([camera.reference_from_camera.matrix for camera in cameras]),
         np.array(pose)[None],
         np.array(board.bow_mm),
+        np.zeros((board.count, 2)),
     )
     return Bundle(board, sights, Layout(4 + count, len(cameras), 3 if free_bow else 0)), state
 

@@ -15,7 +15,14 @@ from measureapp.calibrate.draft.comparison import Comparison
 from measureapp.calibrate.draft.draft import Draft, Effect, Kind, Known, Limits, Setup, Solved, Words
 from measureapp.calibrate.draft.estimate import Estimate, camera_estimates
 from measureapp.calibrate.guidance.lenses import advise_lenses, ghost_for_lenses
-from measureapp.calibrate.kinds.lenses import compare_cameras, cross_validate_cameras, effect_of_cameras, lens_problem, solve_cameras
+from measureapp.calibrate.kinds.lenses import (
+    compare_cameras,
+    cross_validate_cameras,
+    effect_of_cameras,
+    lens_problem,
+    mark_warnings,
+    solve_cameras,
+)
 from measureapp.data.calibration import CameraArrayCalibration
 from measureapp.errors import InputError
 from measureapp.progress import Progress
@@ -103,7 +110,7 @@ class Cameras(Kind):
 
     @override
     def warnings(self, solved: Solved) -> Sequence[str]:
-        return ()
+        return mark_warnings(solved.camera_solution)
 
 
 def outdated_projector(known: Known) -> Sequence[str]:

@@ -25,7 +25,7 @@ from measureapp.calibrate.kinds.on_part import (
 )
 from measureapp.calibrate.poses import change_between
 from measureapp.calibrate.projection import intrinsic_names
-from measureapp.calibrate.sightings import Rejection
+from measureapp.calibrate.sightings import Rejection, rms
 from measureapp.data.calibration import CameraArrayCalibration, CameraCalibration
 from measureapp.data.conditions import LensSetting
 from measureapp.data.uncertainty import COVERAGE_FACTOR
@@ -147,6 +147,25 @@ def cross_validate_cameras(draft: Draft, solved: Solved, progress: Progress | No
         return None
     entered = replace(draft, observations=tuple(one for one in draft.observations if one.id in solved.of))
     return cross_validate(camera_problem(entered), solved.camera_solution, progress=progress)
+
+
+def mark_warnings(solution: CameraArraySolution | None) -> tuple[str, ...]:
+    """Say that the marks of the board are displaced by more than is stated of it; their displacements were estimated all the same."""
+    if solution is None or solution.scatter is None or solution.board.displaced_mm is None:
+        return ()
+    board, lengths = solution.board, solution.board.lengths
+    stated = 0.0 if lengths is None else COVERAGE_FACTOR * lengths.relative_sigma * float(np.ptp(board.flat_corners_mm, axis=0).max())
+    if solution.scatter.rms_mm <= stated:
+        return ()
+    displaced = np.array(board.displaced_mm)
+    away = np.linalg.norm(displaced, axis=1)
+    worst = int(np.argmax(away))
+    beyond = "" if lengths is None else f", beyond what is stated of it ({lengths.words})"
+    return (
+        f"The marks of the board are displaced by {millimetres(rms(displaced))} (rms){beyond}, the one in row "
+        f"{worst // board.columns + 1}, column {worst % board.columns + 1} by {millimetres(float(away[worst]))}: their places were "
+        "estimated with the cameras. Have the board certified, or use a better one.",
+    )
 
 
 def _normalised_change(previous: CameraArrayCalibration, solution: CameraArraySolution) -> float:

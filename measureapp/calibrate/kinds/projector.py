@@ -22,7 +22,7 @@ from measureapp.calibrate.draft.draft import Draft, Effect, Kind, Known, Limits,
 from measureapp.calibrate.draft.estimate import Estimate, projector_estimates
 from measureapp.calibrate.guidance.lenses import advise_lenses, ghost_for_lenses
 from measureapp.calibrate.kinds.cameras import with_cameras
-from measureapp.calibrate.kinds.lenses import lens_problem, solved_cameras
+from measureapp.calibrate.kinds.lenses import lens_problem, mark_warnings, solved_cameras
 from measureapp.calibrate.kinds.on_part import fitting_length_mm, length_uncertainty_with_projector, shape_difference_mm, volume_of
 from measureapp.calibrate.sightings import Rejection
 from measureapp.data.calibration import CameraArrayCalibration, ProjectorCalibration, RigCalibration
@@ -147,7 +147,8 @@ class Projector(Kind):
 
     @override
     def warnings(self, solved: Solved) -> Sequence[str]:
-        return () if solved.cameras.covariance is not None else (NO_COVARIANCE,)
+        head: HeadSolution = solved.solution
+        return (*mark_warnings(head.solution), *(() if solved.cameras.covariance is not None else (NO_COVARIANCE,)))
 
 
 def head_problem(

@@ -24,7 +24,7 @@ from measureapp.calibrate.guidance.turns import advise_turns, ghost_for_turns
 from measureapp.calibrate.kinds.axis import axis_at_height, axis_changes
 from measureapp.calibrate.kinds.cameras import GOOD_VIEWS, outdated_projector
 from measureapp.calibrate.kinds.fit import explain_by_rejected, name_poses, residuals_mm, residuals_px, solved_axes
-from measureapp.calibrate.kinds.lenses import cross_validate_cameras, lens_problem, solve_cameras
+from measureapp.calibrate.kinds.lenses import cross_validate_cameras, lens_problem, mark_warnings, solve_cameras
 from measureapp.calibrate.kinds.on_part import part_points_mm, sample_readbacks, view_consistency_sigma_mm
 from measureapp.calibrate.motions.axis_motion import rigid_motion
 from measureapp.calibrate.rig.joint import number_approaches, shortfalls, solve_rig
@@ -169,7 +169,8 @@ class Rig(Kind):
     @override
     def warnings(self, solved: Solved) -> Sequence[str]:
         solution: RigSolution = solved.solution
-        return [*solution.warnings, *(f"Not observable: {what}." for what in solution.not_observable)]
+        unseen = (f"Not observable: {what}." for what in solution.not_observable)
+        return [*mark_warnings(solved.camera_solution), *solution.warnings, *unseen]
 
 
 def solve_with_cameras(observations: Sequence[Observation], cameras: CameraArraySolution, setup: Setup, progress: Progress) -> RigSolution:

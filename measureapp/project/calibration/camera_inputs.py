@@ -39,6 +39,7 @@ def write_camera_inputs(path: Path, inputs: CameraInputs) -> None:
         "sizes_px": {name: list(size) for name, size in problem.sizes_px.items()},
         "distortion_count": problem.distortion_count,
         "free_bow": problem.free_bow,
+        "free_marks": problem.free_marks,
         "sightings": [
             {"camera": one.camera, "view": one.view, "image": inputs.images[one.camera, one.view], "corners_px": one.corners_px.tolist()}
             | ({} if len(one.ids) == problem.board.count else {"ids": one.ids.tolist()})
@@ -76,6 +77,7 @@ def read_camera_inputs(path: Path) -> CameraInputs:
             rejected=tuple(Rejection(str(one["camera"]), str(one["view"]), str(one["reason"])) for one in document["rejected"]),
             distortion_count=int(document["distortion_count"]),
             free_bow=bool(document["free_bow"]),
+            free_marks=bool(document.get("free_marks", True)),
         )
         _require_whole(problem)
         entries = [*document["sightings"], *document["rejected"]]
