@@ -2610,7 +2610,7 @@
     </message>
     <message>
       <source>The marks of the board are displaced by {v1} (rms){v2}, the one in row {v3}, column {v4} by {v5}: their places were estimated with the cameras. Have the board certified, or use a better one.</source>
-      <translation type="unfinished" />
+      <translation>标定板的标志点偏离其位置 {v1}（均方根）{v2}，第 {v3} 行第 {v4} 列的标志点偏离 {v5}：它们的位置已与相机一同估计。请对标定板进行检定，或使用更好的标定板。</translation>
     </message>
     <message>
       <source>The marks of the board that are visible are too few, or lie on one line.</source>
