@@ -54,10 +54,10 @@ def camera_problem(draft: Draft, rejected: Sequence[Rejection] = ()) -> CameraAr
     return replace(lens_problem(draft, draft.setup.camera_names), rejected=tuple(rejected))
 
 
-def solve_cameras(draft: Draft, progress: Progress) -> Solved:
-    """Calibrate the cameras of a draft. Raises CalibrationError."""
+def solve_cameras(draft: Draft, progress: Progress, *, roughly: bool = False) -> Solved:
+    """Calibrate the cameras of a draft; ``roughly``: with the board's marks where it has them. Raises CalibrationError."""
     start = None if draft.solved is None else draft.solved.camera_solution
-    solution = solve_array(camera_problem(draft), progress, start)
+    solution = solve_array(replace(camera_problem(draft), free_marks=not roughly), progress, start)
     return solved_cameras(draft, with_devices(solution, draft.setup.serials))
 
 

@@ -81,7 +81,7 @@ class Rig(Kind):
 
     @override
     def solve_cameras_alone(self, draft: Draft, progress: Progress) -> CameraArrayCalibration | None:
-        return solve_cameras(draft, progress).cameras if draft.setup.cameras is None else None
+        return solve_cameras(draft, progress, roughly=True).cameras if draft.setup.cameras is None else None
 
     @override
     def shortfalls(self, draft: Draft) -> tuple[str, ...]:

@@ -14,6 +14,8 @@ from measureapp.arrays import FloatArray, IntArray
 RECEIVER_STEP = 12  # pixels of the camera between two places at which second light is computed
 SENDERS = 400
 OFFSET_MM = 0.1
+LEAST_COSINE = 0.01  # between a normal and the way of the light
+MOST_PAIRS = 1_000_000  # of receivers and senders looked at together, for their memory
 NEAREST_MM = 1.0  # keeps the light of a patch from diverging where it touches the receiver
 
 
@@ -82,25 +84,37 @@ def bounce(
     if not len(rows) or not len(sources):
         return None
     points, normals, to_camera, materials = places(rows * RECEIVER_STEP + RECEIVER_STEP // 2, columns * RECEIVER_STEP + RECEIVER_STEP // 2)
+    seen = coarse[rows, columns, 3]
     weights = np.zeros((len(rows), len(sources)), np.float32)
-    for s in range(len(sources)):  # a column of the matrix at a time, so that the rays of one sender are cast together
-        towards = sources[s] - points
-        distance = np.maximum(np.linalg.norm(towards, axis=1), NEAREST_MM)
+    together = max(1, MOST_PAIRS // len(rows))  # senders whose rays are cast at once
+    for first in range(0, len(sources), together):
+        some = slice(first, first + together)
+        receiver, sender = _facing(points, normals, sources[some], source_normals[some])
+        start = points[receiver] + OFFSET_MM * normals[receiver]
+        end = (sources[some] + OFFSET_MM * source_normals[some])[sender]
+        open_way = ~hidden(np.hstack([start, end - start]).astype(np.float32))
+        receiver, sender = receiver[open_way], sender[open_way] + first
+        towards = sources[sender] - points[receiver]
+        distance = np.maximum(np.sqrt(np.einsum("ij,ij->i", towards, towards)), NEAREST_MM)
         direction = towards / distance[:, None]
-        received = np.einsum("ij,ij->i", normals, direction)
-        sent = -direction @ source_normals[s]
-        some = np.flatnonzero((received > 0.01) & (sent > 0.01))
-        if not len(some):
-            continue
-        start = points[some] + OFFSET_MM * normals[some]
-        end = sources[s] + OFFSET_MM * source_normals[s]
-        open_way = some[~hidden(np.hstack([start, end - start]).astype(np.float32))]
-        solid = received[open_way] * sent[open_way] / (np.pi * distance[open_way] ** 2)
-        matt, gloss = coarse[rows, columns, 3][open_way], 0.0
-        if materials[open_way, 1].any():
-            gloss = _lobe(normals[open_way], direction[open_way], to_camera[open_way], materials[open_way]) / np.sqrt(received[open_way])
-        weights[open_way, s] = strength * np.minimum(solid * power[s], 1.0) * (matt + gloss)
+        received = np.einsum("ij,ij->i", normals[receiver], direction)
+        solid = -received * np.einsum("ij,ij->i", source_normals[sender], direction) / (np.pi * distance**2)
+        reflected = seen[receiver]
+        if materials[:, 1].any():
+            lobe = _lobe(normals[receiver], direction, to_camera[receiver], materials[receiver])
+            reflected = reflected + lobe / np.sqrt(received)
+        weights[receiver, sender] = strength * np.minimum(solid * power[sender], 1.0) * reflected
     return Bounce(weights, rows, columns, source_px, coarse.shape[:2])
+
+
+def _facing(points: FloatArray, normals: FloatArray, sources: FloatArray, source_normals: FloatArray) -> tuple[IntArray, IntArray]:
+    """Return which receivers (N,) and senders (N,) face each other by more than LEAST_COSINE on both sides."""
+    squares = (np.einsum("ij,ij->i", places, places) for places in (points, sources))
+    distance = np.sqrt(np.maximum(np.add.outer(*squares) - 2.0 * points @ sources.T, NEAREST_MM**2))
+    received = normals @ sources.T - np.einsum("ij,ij->i", normals, points)[:, None]
+    sent = points @ source_normals.T - np.einsum("ij,ij->i", sources, source_normals)
+    receiver, sender = np.nonzero((received > LEAST_COSINE * distance) & (sent > LEAST_COSINE * distance))
+    return receiver, sender
 
 
 def _lobe(normals: FloatArray, to_light: FloatArray, to_camera: FloatArray, materials: FloatArray) -> FloatArray:
