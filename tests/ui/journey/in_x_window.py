@@ -17,6 +17,7 @@ from ui.app import build
 
 SIZE = (1280, 720)
 POLL_MS = 20
+SOON_MS = 250  # after a page was opened
 
 
 class Loop:
@@ -37,6 +38,11 @@ class Loop:
             self.wait(POLL_MS)
 
 
+def keep(window: QWidget, file: Path) -> None:
+    """Store what the screen shows of the window."""
+    assert QApplication.primaryScreen().grabWindow(window.winId()).save(str(file))
+
+
 def main(folder: Path) -> None:
     """Go the whole way, and keep what the screen showed on the pages Clouds and Inspect."""
     application = QApplication([])
@@ -44,7 +50,8 @@ def main(folder: Path) -> None:
     built.window.resize(*SIZE)
     built.window.show()
     with Heartbeat() as heart:
-        user = User(Loop(), heart, "x-window")
+        loop = Loop()
+        user = User(loop, heart, "x-window")
         journey = Journey(built, user, write_quarter_rig(folder / "quarter.toml"))
         journey.begin()
         journey.connect()
@@ -57,7 +64,11 @@ def main(folder: Path) -> None:
             user.wait(lambda: not built.controllers.drawing.queue.busy, 60.0, f"picture of {name}")
             stage = built.window.pages[name].view.stage
             user.wait(lambda stage=stage: stage is not None and stage.is_resting and stage.scene.is_complete, 60.0, f"points of {name}")
-            assert application.primaryScreen().grabWindow(built.window.winId()).save(str(folder / f"{name}.png"))
+            keep(built.window, folder / f"{name}.png")
+        for name in ("clouds", "inspection"):  # the pages share one window of VTK, which must not show the former page's picture
+            built.window.show_page(name)
+            loop.wait(SOON_MS)
+            keep(built.window, folder / f"{name}_soon.png")
         kinds = {type(widget).__name__ for widget in built.window.findChildren(QWidget)}
         print(f"platform {application.platformName()}, native {'NativeView' in kinds}", flush=True)  # noqa: T201
     print(heart.report(5), file=sys.stderr)  # noqa: T201

@@ -64,6 +64,19 @@ def test_the_journey_in_an_x_window_with_the_native_view(display, tmp_path):
     assert done.returncode == 0, done.stderr
     assert "platform xcb, native True" in done.stdout
     for name in ("clouds", "inspection"):
-        image = QImage(str(tmp_path / f"{name}.png"))
-        colours = {image.pixel(x, y) for x in range(120, 560, 3) for y in range(240, 620, 3)}
-        assert len(colours) > LEAST_COLOURS, f"{name} shows no picture"
+        assert len(set(picture(tmp_path / f"{name}.png"))) > LEAST_COLOURS, f"{name} shows no picture"
+    complete = {name: picture(tmp_path / f"{name}.png") for name in ("clouds", "inspection")}
+    for name, other in (("clouds", "inspection"), ("inspection", "clouds")):
+        soon = picture(tmp_path / f"{name}_soon.png")
+        assert unlike(soon, complete[name]) < 0.2 * unlike(complete[other], complete[name]), f"{name} shows another page's picture at first"
+
+
+def picture(file: Path) -> list[int]:
+    """Return colours in the middle of the 3-D view."""
+    image = QImage(str(file))
+    return [image.pixel(x, y) for x in range(120, 560, 3) for y in range(240, 620, 3)]
+
+
+def unlike(one: list[int], other: list[int]) -> int:
+    """Return how many colours differ."""
+    return sum(first != second for first, second in zip(one, other, strict=True))
