@@ -265,7 +265,7 @@ class CloudView(SteeredView):
 
     def _prepare(self) -> None:
         """Load graphics driver and shaders in idle time, before the view is first visible; the first view does it for all."""
-        if not self._allowed or self._window is not None or choose_backend() == "native":
+        if not self._allowed or self._window is not None:
             return
         from ui.viewport.preparation import Preparation
         from ui.viewport.render_window import shared_window
@@ -275,6 +275,7 @@ class CloudView(SteeredView):
         if self._window is not None:
             self._window.join(self)
             if is_first:
+                self._window.wait_for_view()
                 Preparation(self._window)
 
     def _create(self) -> None:

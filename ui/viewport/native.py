@@ -14,7 +14,7 @@ from vtkmodules.vtkRenderingCore import vtkPolyDataMapper2D, vtkRenderer, vtkRen
 from ui.viewport.depth import hidden_places, pick_at
 from ui.viewport.mouse import Mouse
 from ui.viewport.pick import Pick
-from ui.viewport.render_window import RenderWindow
+from ui.viewport.render_window import LEAST_VIEW_PX, RenderWindow
 from ui.viewport.stage import Stage
 
 
@@ -111,6 +111,18 @@ class NativeWindow(RenderWindow):
         self.holder: NativeView | None = None
         self.surface.drawAsked.connect(self._draw_holder)
         self.surface.windowChanged.connect(self._take_window)
+
+    def wait_for_view(self) -> None:
+        """Be in sight of the desktop, which draws in no other window, but outside of the program's window."""
+        top = self.parent()
+        assert isinstance(top, QWidget)
+        self.surface.setParent(top)
+        self.surface.setGeometry(-2 * LEAST_VIEW_PX, -2 * LEAST_VIEW_PX, LEAST_VIEW_PX, LEAST_VIEW_PX)
+        self.surface.show()
+        self._take_window()
+        clear = QImage(LEAST_VIEW_PX, LEAST_VIEW_PX, QImage.Format.Format_ARGB32_Premultiplied)
+        clear.fill(Qt.GlobalColor.transparent)
+        self.overlay.show(clear)
 
     def give_to(self, holder: NativeView) -> None:
         """Move the desktop window into a view."""

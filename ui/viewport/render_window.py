@@ -45,6 +45,9 @@ class RenderWindow(QObject):
             self.setParent(None)
             self.deleteLater()
 
+    def wait_for_view(self) -> None:
+        """Be ready to draw before there is a view."""
+
     def take_out(self, scene: Scene) -> None:
         """Release the graphics memory of a scene."""
         if self._scene is scene:
