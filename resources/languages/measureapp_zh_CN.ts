@@ -12202,6 +12202,10 @@ The first run of this part counts.</source>
       <translation>正在保存图像</translation>
     </message>
     <message>
+      <source>The measured points appear here after the first viewpoint.</source>
+      <translation>第一个视点测量后，测得的点将显示在此处。</translation>
+    </message>
+    <message>
       <source>The measurement has ended early</source>
       <translation>测量提前结束</translation>
     </message>
@@ -12232,6 +12236,10 @@ The first run of this part counts.</source>
     <message>
       <source>The result is being filed…</source>
       <translation>正在归档结果…</translation>
+    </message>
+    <message>
+      <source>The rig is calibrated first</source>
+      <translation>首先标定测量系统</translation>
     </message>
     <message>
       <source>The rig moves</source>
@@ -12336,6 +12344,10 @@ The first run of this part counts.</source>
     <message>
       <source>{drawing} rev. {revision}</source>
       <translation>{drawing} 版本 {revision}</translation>
+    </message>
+    <message>
+      <source>{elapsed} so far</source>
+      <translation>已用 {elapsed}</translation>
     </message>
     <message>
       <source>{elapsed}, about {left} left</source>

@@ -75,7 +75,6 @@ class CloudView(SteeredView):
         self._framing: tuple[np.ndarray | None, Direction] | None = None
         self.corner: Callable[[], tuple[str, ...]] = lambda: ()  # words in the corner of printed pictures
         self._placeholder = QLabel(translated(PREPARING), alignment=Qt.AlignmentFlag.AlignCenter)
-        self._placeholder.setProperty("role", "soft")
         self._placeholder.setWordWrap(True)
         self._stack = QStackedLayout(self)
         self._stack.addWidget(self._placeholder)
@@ -104,10 +103,10 @@ class CloudView(SteeredView):
         else:
             QTimer.singleShot(0, self, self._prepare)
 
-    def hide_picture(self) -> None:
-        """Say that a picture is being prepared, in place of one that is of something else; `show_picture` ends it."""
+    def hide_picture(self, instead: str = PREPARING) -> None:
+        """Say that a picture is being prepared, in place of one that is of something else, or of nothing; `show_picture` ends it."""
         if self._view is not None:
-            self._placeholder.setText(translated(PREPARING))
+            self._placeholder.setText(translated(instead))
             self._stack.setCurrentWidget(self._placeholder)
 
     def show_picture(self) -> None:

@@ -7,7 +7,9 @@ from measureapp.errors import DeviceError
 from measureapp.project.folder import ProjectFolder
 from measureapp.project.identification_file import read_identification
 from measureapp.project.series.store import SeriesStore
+from tests.ui.conftest import graphics_are_missing
 from ui.controllers.operator_nouns import UNREASONED
+from ui.session import RunNow
 
 
 def test_after_identification_three_presses_lead_to_the_next_part(workshop):
@@ -180,3 +182,22 @@ def test_a_damaged_program_file_is_a_card_that_says_so(workshop, tmp_path):
     assert last.name == "bracket.mpart" and "cannot be read as a part program" in last.problem
     workshop.screens.home.grid.buttons[-1].click()
     assert workshop.operator.step == "home" and "cannot be read" in workshop.screens._words.text()
+
+
+def test_until_the_first_viewpoint_the_screen_says_what_happens(workshop, monkeypatch):
+    session = workshop.application.session
+    session.set_graphics("failed" if graphics_are_missing() else "ready", "No graphics in this test.")
+    monkeypatch.setattr(workshop.application.controllers.scanning, "run", lambda *_: session.set_run(RunNow("running")))
+    workshop.identify("4711-9")
+    workshop.screens.identify.next.click()
+    workshop.load_and_start()
+    run = workshop.screens.run
+    workshop.wait(run.isVisible)
+    assert run.words.text() == "The rig is calibrated first"
+    assert run.time.text().endswith(" s so far")
+    shown = run.view.view._stack.currentWidget()
+    if not graphics_are_missing():
+        workshop.wait(lambda: run.view.view.is_live)
+        assert shown.text().startswith("The measured points appear here")
+        colours = {shown.grab().toImage().pixelColor(x, shown.height() // 2).name() for x in range(shown.width())}
+        assert len(colours) > 3  # letters

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QGridLayout, QLabel, QLineEdit, QWidget
 
@@ -56,7 +56,10 @@ class IdentifyScreen(QWidget):
         self.back = BigButton("Back", look, "unfold")
         self.next = BigButton("Next", look, "", "primary")
         self.next.setMinimumWidth(240)
-        layout = column(form, self.known, 0, row(self.back, 0, self.missing, self.next, spacing=16), spacing=16)
+        self.missing.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
+        buttons = row(self.back, self.missing, self.next, spacing=16)
+        buttons.setStretch(1, 1)
+        layout = column(form, self.known, 0, buttons, spacing=16)
         layout.setContentsMargins(24, 24, 24, 16)
         self.setLayout(layout)
         self.back.pressedOnce.connect(self.backClicked)

@@ -20,11 +20,11 @@ from ui.workers.job import Job
 
 
 class PartView(QWidget):
-    """Shows what ``composer`` returns, with lines and labels over it."""
+    """Shows what ``composer`` returns, with lines and labels over it; ``nothing``: words in place of an empty picture."""
 
-    def __init__(self, look: Look, session: Session, drawing: JobRunner) -> None:
+    def __init__(self, look: Look, session: Session, drawing: JobRunner, *, nothing: str = "") -> None:
         super().__init__()
-        self._session, self._drawing = session, drawing
+        self._session, self._drawing, self._nothing = session, drawing, nothing
         self.view = CloudView(look)
         self.view.menuOpening.connect(_without_dialogs)
         self._composer: Composer | None = None
@@ -72,6 +72,8 @@ class PartView(QWidget):
         composer = self._composer
         if composer is None:
             self._show((Picture(), shuffle(())))
+            if self._nothing:
+                self.view.hide_picture(self._nothing)
             return
         self._busy = True
         self._drawing.run("Drawing", lambda job: _prepare(composer, job), self._show, on_stopped=self._end, quiet=True)
@@ -81,6 +83,7 @@ class PartView(QWidget):
         picture, cloud = prepared
         self.view.set_surface(picture.surface)
         self.view.set_clouds(picture.clouds, cloud)
+        self.view.show_picture()
         self._end()
         self._redraw()
 

@@ -29,6 +29,8 @@ STEPS = {  # status of the present viewpoint
     "checking": "The images are checked",
     "storing": "The images are stored",
 }
+NO_CLOUD = "The measured points appear here after the first viewpoint."
+CALIBRATED_FIRST = "The rig is calibrated first"
 NOT_EMERGENCY = "Stop is not an emergency stop."
 RESUME = "Resume: hold for 1 s"
 KEPT = "{stored} of {planned} viewpoints are stored and kept."
@@ -47,7 +49,7 @@ class RunScreen(QWidget):
         self._look, self._session, self._controllers = look, session, controllers
         self._time, self._share, self._note = SteadyTime(), 0.0, ""
         self._placed = PlacedClouds()
-        self.view = PartView(look, session, controllers.drawing)
+        self.view = PartView(look, session, controllers.drawing, nothing=NO_CLOUD)
         self.bar = QProgressBar()
         self.bar.setRange(0, 1000)
         self.bar.setTextVisible(False)
@@ -180,11 +182,13 @@ class RunScreen(QWidget):
         self.bar.setValue(round(1000 * self._share))
         left = self._time.left(self._share, elapsed)
         words = {"elapsed": duration(elapsed), "left": "" if left is None else rough_duration(left)}
-        self.time.setText(tr("{elapsed}, about {left} left", **words) if left is not None else tr("{elapsed}", **words))
+        self.time.setText(tr("{elapsed}, about {left} left", **words) if left is not None else tr("{elapsed} so far", **words))
 
     def _step_words(self) -> str:
         points = list(self._session.viewpoints.values())
         present = next((place for place, point in enumerate(points) if point.status in STEPS), None)
+        if present is None and self._session.calibration is None:
+            return CALIBRATED_FIRST
         if present is None:
             return self._note.partition(": ")[0] or "The measurement is being prepared"
         words = {"step": STEPS[points[present].status], "number": present + 1, "all": len(points)}
