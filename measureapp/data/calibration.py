@@ -102,6 +102,7 @@ class CameraArrayCalibration:
     projector: ProjectorCalibration | None = None
     covariance: LabelledCovariance | None = None  # of cameras and projector; None if unknown
     lengths: BoardLengths | None = None  # of the board that gave the scale; None: nobody stated them
+    marks_rms_mm: float = 0.0  # displacement of the board's marks, where it was estimated with the cameras
 
     def __post_init__(self) -> None:
         if self.reference not in self.cameras:

@@ -233,6 +233,8 @@ def _calibration_facts(calibration: RigCalibration) -> tuple[Fact, ...]:
     cameras = calibration.cameras
     facts = [Fact(f"Camera {name}", _camera_words(cameras.cameras[name])) for name in cameras.names]
     facts += [Fact(f"Pair {name}", f"rms {number(rms)} px") for name, rms in cameras.pair_rms_px.items()]
+    if cameras.marks_rms_mm:
+        facts.append(Fact("Marks of the board", f"displaced by {number(cameras.marks_rms_mm)} mm (rms), estimated with the cameras"))
     axis, hand_eye, guide = calibration.axis, calibration.hand_eye, calibration.guide
     facts += [
         Fact("Rotation axis", f"σ {_sigmas(axis.point_sigma_mm, axis.direction_sigma_rad)}, residual {number(axis.residual_mm)} mm"),

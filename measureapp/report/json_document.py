@@ -160,6 +160,7 @@ def calibration_document(calibration: RigCalibration) -> dict[str, Any]:
             for name, camera in calibration.cameras.cameras.items()
         },
         "pair_rms_px": dict(calibration.cameras.pair_rms_px),
+        "board_marks_rms_mm": calibration.cameras.marks_rms_mm or None,
         "axis": {
             "point_mm": axis.point_mm.tolist(),
             "direction": axis.direction.tolist(),

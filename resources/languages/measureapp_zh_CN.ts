@@ -11618,6 +11618,10 @@
       <translation>Zhang 法，然后对所有相机作光束法平差</translation>
     </message>
     <message>
+      <source>Zhang, then bundle adjustment of all cameras and of the board's marks</source>
+      <translation>Zhang 法，然后对所有相机和标定板标志点作光束法平差</translation>
+    </message>
+    <message>
       <source>at a rim</source>
       <translation>边缘处</translation>
     </message>

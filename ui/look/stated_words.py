@@ -30,6 +30,7 @@ METHODS = (
     "Joint refinement",
     "Weighted least squares",
     "Zhang, then bundle adjustment of all cameras",
+    "Zhang, then bundle adjustment of all cameras and of the board's marks",
     "Inverse camera in the bundle adjustment of all cameras",
 )
 STAGES = (

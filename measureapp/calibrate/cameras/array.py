@@ -265,7 +265,8 @@ def _solution(
     if known is None:
         by = METHOD_WITH_MARKS if bundle.layout.marks else METHOD
         pairs, method = _pair_rms(bundle, residuals, cameras), Provenance(method=by)
-        array = CameraArrayCalibration(cameras[0], calibrations, pairs, method, None, left_uncertain, bundle.board.lengths)
+        marks = rms(state.marks_mm) if bundle.layout.marks else 0.0
+        array = CameraArrayCalibration(cameras[0], calibrations, pairs, method, None, left_uncertain, bundle.board.lengths, marks)
     else:
         array = replace(known, cameras=calibrations, covariance=None if known.covariance is None else left_uncertain)
     return CameraArraySolution(

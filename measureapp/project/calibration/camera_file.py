@@ -25,7 +25,7 @@ READABLE_VERSIONS = (1, 2)
 WIDEST_BLUR_PX = 20.0  # more than any blur at which a board is still detected
 DISTORTION_LENGTHS = (4, 5, 8, 12, 14)
 FILE_FIELDS = {"schema_version", "reference", "cameras", "pair_rms_px", "provenance", "projector"}
-FILE_FIELDS_SINCE_2 = {"covariance", "board_lengths"}
+FILE_FIELDS_SINCE_2 = {"covariance", "board_lengths", "board_marks_rms_mm"}
 COVARIANCE_FIELDS = {"parameters", "matrix"}
 LENS_FIELDS = ("width", "height", "matrix", "distortion")
 CAMERA_FIELDS = {*LENS_FIELDS, "reference_from_camera", "standard_deviations", "rms_px", "serial", "focus_mm", "f_number", "blur_px"}
@@ -75,6 +75,8 @@ def cameras_document(calibration: CameraArrayCalibration) -> dict[str, Any]:
         }
     if calibration.lengths is not None:
         document["board_lengths"] = calibration.lengths.model_dump(exclude_defaults=True)
+    if calibration.marks_rms_mm:
+        document["board_marks_rms_mm"] = float(calibration.marks_rms_mm)
     return document
 
 
@@ -141,9 +143,9 @@ def cameras_from(document: Any, source: str = "cameras.json") -> CameraArrayCali
         raise InputError(f"{source}: projector.name is {projector.name!r}, the name of a camera.", "Give the projector another name.")
     covariance = _covariance(document["covariance"], made, projector, source) if "covariance" in document else None
     lengths = _lengths(document["board_lengths"], source) if "board_lengths" in document else None
-    return CameraArrayCalibration(
-        str(reference), made, pairs, _provenance(provenance, source, "provenance"), projector, covariance, lengths
-    )
+    marks_rms_mm = _numbers({"board_marks_rms_mm": document.get("board_marks_rms_mm", 0.0)}, source, "the file")["board_marks_rms_mm"]
+    made_by = _provenance(provenance, source, "provenance")
+    return CameraArrayCalibration(str(reference), made, pairs, made_by, projector, covariance, lengths, marks_rms_mm)
 
 
 def _lengths(entry: Any, source: str) -> BoardLengths:

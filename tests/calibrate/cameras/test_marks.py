@@ -52,6 +52,8 @@ def test_displaced_marks_are_found_and_no_longer_move_the_cameras(head, board, s
     before, after = (np.sqrt(np.mean(np.square(list(errors_over_sigma(one, head).values())))) for one in (stiff, free))
     assert before > 1.6 and after < 1.4
     assert free.sigma_px == pytest.approx(NOISE_PX, rel=0.05)
+    assert free.calibration.marks_rms_mm == pytest.approx(np.sqrt(2) * scatter.rms_mm, rel=0.25)
+    assert stiff.calibration.marks_rms_mm == 0.0
 
 
 def test_a_board_whose_neighbours_share_displacements_is_of_less_certain_size(head, board, simulate):

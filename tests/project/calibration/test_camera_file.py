@@ -31,6 +31,7 @@ def calibration() -> CameraArrayCalibration:
         },
         {"left-right": 0.19},
         Provenance("2030-01-02T03:04:05+00:00", "bundle", {"left01.png": "abc"}),
+        marks_rms_mm=0.026,
     )
 
 
@@ -38,6 +39,7 @@ def test_a_written_calibration_reads_back_as_it_was(calibration, tmp_path):
     path = tmp_path / "cameras.json"
     write_cameras(path, calibration)
     again = read_cameras(path)
+    assert again.marks_rms_mm == calibration.marks_rms_mm
     assert cameras_document(again) == cameras_document(calibration)
     assert [entry.name for entry in tmp_path.iterdir()] == ["cameras.json"]
 
@@ -55,7 +57,7 @@ def test_the_covariance_of_the_cameras_reads_back_bit_for_bit(calibration, tmp_p
 
 
 def test_files_of_version_1_are_still_read_and_have_no_covariance(calibration, tmp_path):
-    document = cameras_document(calibration) | {"schema_version": 1}
+    document = cameras_document(replace(calibration, marks_rms_mm=0.0)) | {"schema_version": 1}
     (tmp_path / "cameras.json").write_text(json.dumps(document))
     assert read_cameras(tmp_path / "cameras.json").covariance is None
     document["covariance"] = {"parameters": [], "matrix": []}
