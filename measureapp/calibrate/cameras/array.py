@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import partial
 from itertools import combinations
 
 import numpy as np
@@ -109,11 +110,12 @@ def solve(problem: CameraArrayProblem, progress: Progress | None = None, before:
     free_bow = problem.free_bow and len(sights) >= LEAST_SIGHTS_FOR_BOW
     if free_bow and before is not None:
         start = replace(start, bow_mm=np.array(before.board.bow_mm))
-    adjusted = _adjust(problem, _Chosen(sights, names, rejected, []), start, (free_bow, None, known), PartOf(progress, 0.4, 0.8))
+    adjusting = partial(adjust, problem.board, free_bow=free_bow, known_cameras=known)
+    adjusted = _without_outliers(adjusting, _Chosen(sights, names, rejected, []), start, known, PartOf(progress, 0.4, 0.8))
     scatter = find_scatter(adjusted.bundle, adjusted.minimum) if problem.free_marks else None
     if scatter is not None:
-        again = (free_bow, scatter.weights(problem.board), known)
-        adjusted = _adjust(problem, adjusted.chosen, adjusted.minimum.state, again, PartOf(progress, 0.8, 1.0))
+        adjusting = partial(adjusting, mark_weights=scatter.weights(problem.board))
+        adjusted = _without_outliers(adjusting, adjusted.chosen, adjusted.minimum.state, known, PartOf(progress, 0.8, 1.0))
     progress.report(1, 1)
     edges = {name: [one.edge_px for one in sightings if one.camera == name] for name in cameras}
     return replace(_solution(adjusted, checks, problem.known, edges), scatter=scatter)
@@ -138,16 +140,19 @@ class _Adjusted:
     chosen: _Chosen
 
 
-def _adjust(
-    problem: CameraArrayProblem, chosen: _Chosen, start: BundleState, free: tuple[bool, FloatArray | None, int], progress: Progress
+def _without_outliers(
+    adjusting: Callable[..., tuple[Minimum[BundleState], Bundle]], chosen: _Chosen, start: BundleState, known: int, progress: Progress
 ) -> _Adjusted:
-    """Adjust and reject outliers in turn; ``free``: whether the bow is, the weights of marks that are, and how many cameras are not."""
-    free_bow, mark_weights, known = free
+    """Adjust and reject outliers in turn.
+
+    Parameters
+    ----------
+    adjusting : `adjust`, short of sightings, start and progress
+    known : how many of the cameras were given
+    """
     for number in range(ROUNDS + 1):
         part = PartOf(progress, number / (ROUNDS + 1), (number + 1) / (ROUNDS + 1), "bundle: ")
-        minimum, bundle = adjust(
-            problem.board, chosen.sights, start, free_bow=free_bow, mark_weights=mark_weights, known_cameras=known, progress=part
-        )
+        minimum, bundle = adjusting(chosen.sights, start, progress=part)
         if number == ROUNDS:  # outliers of the last round are rejected as well, so the solution must not contain them
             break
         found = reject_corners(bundle, minimum.state, chosen.names)
