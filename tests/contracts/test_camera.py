@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
 
 import numpy as np
@@ -11,6 +12,7 @@ from measureapp.devices.camera import Camera, Frame
 from measureapp.errors import DeviceError, DeviceTimeout, LimitError
 
 EXPOSURES_US = (40_000, 20_000)
+PERIOD_S = 0.2  # more than that of virtual cameras, which take two triggers within one for one
 
 
 def take(camera: Camera, count: int) -> list[Frame]:
@@ -121,12 +123,13 @@ def test_the_exposure_may_change_while_the_image_before_is_on_its_way(camera: Ca
     camera.set_exposure_us(40_000)
     camera.arm(2, "software")
     camera.trigger()
-    camera.wait_ready(timeout_s=5.0)
+    camera.wait_ready(timeout_s=20.0)
+    time.sleep(PERIOD_S)
     camera.set_exposure_us(20_000)
     camera.trigger()
-    first = camera.next_frame(timeout_s=5.0)
-    camera.wait_ready(timeout_s=5.0)
-    second = camera.next_frame(timeout_s=5.0)
+    first = camera.next_frame(timeout_s=20.0)
+    camera.wait_ready(timeout_s=20.0)
+    second = camera.next_frame(timeout_s=20.0)
     camera.disarm()
     for frame, exposure_us in ((first, 40_000), (second, 20_000)):
         assert frame.exposure_us is not None
