@@ -65,6 +65,7 @@ def test_the_image_before_can_be_fetched_while_the_next_is_exposed(camera: Camer
     camera.wait_ready(timeout_s=20.0)
     numbers = []
     for _ in range(2):
+        time.sleep(PERIOD_S)
         camera.trigger()
         numbers.append(camera.next_frame(timeout_s=20.0).number)
         camera.wait_ready(timeout_s=20.0)
