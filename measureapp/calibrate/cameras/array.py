@@ -112,7 +112,7 @@ def solve(problem: CameraArrayProblem, progress: Progress | None = None, before:
         start = replace(start, bow_mm=np.array(before.board.bow_mm))
     adjusting = partial(adjust, problem.board, free_bow=free_bow, known_cameras=known)
     adjusted = _without_outliers(adjusting, _Chosen(sights, names, rejected, []), start, known, PartOf(progress, 0.4, 0.8))
-    scatter = find_scatter(adjusted.bundle, adjusted.minimum) if problem.free_marks else None
+    scatter = find_scatter(adjusted.bundle, adjusted.minimum, known) if problem.free_marks else None
     if scatter is not None:
         adjusting = partial(adjusting, mark_weights=scatter.weights(problem.board))
         adjusted = _without_outliers(adjusting, adjusted.chosen, adjusted.minimum.state, known, PartOf(progress, 0.8, 1.0))

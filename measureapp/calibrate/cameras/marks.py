@@ -71,14 +71,15 @@ class _Evidence:
         return float(self.pull @ lu_solve(factors, covariance @ self.pull)) - spread
 
 
-def find_scatter(bundle: Bundle, minimum: Minimum[BundleState]) -> MarkScatter | None:
+def find_scatter(bundle: Bundle, minimum: Minimum[BundleState], known_cameras: int = 0) -> MarkScatter | None:
     """Return how the marks of a board scatter about where it has them; None where they do by nothing that matters.
 
     Parameters
     ----------
     bundle, minimum : of an adjustment that takes the marks for known
+    known_cameras : how many of the first cameras were given, and follow no mark
     """
-    evidence = _evidence(bundle, minimum)
+    evidence = _evidence(bundle, minimum, bundle.layout.lens_at(known_cameras) if known_cameras else 0)
     apart = bundle.board.neighbour_mm
     alone = _most_probable(evidence, (np.log(LEAST_SHARE * apart),))
     if alone.own_mm < LEAST_SHARE * apart or evidence.gain(alone) < SURE:
@@ -89,17 +90,19 @@ def find_scatter(bundle: Bundle, minimum: Minimum[BundleState]) -> MarkScatter |
     return max([alone, *smooth], key=evidence.gain)
 
 
-def _evidence(bundle: Bundle, minimum: Minimum[BundleState]) -> _Evidence:
-    """Eliminate everything but the marks (Schur complement)."""
+def _evidence(bundle: Bundle, minimum: Minimum[BundleState], held: int) -> _Evidence:
+    """Eliminate everything but the marks and the first ``held`` parameters, which stay as they are (Schur complement)."""
     layout = replace(bundle.layout, marks=minimum.state.marks_mm.size)
     normal = replace(bundle, layout=layout).linearise(minimum.state)
     own = np.zeros(len(normal.gradient), bool)
     own[layout.marks_at : layout.boards_at] = True
     variance = bundle.variance(minimum.state)
-    across = normal.hessian[np.ix_(~own, own)]
-    follow = minimum.covariance() @ across
+    others = ~own
+    others[:held] = False
+    across = normal.hessian[np.ix_(others, own)]
+    follow = minimum.covariance()[held:, held:] @ across
     information = normal.hessian[np.ix_(own, own)] - across.T @ follow
-    pull = normal.gradient[own] - follow.T @ normal.gradient[~own]
+    pull = normal.gradient[own] - follow.T @ normal.gradient[others]
     return _Evidence((information + information.T) / (2 * variance), pull / variance, bundle.flat_mm[:, :IN_PLANE])
 
 

@@ -92,6 +92,15 @@ def test_held_back_views_agree_with_the_marks_found(head, board, simulate):
     assert checked.healthy, checked.verdict
 
 
+def test_beside_cameras_that_are_known_marks_are_judged_as_well(head, board, simulate):
+    """Parameters that stay as they are given follow no mark."""
+    known = replace(head, cameras={name: head.cameras[name] for name in ("left", "right")})
+    sound = replace(seen(head, board, board, simulate, 14), known=known)
+    assert solve(sound).scatter is None
+    found = solve(replace(seen(head, board, printed(board, SMOOTH, 15), simulate, 16), known=known)).scatter
+    assert found is not None and found.rms_mm == pytest.approx(SMOOTH.rms_mm, rel=0.25)
+
+
 def test_derivatives_by_the_marks(head, board, simulate, monkeypatch):
     """The gradient of the normal equations is half that of the cost, and their matrix its change."""
     kept = {}

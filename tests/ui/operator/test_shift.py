@@ -193,6 +193,8 @@ def test_until_the_first_viewpoint_the_screen_says_what_happens(workshop, monkey
     workshop.load_and_start()
     run = workshop.screens.run
     workshop.wait(run.isVisible)
+    assert run.words.text() == "The measurement is being prepared"  # a calibration may be there already
+    workshop.application.controllers.jobs.progressed.emit(0.01, "Images of the board from pose01")
     assert run.words.text() == "The rig is calibrated first"
     assert run.time.text().endswith(" s so far")
     shown = run.view.view._stack.currentWidget()

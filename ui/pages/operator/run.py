@@ -187,7 +187,7 @@ class RunScreen(QWidget):
     def _step_words(self) -> str:
         points = list(self._session.viewpoints.values())
         present = next((place for place, point in enumerate(points) if point.status in STEPS), None)
-        if present is None and self._session.calibration is None:
+        if present is None and self._note and self._session.calibration is None:
             return CALIBRATED_FIRST
         if present is None:
             return self._note.partition(": ")[0] or "The measurement is being prepared"
