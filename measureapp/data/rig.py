@@ -123,6 +123,11 @@ class TableDescription(Model):
     axial_error_mm: float | None = Field(default=None, ge=0, description="axial error motion, ±; none: a usual one")
     tilt_error_arcsec: float | None = Field(default=None, ge=0, description="tilt error motion (wobble), ±; none: a usual one")
 
+    @property
+    def is_described(self) -> bool:
+        """Whether place and size of the table are known; those of a recorded rig often are not."""
+        return self.diameter_mm > 0.0
+
 
 class CalibrationRules(Model):
     """Validity limits of a calibration of this rig: age, temperature, traceable scale."""

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 SURROUNDINGS = "surroundings"  # key of the settings of a measurement, under which the sentence is kept
 SURROUNDINGS_KEPT = "Points of table, fixtures and background were kept, by choice."
+PART_ELSEWHERE = "No points were found where the part should stand on the table: none were excluded as its surroundings."
 ABOVE_TABLE_MM = 1.0  # excluded with the table
 KINDS = {  # in the order in which points are looked at, with how each is told
     "background": "{share} background",
@@ -21,9 +22,12 @@ class Surroundings:
 
     points: int = 0
     found: tuple[tuple[str, int], ...] = ()  # by the keys of `KINDS`
+    nothing_of_part: bool = False  # all points would have been excluded, so that none were
 
     @property
     def sentence(self) -> str:
         """What was excluded, in words; empty where nothing was."""
+        if self.nothing_of_part:
+            return PART_ELSEWHERE
         told = [KINDS[kind].format(share=f"{count / self.points:.1%}", above=f"{ABOVE_TABLE_MM:g}") for kind, count in self.found if count]
         return f"Excluded as surroundings of the part, of all points: {'; '.join(told)}." if told else ""

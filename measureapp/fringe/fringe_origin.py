@@ -10,7 +10,7 @@ import numpy as np
 from measureapp.arrays import BoolArray, FloatArray, IntArray
 from measureapp.data.phase import PixelState
 from measureapp.errors import DecodeError
-from measureapp.fringe.kernels.structures import CHUNK, RESIDUAL_SCALE, DecodeModel, ImageLayout, PixelMaps
+from measureapp.fringe.kernels.structures import CHUNK, DecodeModel, ImageLayout, PixelMaps
 from measureapp.fringe.unwrap import HeterodynePlan
 
 LEAST_TRANSITIONS = 200
@@ -19,6 +19,7 @@ NEIGHBOURS = 2  # px: a pixel between them may be on the jump
 ORIGINS = (0.0, -0.5)  # cycles: the patterns start with a crest, or with a trough
 SAMPLED_CHUNKS = (8, 128, 2048)  # the fewest are enough unless the part fills little of the image
 LEAST_SAMPLED = 1000  # usable pixels
+CLEAR = 6.0  # standard deviations by which the rounding residuals of both origins should differ: those of faint fringes hardly do
 GOLDEN_RATIO = (1 + sqrt(5)) / 2  # multiples of it, without their whole part, fill an interval evenly however many they are
 USABLE = np.isin(np.arange(len(PixelState)), (PixelState.VALID, PixelState.ORDER_CONFLICT, PixelState.OUT_OF_RANGE))  # by state
 
@@ -53,15 +54,16 @@ def sampled_chunks(pixels: int, number: int) -> list[tuple[int, int]]:
 
 
 def _chain_origin(model: DecodeModel, chain: HeterodynePlan, layout: ImageLayout, solve: Solve) -> tuple[float, bool]:
-    """Return the origin with the smaller rounding residuals, and whether there were enough usable pixels."""
+    """Return the origin with the smaller rounding residuals, and whether there were enough usable pixels for it."""
     unwrapping = model.unwrapping._replace(watched=len(chain.combinations) - 1)
-    spread, enough = [], True
+    spread, variance, enough = [], 0.0, True
     for origin in ORIGINS:
         maps = solve(_keep_conflicts(model)._replace(origin=np.float32(origin), unwrapping=unwrapping), layout)
         residual = np.abs(maps.residual[USABLE[maps.state]].astype(np.float32))
-        spread.append(float(residual.mean()) / RESIDUAL_SCALE if residual.size else 0.0)
+        spread.append(float(residual.mean()) if residual.size else 0.0)
+        variance += float(residual.var()) / residual.size if residual.size else 0.0
         enough &= residual.size >= LEAST_SAMPLED
-    return ORIGINS[int(np.argmin(spread))], enough
+    return ORIGINS[int(np.argmin(spread))], enough and abs(spread[0] - spread[1]) >= CLEAR * sqrt(variance)
 
 
 def _gray_origin(model: DecodeModel, layout: ImageLayout, solve: Solve) -> tuple[float, bool]:

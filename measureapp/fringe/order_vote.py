@@ -82,6 +82,9 @@ def settle_orders(flat_maps: PixelMaps, shape: tuple[int, int], limits: VoteLimi
     repaired = 0
     if limits.radius:
         repaired, moved = _vote(places, maps, limits)
+        refused = places[flat_maps.state[places] == PixelState.ORDER_CONFLICT]
+        more, also = _vote(refused, maps, limits)  # again: their neighbours have found their orders since
+        repaired, moved = repaired + more, np.concatenate([moved, also])
         fresh = np.unique(_neighbours(moved, shape))
         fresh = fresh[doubtful.reshape(-1)[fresh] == 0]
         before += np.bincount(flat_maps.state[fresh], minlength=len(PixelState))

@@ -23,12 +23,12 @@ class DecodeSettings(Model):
     min_modulation: float = Field(
         default=10.0,
         ge=0,
-        description="least B at the exposure taken, in grey levels of an 8-bit image, of a pixel whose fringe orders may be in doubt",
+        description="least B at the exposure taken, in grey levels of an 8-bit image; the orders of fainter pixels may need their neighbours",
     )
     faint_modulation: float = Field(
         default=3.0,
         ge=0,
-        description="the same of a pixel whose orders are beyond doubt; of one image as exact as all its exposures together",
+        description="least B of a valid pixel, of one image as exact as all its exposures together",
     )
     max_sigma_rad: float = Field(default=0.25, gt=0, description="largest standard deviation of the absolute phase")
     residual_gate: float = Field(default=0.35, gt=0, le=0.5, description="largest rounding residual of an order without support, cycles")

@@ -55,13 +55,15 @@ def watch_part(
 
 
 def displacement(view: ViewResult, nominal: Mesh, pose: PartPose | None, calibration: RigCalibration, rig: RigDescription) -> str:
-    """State where a part is that is not where its pose says, by the best fit of one view; empty where it is.
+    """State where a part is that is not where its pose says, by the best fit of one view; empty where it is, or where no table is described.
 
     Raises
     ------
     InspectionError
         From the best fit, where it refuses the size of the cloud.
     """
+    if not rig.table.is_described:
+        return ""
     surface = NominalSurface(nominal)
     assumed = assumed_pose(nominal, pose, calibration, rig)
     view = exclude_surroundings([view], nominal, pose, calibration, rig)[0][0]

@@ -36,12 +36,17 @@ def solid_of(nominal: Mesh, pose: PartPose | None = None) -> PartSolid:
 
 
 def assumed_pose(nominal: Mesh, pose: PartPose | None, calibration: RigCalibration, rig: RigDescription) -> RigidTransform:
-    """Return ``part_from_nominal`` in the frame of the clouds, whose origin lies on the table's axis, but not on its top."""
+    """Return ``part_from_nominal`` in the frame of the clouds, whose origin lies on the table's axis, but not on its top.
+
+    Where the rig does not describe its table, the height is unknown, and that of the origin.
+    """
     placed = standing(nominal, pose)
-    lifted = placed.translation_mm + np.array([0.0, 0.0, table_level_mm(calibration, rig)])
+    lifted = placed.translation_mm + np.array([0.0, 0.0, table_level_mm(calibration, rig) or 0.0])
     return RigidTransform.from_parts(placed.rotation, lifted, "part", "nominal")
 
 
-def table_level_mm(calibration: RigCalibration, rig: RigDescription) -> float:
-    """Return the height of the table's top in the frame of the clouds, by the description of the rig."""
+def table_level_mm(calibration: RigCalibration, rig: RigDescription) -> float | None:
+    """Return the height of the table's top in the frame of the clouds, by the description of the rig; None where it describes no table."""
+    if not rig.table.is_described:
+        return None
     return float(calibration.table_from_guide.apply(np.array(rig.table.centre_in_guide_mm))[2])

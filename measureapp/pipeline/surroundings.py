@@ -26,10 +26,12 @@ from measureapp.inspection.surface.nominal import NominalSurface
 from measureapp.pipeline.part_on_table import assumed_pose, table_level_mm
 
 BEYOND_MM, BEYOND_SHARE = 50.0, 0.5  # room around the part as it should stand, of its size: it is put down by hand
-LEVEL_MM = 15.0  # the table's top is sought so far above and below where the description has it
+LEVEL_MM = 15.0  # the table's top is sought so far above and below where the description has it; at any height where it has none
 BESIDE_MM = 10.0  # from the circle around the part, outside of which nothing but table and fixtures is expected
 BIN_MM, NEAR_LEVEL_MM = 0.5, 1.5  # of the heights among which the table's top is the most frequent
 LEAST_TABLE_POINTS = 300
+BELOW_SHARE = 0.02  # of the points, that may lie below the table's top: it hides what is there. A flange that juts out does not
+LEAST_PART_POINTS = 100  # of all views: where fewer are left, the part is not where it is assumed
 STEEPEST_COSINE = 0.996  # 5° between a normal of the table's top and the axis
 WIDE_MM = 20.0  # standard deviation of the table's points along the narrow side, below which their plane is taken as level
 AROUND_FIXTURE_MM = 0.5
@@ -78,12 +80,12 @@ class PartRoom:
     radius_mm: float  # about the axis of the table
     highest_mm: float
     beside_mm: float  # radius outside of which no point of the part is expected
-    level_mm: float  # of the table's top by the description of the rig
+    level_mm: float | None  # of the table's top by the description of the rig; None: anywhere
     fixtures: tuple[Fixture, ...]  # that turn with the table
 
     @classmethod
-    def of(cls, placed_mm: FloatArray, level_mm: float, rig: RigDescription) -> PartRoom:
-        """Return the room of a part whose corners should lie at ``placed_mm`` (N, 3)."""
+    def of(cls, placed_mm: FloatArray, level_mm: float | None, rig: RigDescription) -> PartRoom:
+        """Return the room of a part whose corners should lie at ``placed_mm`` (N, 3); of any height where the table's level is unknown."""
         size = float(np.ptp(placed_mm, axis=0).max())
         beyond = max(BEYOND_MM, BEYOND_SHARE * size)
         reach = float(np.hypot(placed_mm[:, 0], placed_mm[:, 1]).max())
@@ -92,12 +94,16 @@ class PartRoom:
 
     def is_background(self, points_mm: FloatArray) -> BoolArray:
         """Whether points (N, 3) lie outside of the room."""
-        away = np.hypot(points_mm[:, 0], points_mm[:, 1])
-        return np.asarray((away > self.radius_mm) | (points_mm[:, 2] > self.highest_mm) | (points_mm[:, 2] < self.level_mm - LEVEL_MM))
+        outside = np.hypot(points_mm[:, 0], points_mm[:, 1]) > self.radius_mm
+        if self.level_mm is not None:
+            outside |= (points_mm[:, 2] > self.highest_mm) | (points_mm[:, 2] < self.level_mm - LEVEL_MM)
+        return np.asarray(outside)
 
     def is_fixture(self, points_mm: FloatArray) -> BoolArray:
         """Whether points (N, 3) lie in a fixture of the description."""
         inside = np.zeros(len(points_mm), np.bool_)
+        if self.level_mm is None:
+            return inside
         above = points_mm - [0.0, 0.0, self.level_mm]
         for fixture in self.fixtures:
             low, high = np.array(fixture.low_mm), np.array(fixture.high_mm)
@@ -112,7 +118,7 @@ class PartRoom:
         """Return the plane of the table's top, z = p[0] + p[1] x + p[2] y, from the `level_points` (N, 3) of all views; None where it was not seen."""
         if len(seen) < LEAST_TABLE_POINTS:
             return None
-        counts, edges = np.histogram(seen[:, 2], np.arange(self.level_mm - LEVEL_MM, self.level_mm + LEVEL_MM + BIN_MM, BIN_MM))
+        counts, edges = np.histogram(seen[:, 2], np.arange(float(seen[:, 2].min()), float(seen[:, 2].max()) + BIN_MM, BIN_MM))
         middle = float(edges[int(np.argmax(counts))]) + BIN_MM / 2.0
         seen = seen[np.abs(seen[:, 2] - middle) < NEAR_LEVEL_MM]
         if len(seen) < LEAST_TABLE_POINTS:
@@ -125,7 +131,7 @@ class PartRoom:
 
     def level_points(self, placed: PlacedView, points_mm: FloatArray) -> FloatArray:
         """Return those points (M, 3) of a view's (N, 3) that may be the table's top: kept, beside the part, near its level, and level."""
-        near = np.abs(points_mm[:, 2] - self.level_mm) < LEVEL_MM
+        near = self.level_mm is None or np.abs(points_mm[:, 2] - self.level_mm) < LEVEL_MM
         rows = np.flatnonzero(placed.kept & near & (np.hypot(points_mm[:, 0], points_mm[:, 1]) > self.beside_mm))
         return np.asarray(points_mm[rows[placed.normals(rows) @ UP > STEEPEST_COSINE]])
 
@@ -136,8 +142,9 @@ def exclude_surroundings(
     """Return the views without points of table, fixtures and background, and what was excluded.
 
     Background is what lies outside of a generous room around the part as it should stand. The plane of the table's top is found where
-    points beside the part show it. Only where the surroundings are in the picture, points far from the nominal are excluded too, after a
-    best fit: on a part by itself they are deviations.
+    points beside the part show it; at any height where the rig describes no table, provided that nearly nothing lies below it. Only where
+    the surroundings are in the picture, points far from the nominal are excluded too, after a best fit: on a part by itself they are
+    deviations. Where nothing would be left, the part is not where it was assumed, and nothing is excluded.
 
     Parameters
     ----------
@@ -152,6 +159,8 @@ def exclude_surroundings(
         background += view.remove(room.is_background(at))
         level.append(room.level_points(view, at))
     top = room.table_top(np.vstack(level))
+    if top is not None and room.level_mm is None and _share_below(placed, top) > BELOW_SHARE:
+        top = None
     found = {"background": background, **({} if top is None else {"table": 0}), "fixtures": 0}
     for view in placed if top is not None or room.fixtures else ():
         at = view.points_mm()
@@ -159,11 +168,23 @@ def exclude_surroundings(
             found["table"] += view.remove(at @ [-top[1], -top[2], 1.0] - top[0] < ABOVE_TABLE_MM)
         found["fixtures"] += view.remove(room.is_fixture(at))
     points = sum(len(view.kept) for view in placed)
+    if points - sum(found.values()) < min(points, LEAST_PART_POINTS):
+        return list(views), Surroundings(points, nothing_of_part=True)
     if sum(found.values()) > SEEN_SHARE * points:
         found["far"] = _remove_far(placed, nominal)
     if not any(found.values()):
         return list(views), Surroundings()
     return [view.result() for view in placed], Surroundings(points, tuple(found.items()))
+
+
+def _share_below(placed: Sequence[PlacedView], top: FloatArray) -> float:
+    """Return the share of the points that are kept which lies clearly below a plane as of `PartRoom.table_top`."""
+    below = kept = 0
+    for view in placed:
+        at = view.points_mm(np.flatnonzero(view.kept))
+        below += int(np.count_nonzero(at @ [-top[1], -top[2], 1.0] - top[0] < -NEAR_LEVEL_MM))
+        kept += len(at)
+    return below / max(kept, 1)
 
 
 def _remove_far(placed: Sequence[PlacedView], nominal: Mesh) -> int:

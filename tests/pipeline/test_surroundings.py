@@ -15,11 +15,11 @@ from measureapp.data.cloud import CloudQuality
 from measureapp.data.measurement import ViewResult
 from measureapp.data.mesh import Mesh
 from measureapp.data.rig import RigDescription
-from measureapp.data.surroundings import ABOVE_TABLE_MM, SURROUNDINGS, Surroundings
+from measureapp.data.surroundings import ABOVE_TABLE_MM, PART_ELSEWHERE, SURROUNDINGS, Surroundings
 from measureapp.data.view_choices import ViewChoices
 from measureapp.geometry.transform import RigidTransform
 from measureapp.pipeline.assemble import _with_surroundings, _without_surroundings
-from measureapp.pipeline.surroundings import FAR_MM, exclude_surroundings
+from measureapp.pipeline.surroundings import BEYOND_MM, FAR_MM, exclude_surroundings
 from measureapp.planning.viewpoints import plan_around_part
 from measureapp.project.geometry.files import write_mesh
 from tests.calibrate.paper_rig import RIG, Cell
@@ -160,3 +160,39 @@ def test_the_user_may_keep_the_surroundings_and_is_told_either_way(
     former = {"patterns": "three-close", SURROUNDINGS: "of a former choice"}
     assert _with_surroundings(former, found.sentence) == {"patterns": "three-close", SURROUNDINGS: found.sentence}
     assert _with_surroundings(former, nothing.sentence) == {"patterns": "three-close"}
+
+
+UNDESCRIBED = RIG.model_copy(update={"table": RIG.table.model_copy(update={"diameter_mm": 0.0, "centre_in_guide_mm": (0.0, 0.0, 0.0)})})
+
+
+def test_without_a_described_table_a_part_stays_at_any_height(cell: Cell, calibration: RigCalibration, nominal: Mesh) -> None:
+    views = views_of(cell, cross())
+    kept, found = exclude_surroundings(views, nominal, None, calibration, UNDESCRIBED)
+    assert LEVEL_MM >= nominal.vertices_mm[:, 2].max() + BEYOND_MM  # above the room of a part whose table is taken to be at the origin
+    assert found == Surroundings() and all(one is other for one, other in zip(kept, views, strict=True))
+
+
+def test_without_a_described_table_its_top_is_found_at_any_height(cell: Cell, calibration: RigCalibration, nominal: Mesh) -> None:
+    part = cross()
+    views = views_of(cell, part, table_top(), *clamps())
+    kept, found = exclude_surroundings(views, nominal, None, calibration, UNDESCRIBED)
+    described, _ = exclude_surroundings(views, nominal, None, calibration, RIG)
+    assert dict(found.found)["table"] > 1000
+    assert [len(one.cloud) for one in kept] == [len(one.cloud) for one in described]
+
+
+def test_a_flange_that_juts_out_is_no_table(cell: Cell, calibration: RigCalibration, nominal: Mesh) -> None:
+    flange = box((300.0, 40.0, 6.0), (0.0, 0.0, 50.0))
+    views = views_of(cell, cross(), flange)
+    kept, found = exclude_surroundings(views, nominal, None, calibration, UNDESCRIBED)
+    assert "table" not in dict(found.found)
+    assert heights_mm(kept).min() < 10.0
+
+
+def test_nothing_is_excluded_where_nothing_would_be_left(cell: Cell, calibration: RigCalibration, nominal: Mesh) -> None:
+    centre = (0.0, 0.0, -LEVEL_MM)
+    elsewhere = RIG.model_copy(update={"table": RIG.table.model_copy(update={"centre_in_guide_mm": centre})})
+    views = views_of(cell, cross())
+    kept, found = exclude_surroundings(views, nominal, None, calibration, elsewhere)
+    assert all(one is other for one, other in zip(kept, views, strict=True))
+    assert found.sentence == PART_ELSEWHERE

@@ -128,8 +128,10 @@ def solve(sums: ExposureSums, layout: ImageLayout, model: DecodeModel, maps: Pix
     modulation = np.sqrt(square) * scale
     limits = model.limits
     image_noise = light * scale * limits.image_gain + limits.image_floor
-    poor = (square * image_noise < limits.faint_modulation**2 * noise) | (variance > limits.sure_variance)
-    state = classify(sums, value, residual, variance, (modulation < limits.least_modulation) & poor, limits)
+    dim = modulation < limits.least_modulation
+    poor = (square * image_noise < limits.faint_modulation**2 * noise) | (variance > limits.voted_variance)
+    doubtful = dim & (variance > limits.sure_variance) | (np.abs(residual) > limits.gate)
+    state = classify(sums, value, doubtful, variance, dim & poor, limits)
     kept = np.isin(state, WITH_PHASE if limits.keep_conflicts else (PixelState.VALID,))
     maps.phase[:] = np.where(kept, (value + model.origin) * 2 * np.pi, 0)
     maps.sigma[:] = np.where(kept, np.sqrt(variance), 0)
@@ -198,7 +200,7 @@ def average_pitches(value: FloatArray, phases: FloatArray, power: FloatArray, mo
 
 
 def classify(
-    sums: ExposureSums, value: FloatArray, residual: FloatArray, variance: FloatArray, faint: BoolArray, limits: Limits
+    sums: ExposureSums, value: FloatArray, doubtful: BoolArray, variance: FloatArray, faint: BoolArray, limits: Limits
 ) -> IntArray:
     """Return the state of each pixel: the gravest of all that apply."""
     unused = (sums.used == 0).any(axis=0)
@@ -209,7 +211,7 @@ def classify(
         PixelState.SHADOW: variance > limits.shadow_variance,
         PixelState.WEAK_MODULATION: faint | (variance > limits.weak_variance) | dark,
         PixelState.OUT_OF_RANGE: (value < limits.lowest) | (value > limits.highest),
-        PixelState.ORDER_CONFLICT: np.abs(residual) > limits.gate,
+        PixelState.ORDER_CONFLICT: doubtful,
     }
     return np.asarray(np.select(list(conditions.values()), list(conditions), PixelState.VALID), np.uint8)
 

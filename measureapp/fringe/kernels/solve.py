@@ -122,8 +122,10 @@ def evaluate(sums: Any, place: int, first: int, layout: Any, model: Any, work: A
     if any_lane(outside | faint | (unusable != VALID)):
         image_variance = light * to_brightest * limits.image_gain + limits.image_floor  # of one image at the longest exposure used
         least = limits.faint_modulation
-        poor = (square * image_variance < least * least * variance_of_sum) | (variance > limits.sure_variance)
-        weak = ((modulation < limits.least_modulation) & poor) | (variance > limits.weak_variance) | (unusable == WEAK)
+        dim = modulation < limits.least_modulation
+        poor = (square * image_variance < least * least * variance_of_sum) | (variance > limits.voted_variance)
+        weak = (dim & poor) | (variance > limits.weak_variance) | (unusable == WEAK)
+        state = select(dim & (variance > limits.sure_variance), CONFLICT, state)
         state = select(outside, OUTSIDE, state)
         state = select(weak, WEAK, state)
         state = select(variance > limits.shadow_variance, SHADOW, state)

@@ -115,6 +115,7 @@ class Limits(NamedTuple):
     image_gain: Any  # float32, shot noise of a single image: variance per grey level
     image_floor: Any  # float32, variance of a single image in the dark, grey levels squared
     sure_variance: Any  # float32, rad²: below it no fringe order is in doubt; negative: the modulation alone counts
+    voted_variance: Any  # float32, rad²: largest of a faint pixel whose order its neighbours may decide; `sure_variance`: they may not
     weak_variance: Any  # float32, rad²: largest of a valid pixel
     shadow_variance: Any  # float32, rad²: above it fringes cannot be distinguished from noise
     zero_is_dark: Any  # bool, a pixel with an image at 0 in the exposure used is not valid

@@ -139,7 +139,7 @@ def _standing_bodies(rig: RigDescription) -> Iterator[Body]:
     yield Body("floor", Kind.GROUND, FIXED, floor, np.eye(4))
     if cell.guide_beam is not None:
         yield Body("linear guide", Kind.GROUND, FIXED, box(cell.guide_beam.low_mm, cell.guide_beam.high_mm), np.eye(4))
-    if table.diameter_mm > 0.0:
+    if table.is_described:
         height_mm = max(table.centre_in_guide_mm[2] - cell.floor_mm, LEAST_TABLE_MM)
         yield Body(TABLE_NAME, Kind.OBSTACLE, TABLE, cylinder((0.0, 0.0, -height_mm), table.diameter_mm / 2.0, height_mm), np.eye(4))
     for fixture in cell.fixtures:
