@@ -28,7 +28,7 @@ from measureapp.fringe.unwrap import SURE, HeterodynePlan, extent_px, plan_heter
 RANGE_MARGIN_PX = 2.0
 GRAY_GATE_CYCLES = 0.5
 LUT_LENGTH = 1024
-PLURALITY = 0.6  # standard deviations that half a period must be worth: the right order is then nearly twice as frequent as any other
+PLURALITY = 0.7  # standard deviations that half a period must be worth for a vote: about half of the neighbours then have the right order
 NORMAL_QUANTILE = 3.09  # one pixel in a thousand without fringes passes for one with fringes
 
 
@@ -76,6 +76,8 @@ def _limits(plan: DecodePlan, chain: HeterodynePlan | None, scales: FloatArray, 
     settings, saturation, finest_px = plan.settings, plan.saturation, plan.patterns.finest_pitch_px
     sure_variance = _sure_variance(plan, chain, scales)
     by_vote = votes and sure_variance > 0.0 and settings.rule != "paper"
+    voted_variance = sure_variance * (SURE / PLURALITY) ** 2 if by_vote else sure_variance
+    weak_variance = min(settings.max_sigma_rad**2, voted_variance) if by_vote else settings.max_sigma_rad**2
     return Limits(
         saturated_grey=np.float32(min(saturation * max(plan.exposures_us) / min(plan.exposures_us), 65535.0)),
         least_modulation=np.float32(settings.min_modulation_grey(saturation)),
@@ -83,8 +85,8 @@ def _limits(plan: DecodePlan, chain: HeterodynePlan | None, scales: FloatArray, 
         image_gain=np.float32(1 / noise.electrons_per_grey(saturation)),
         image_floor=np.float32(noise.floor_variance(saturation)),
         sure_variance=np.float32(sure_variance),
-        voted_variance=np.float32(sure_variance * (SURE / PLURALITY) ** 2 if by_vote else sure_variance),
-        weak_variance=np.float32(settings.max_sigma_rad**2),
+        voted_variance=np.float32(voted_variance),
+        weak_variance=np.float32(weak_variance),
         shadow_variance=np.float32(shadow_sigma(scales) ** 2),
         zero_is_dark=settings.rule == "paper",
         lowest=np.float32(-RANGE_MARGIN_PX / finest_px),

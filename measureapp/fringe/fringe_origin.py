@@ -10,10 +10,11 @@ import numpy as np
 from measureapp.arrays import BoolArray, FloatArray, IntArray
 from measureapp.data.phase import PixelState
 from measureapp.errors import DecodeError
-from measureapp.fringe.kernels.structures import CHUNK, DecodeModel, ImageLayout, PixelMaps
+from measureapp.fringe.kernels.structures import CHUNK, RESIDUAL_SCALE, DecodeModel, ImageLayout, PixelMaps
 from measureapp.fringe.unwrap import HeterodynePlan
 
 LEAST_TRANSITIONS = 200
+JOINT = 9  # px, odd: over which the surface is taken as smooth
 JUMP_CYCLES = 0.01  # about the jump of the wrapped phase: above the rounding of eight bits, a small share of the pixels
 NEIGHBOURS = 2  # px: a pixel between them may be on the jump
 ORIGINS = (0.0, -0.5)  # cycles: the patterns start with a crest, or with a trough
@@ -54,16 +55,42 @@ def sampled_chunks(pixels: int, number: int) -> list[tuple[int, int]]:
 
 
 def _chain_origin(model: DecodeModel, chain: HeterodynePlan, layout: ImageLayout, solve: Solve) -> tuple[float, bool]:
-    """Return the origin with the smaller rounding residuals, and whether there were enough usable pixels for it."""
+    """Return the origin with the smaller rounding residuals, and whether there were enough usable pixels for it.
+
+    The residuals of faint fringes are spread over the whole period; those of a few pixels of a row together are less so.
+    """
     unwrapping = model.unwrapping._replace(watched=len(chain.combinations) - 1)
-    spread, variance, enough = [], 0.0, True
-    for origin in ORIGINS:
-        maps = solve(_keep_conflicts(model)._replace(origin=np.float32(origin), unwrapping=unwrapping), layout)
-        residual = np.abs(maps.residual[USABLE[maps.state]].astype(np.float32))
-        spread.append(float(residual.mean()) if residual.size else 0.0)
-        variance += float(residual.var()) / residual.size if residual.size else 0.0
-        enough &= residual.size >= LEAST_SAMPLED
-    return ORIGINS[int(np.argmin(spread))], enough and abs(spread[0] - spread[1]) >= CLEAR * sqrt(variance)
+    solved = [solve(_keep_conflicts(model)._replace(origin=np.float32(origin), unwrapping=unwrapping), layout) for origin in ORIGINS]
+    usable = [USABLE[maps.state] for maps in solved]
+    single = [maps.residual[mask] / RESIDUAL_SCALE for maps, mask in zip(solved, usable, strict=True)]
+    joint = [_joint_residuals(maps, mask) for maps, mask in zip(solved, usable, strict=True)]
+    lead, also = _lead_of_first(*single), _lead_of_first(*joint)
+    lead = max(lead, also, key=abs)
+    return ORIGINS[int(lead < 0)], min(len(single[0]), len(single[1])) >= LEAST_SAMPLED and abs(lead) >= CLEAR
+
+
+def _joint_residuals(maps: PixelMaps, usable: BoolArray) -> FloatArray:
+    """Return the rounding residuals in cycles of windows of JOINT pixels.
+
+    Phase and residual of a pixel add up to the phase that the coarser one predicts, whose noise is that of the residual: its mean over
+    the window is compared with the phase in the middle.
+    """
+    phase = maps.phase / np.float32(2 * np.pi)
+    predicted, known = np.where(usable, phase + maps.residual / np.float32(RESIDUAL_SCALE), 0.0), usable.astype(np.int64)
+    total, count = (np.concatenate([[0.0], np.cumsum(values, dtype=float)]) for values in (predicted, known))
+    begin = np.arange(0, len(phase) - JOINT + 1, JOINT)
+    begin = begin[count[begin + JOINT] - count[begin] == JOINT]
+    off = (total[begin + JOINT] - total[begin]) / JOINT - phase[begin + JOINT // 2]
+    return np.asarray(off - np.rint(off))
+
+
+def _lead_of_first(first: FloatArray, second: FloatArray) -> float:
+    """Return by how many standard deviations the first residuals are closer to zero than the second; 0 where there are too few."""
+    if min(len(first), len(second)) < 2:
+        return 0.0
+    sizes = [np.abs(residuals) for residuals in (first, second)]
+    variance = sum(float(size.var()) / size.size for size in sizes)
+    return float(sizes[1].mean() - sizes[0].mean()) / sqrt(max(variance, 1e-12))
 
 
 def _gray_origin(model: DecodeModel, layout: ImageLayout, solve: Solve) -> tuple[float, bool]:

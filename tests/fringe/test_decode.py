@@ -58,8 +58,8 @@ def test_orders_without_support_are_marked_and_never_let_out() -> None:
     column = ramp(100, 400)
     decoded = decode(stack_of(images_of(column, PAPER_PATTERNS, mean=30.0, modulation=12.0)))["left"]
     wrong = np.abs(decoded.column_px - column)[decoded.valid] > 16
-    assert wrong.mean() < 0.02
-    assert (decoded.state == PixelState.ORDER_CONFLICT).sum() > 100
+    assert wrong.mean() < 5e-4
+    assert (decoded.state == PixelState.ORDER_CONFLICT).sum() > 20
 
 
 def test_highlights_and_dark_places_are_distinguished() -> None:
@@ -72,7 +72,7 @@ def test_highlights_and_dark_places_are_distinguished() -> None:
     decoded = decode(stack_of(images_of(column, PAPER_PATTERNS, EXPOSURES_US, mean, modulation), exposures_us=EXPOSURES_US))["left"]
     assert (decoded.state[10:20] == PixelState.SATURATED).mean() > 0.95
     assert (decoded.state[20:25] == PixelState.SHADOW).mean() > 0.99  # one in a thousand looks like fringes
-    assert (decoded.state[25:30] == PixelState.WEAK_MODULATION).all()
+    assert (decoded.state[25:30] == PixelState.WEAK_MODULATION).mean() > 0.99
     assert decoded.valid[32:].all()
     assert (decoded.exposure_index[10:20] == -1).mean() > 0.95
     assert (decoded.phase_rad[~decoded.valid] == 0).all()
@@ -106,12 +106,27 @@ def test_many_exposures_make_up_for_faint_fringes_where_no_order_is_in_doubt() -
     error = (seven.column_px - column)[seven.valid]
     assert seven.valid.mean() > 0.99
     assert np.abs(error).max() < 7 * float(seven.sigma_rad[seven.valid].max()) * seven.pixel_of_phase()[0]
-    one = decode(stack_of(images[:1].copy(), DEFAULT_PATTERNS, seven_us[:1]), settings)["left"]
+    by_itself = DecodeSettings(noise_from_images=False, vote_radius=0)
+    one = decode(stack_of(images[:1].copy(), DEFAULT_PATTERNS, seven_us[:1]), by_itself)["left"]
     assert (one.state == PixelState.WEAK_MODULATION).mean() > 0.95
-    papers = images_of(column, PAPER_PATTERNS, seven_us, mean, modulation)  # whose orders would be in doubt
-    for rule in ("combined", "paper"):
-        found = decode(stack_of(papers.copy(), exposures_us=seven_us), DecodeSettings(rule=rule))["left"]
-        assert (found.state == PixelState.WEAK_MODULATION).mean() > 0.95
+
+
+def test_neighbours_settle_the_orders_of_faint_fringes() -> None:
+    column = ramp(60, 400)
+    images = images_of(column, PAPER_PATTERNS, EXPOSURES_US, 11.0, 8.0)
+    found = decode(stack_of(images.copy(), exposures_us=EXPOSURES_US))["left"]
+    assert found.valid.mean() > 0.99
+    assert np.abs(found.column_px - column)[found.valid].max() < 4.0  # of periods of 32 px
+    for settings in (DecodeSettings(rule="paper"), DecodeSettings(vote_radius=0)):
+        alone = decode(stack_of(images.copy(), exposures_us=EXPOSURES_US), settings)["left"]
+        assert (alone.state == PixelState.WEAK_MODULATION).mean() > 0.95
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3, 4])
+def test_where_faint_fringes_start_is_determined(seed: int) -> None:
+    images = images_of(ramp(60, 1200), PAPER_PATTERNS, mean=9.0, modulation=6.0, seed=seed)
+    for origin, shown in ((0.0, images), (-pi, 40 - images)):  # by single pixels a matter of chance
+        assert decode(stack_of(shown))["left"].details["origin_rad"] == pytest.approx(origin)
 
 
 def test_highlights_take_the_brightest_unsaturated_exposure_by_the_papers_rule() -> None:
