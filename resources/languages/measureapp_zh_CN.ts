@@ -3814,6 +3814,10 @@
       <translation>ISO 2768-{v1} 对 {v2} mm 未规定公差：请以数字输入极限</translation>
     </message>
     <message>
+      <source>No points were found where the part should stand on the table: none were excluded as its surroundings.</source>
+      <translation>在工件应处于转台上的位置没有找到点：没有点作为环境被排除。</translation>
+    </message>
+    <message>
       <source>Points of table, fixtures and background were kept, by choice.</source>
       <translation>按选择保留了转台、夹具和背景的点。</translation>
     </message>
@@ -10659,6 +10663,10 @@
       <translation>恢复 CAD 特征的名义值</translation>
     </message>
     <message>
+      <source>Results are stale</source>
+      <translation>结果已过时</translation>
+    </message>
+    <message>
       <source>Return to the alignment of the program</source>
       <translation>恢复程序的对齐</translation>
     </message>
@@ -10747,10 +10755,6 @@
       <translation>球</translation>
     </message>
     <message>
-      <source>Stale results: the program has changed since they were measured</source>
-      <translation>结果过期：测量之后程序已更改</translation>
-    </message>
-    <message>
       <source>Status: current, being measured, stale, or not measurable</source>
       <translation>状态：当前、正在测量、过期或无法测量</translation>
     </message>
@@ -10801,6 +10805,10 @@
     <message>
       <source>The entry was not taken over.</source>
       <translation>该输入未被采用。</translation>
+    </message>
+    <message>
+      <source>The inspection program has changed since they were measured</source>
+      <translation>测量之后检测程序已更改</translation>
     </message>
     <message>
       <source>The nominal follows the nominal features again.</source>

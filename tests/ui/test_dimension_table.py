@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QLineEdit
+from PySide6.QtWidgets import QLabel, QLineEdit
 
 from measureapp.inspection.dimensions import inspect
 from measureapp.inspection.programming import edits
@@ -283,6 +283,17 @@ def test_a_construction_is_drawn_in_the_picture_before_it_is_made(application, p
     menu.aboutToHide.emit()
     assert len(drawn[-1]) == before
     assert [one.name for one in application.session.inspection.features] == names and not application.controllers.programming.is_modified
+
+
+def test_an_alignment_that_would_be_refused_says_so_before_it_is_applied(page):
+    page.side.list.setValue("alignment")
+    panel = page.side.alignment
+    panel.method.setValue("3-2-1")
+    panel._add("ball")
+    said = " ".join(one.text() for one in panel.findChildren(QLabel))
+    assert "3-2-1 needs a plane there." in said and panel.lamps.fixed == 0
+    panel.method.setValue("datums")
+    assert panel.lamps.fixed == 3 and panel.apply.isEnabled()
 
 
 def test_the_alignment_is_chosen_by_its_elements_with_lamps_for_what_they_fix(application, page, qtbot):

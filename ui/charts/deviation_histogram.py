@@ -29,7 +29,7 @@ class DeviationHistogram(Chart):
         self._legend: Legend | None = None
         self.edges = np.linspace(0.0, 1.0, BINS + 1)
         self.counts = np.zeros(BINS, int)
-        self.setMinimumSize(240, 136)
+        self.setMinimumSize(240, 96)
 
     def show_values(self, values_mm: np.ndarray, legend: Legend) -> None:
         """Show the finite ones of values (N,) on the range of a legend; those beyond it are counted in the outermost bars."""

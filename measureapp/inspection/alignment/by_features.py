@@ -94,21 +94,24 @@ def solve_motion(requested: AlignmentProgram, found: Mapping[str, FoundFeature])
 def _three_two_one(trio: Sequence[FoundFeature]) -> tuple[FloatArray, FloatArray]:
     measured = [require_feature(one) for one in trio]
     nominals = [require_nominal(one) for one in trio]
-    _require_shapes(measured)
+    for place in range(len(trio)):
+        require_role(trio[: place + 1])
     if _on_surface(trio[2]):
-        _require_fixed_rotations(nominals, measured)
         # with all rotations fixed, it constrains the same as a plane through it
         nominals[2], measured[2] = (replace(one, shape="plane") for one in (nominals[2], measured[2]))
     system = datum_system(nominals, measured)
     return system.nominal_from_measured, system.free
 
 
-def _require_shapes(trio: Sequence[Feature]) -> None:
-    wanted = (("plane",), ("plane", *AXES), ("plane", *CENTRES))
-    words = ("a plane", "a line, an axis or a second plane", "a point, a centre or a third plane")
-    for feature, shapes, word in zip(trio, wanted, words, strict=True):
-        if feature.shape not in shapes:
-            raise InspectionError(f"{feature.name} is a {feature.shape}: 3-2-1 needs {word} there")
+def require_role(elements: Sequence[FoundFeature]) -> None:
+    """Require that the last of one to three elements can be the plane, the line or the point of a 3-2-1 alignment; raises InspectionError."""
+    wanted = (("plane",), ("plane", *AXES), ("plane", *CENTRES))[len(elements) - 1]
+    word = ("a plane", "a line, an axis or a second plane", "a point, a centre or a third plane")[len(elements) - 1]
+    measured = [require_feature(one) for one in elements]
+    if measured[-1].shape not in wanted:
+        raise InspectionError(f"{measured[-1].name} is a {measured[-1].shape}: 3-2-1 needs {word} there")
+    if len(elements) == 3 and _on_surface(elements[-1]):
+        _require_fixed_rotations([require_nominal(one) for one in elements], measured)
 
 
 def _on_surface(found: FoundFeature) -> bool:

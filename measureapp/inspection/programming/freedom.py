@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -18,7 +18,7 @@ from measureapp.data.alignment_program import (
 )
 from measureapp.data.inspection_program import InspectionProgram, MeasuredFeature, copy_names
 from measureapp.errors import InspectionError
-from measureapp.inspection.alignment.by_features import solve_motion
+from measureapp.inspection.alignment.by_features import require_role, solve_motion
 from measureapp.inspection.features.found_feature import FoundFeature
 from measureapp.inspection.programming.nominals import nominals_of
 from measureapp.inspection.tolerances.datums import describe_free_motions
@@ -33,6 +33,7 @@ class FreedomStep:
     element: str
     fixed: int  # degrees of freedom that it fixes in addition
     problem: str = ""  # why it fixes nothing
+    refused: bool = False  # the alignment fails with it
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -53,25 +54,39 @@ def alignment_freedom(program: InspectionProgram, alignment: AlignmentProgram) -
     if isinstance(alignment, ReferencePoints):
         return points_freedom(program, alignment.points)
     if isinstance(alignment, ThreeTwoOne):
-        return elements_freedom(program, (alignment.plane, alignment.line, alignment.point))
+        return three_two_one_freedom(program, (alignment.plane, alignment.line, alignment.point))
     if isinstance(alignment, DatumAlignment):
-        return elements_freedom(program, alignment.datums)
+        return datums_freedom(program, alignment.datums)
     words = "all points" if isinstance(alignment, BestFit) else "the part's coordinates"
     return Freedom(ALL, (FreedomStep(words, ALL),), (), np.zeros((ALL, 0)))
 
 
-def elements_freedom(program: InspectionProgram, names: Sequence[str]) -> Freedom:
-    """Return what datums or the elements of a 3-2-1 alignment fix, in this order; fewer than three may be given."""
+def datums_freedom(program: InspectionProgram, names: Sequence[str]) -> Freedom:
+    """Return what datums fix, in this order; fewer than three may be given."""
+    perfect = _perfect_features(program)
+    return _freedom_in_order(names, lambda chosen: {name: _known(perfect, name) for name in chosen})
+
+
+def three_two_one_freedom(program: InspectionProgram, names: Sequence[str]) -> Freedom:
+    """Return what the plane, line and point of a 3-2-1 alignment fix, in this order; fewer than three may be given."""
+    perfect = _perfect_features(program)
+
+    def as_datums(chosen: Sequence[str]) -> Mapping[str, FoundFeature]:
+        require_role([_known(perfect, name) for name in names[: names.index(chosen[-1]) + 1]])
+        return {name: _as_datum(perfect, name) for name in chosen}
+
+    return _freedom_in_order(names, as_datums)
+
+
+def _freedom_in_order(names: Sequence[str], as_datums: Callable[[Sequence[str]], Mapping[str, FoundFeature]]) -> Freedom:
     steps: list[FreedomStep] = []
     kept: list[str] = []
     motions: FloatArray = np.eye(ALL)
-    perfect = _perfect_features(program)
     for name in names:
-        found = {one: _as_datum(perfect, one) for one in (*kept, name)}
         try:
-            _, left = solve_motion(DatumAlignment(datums=(*kept, name)), found)
+            _, left = solve_motion(DatumAlignment(datums=(*kept, name)), as_datums((*kept, name)))
         except InspectionError as error:
-            steps.append(FreedomStep(name, 0, error.message))
+            steps.append(FreedomStep(name, 0, error.message, True))
             continue
         steps.append(FreedomStep(name, motions.shape[1] - left.shape[1]))
         kept.append(name)
@@ -90,7 +105,7 @@ def points_freedom(program: InspectionProgram, points: Sequence[ReferencePoint])
         try:
             _, left = solve_motion(ReferencePoints.model_construct(points=(*kept, point)), found)
         except InspectionError as error:
-            steps.append(FreedomStep(point.feature, 0, error.message))
+            steps.append(FreedomStep(point.feature, 0, error.message, True))
             continue
         gained = motions.shape[1] - left.shape[1]
         steps.append(FreedomStep(point.feature, gained, "" if gained else "fixes nothing new; it takes part in the least squares"))

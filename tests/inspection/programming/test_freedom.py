@@ -5,14 +5,14 @@ from pydantic import ValidationError
 
 from measureapp.data.alignment_program import BestFit, ByCoordinates, ReferencePoint, ReferencePoints, ThreeTwoOne
 from measureapp.inspection.dimensions import inspect
-from measureapp.inspection.programming.freedom import alignment_freedom, elements_freedom, points_freedom
+from measureapp.inspection.programming.freedom import alignment_freedom, datums_freedom, points_freedom, three_two_one_freedom
 
 POINT = {"name": "p", "shape": "surface_point", "point_mm": [10, 10, 30], "direction": UP}
 
 
 def test_the_degrees_of_freedom_grow_with_every_datum():
     program = program_of()
-    freedoms = [elements_freedom(program, ["base", "bore", "top"][:count]) for count in (1, 2, 3)]
+    freedoms = [datums_freedom(program, ["base", "bore", "top"][:count]) for count in (1, 2, 3)]
     assert [one.fixed for one in freedoms] == [3, 5, 5]
     assert [step.fixed for step in freedoms[2].steps] == [3, 2, 0] and "constrains nothing" in freedoms[2].steps[2].problem
     assert set(freedoms[0].free) == {"translation along x", "translation along y", "rotation about z"}
@@ -41,6 +41,17 @@ def test_a_whole_alignment_states_its_freedom():
     assert alignment_freedom(program, BestFit()).fixed == 6 and alignment_freedom(program, ByCoordinates()).free == ()
     points = tuple(ReferencePoint(feature="top", lock=axis) for axis in "xyz")
     assert alignment_freedom(program, ReferencePoints(points=points)).fixed == 3
+
+
+def test_elements_that_the_alignment_would_refuse_are_refused_at_once():
+    program = program_of(extra_features=[POINT])
+    point = datums_freedom(program, ["base", "p"])
+    assert point.steps[1].refused and "must be a plane" in point.steps[1].problem and point.fixed == 3
+    bore_first = three_two_one_freedom(program, ["bore", "base"])
+    assert bore_first.steps[0].refused and "needs a plane there" in bore_first.steps[0].problem
+    clocked = three_two_one_freedom(program, ["base", "bore", "p"])  # a surface point stops no rotation
+    assert [step.refused for step in clocked.steps] == [False, False, True] and "do not fix" in clocked.steps[2].problem
+    assert not any(step.refused for step in three_two_one_freedom(program, ["base", "side", "p"]).steps[:2])
 
 
 def test_a_lock_names_each_axis_once():

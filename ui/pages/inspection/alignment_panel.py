@@ -15,7 +15,7 @@ from ui.controllers.programming import ProgrammingController
 from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.look.wording import millimetres, sentence, sentence_case
-from ui.widgets.basic import Button, CalmComboBox, clear, column, label, row
+from ui.widgets.basic import Button, CalmComboBox, clear, column, label, row, scrolled
 from ui.widgets.segments import Segments
 
 if TYPE_CHECKING:
@@ -73,7 +73,7 @@ class AlignmentPanel(QFrame):
         self._names: list[str] = []
         self._shown: object = None  # alignment of the program that was shown last
         self.method = Segments(METHODS, name="Alignment")
-        self.how, self.count, self.result = label("", "small", wrap=True), label("", "strong"), label("", "soft", wrap=True)
+        self.how, self.count, self.result = label("", "small", wrap=True), label("", "strong", wrap=True), label("", "soft", wrap=True)
         self.lamps = FreedomLamps(look)
         self.elements = QVBoxLayout()
         self.elements.setSpacing(4)
@@ -90,10 +90,14 @@ class AlignmentPanel(QFrame):
         creating.picked.connect(self._take)
         more = row(self.choice, self.pick, spacing=8)
         more.setStretch(0, 1)
-        freedom = row(self.lamps, self.count, 0, spacing=8)
-        below = row(0, self.reset, self.apply, spacing=8)
-        parts = (row(self.method, 0), self.how, self.elements, more, freedom, self.result, below, 0)
-        self.setLayout(column(*parts, margin=16, spacing=8))
+        freedom = row(self.lamps, self.count, spacing=8)
+        freedom.setStretch(1, 1)
+        chosen = QWidget()
+        chosen.setObjectName("clear")
+        chosen.setLayout(column(self.how, self.elements, more, freedom, self.result, 0, spacing=8))
+        shown = column(row(self.method, 0), scrolled(chosen), row(0, self.reset, self.apply, spacing=8), margin=16, spacing=8)
+        shown.setStretch(1, 1)
+        self.setLayout(shown)
         programming.changed.connect(self.show_program)
 
     def value(self) -> dict[str, Any]:
@@ -179,17 +183,20 @@ class AlignmentPanel(QFrame):
         left = "" if freedom is None or not freedom.free else tr("; free: {list}", list=", ".join(freedom.free))
         self.count.setText(translated(problem) or f"{fixed}/6{left}")
         complete = len(self._names) >= LEAST[method] or not uses
-        self.apply.setEnabled(complete and not problem and self._programming.can_change)
+        refused = freedom is not None and any(step.refused for step in freedom.steps)
+        self.apply.setEnabled(complete and not problem and not refused and self._programming.can_change)
 
     def _show_elements(self, method: str, freedom: Freedom | None) -> None:
         clear(self.elements)
         steps = {step.element: step for step in freedom.steps} if freedom is not None else {}
         for role, name in zip(ROLES.get(method, ()), self._names, strict=False):
             step = steps.get(name)
-            words = "" if step is None else step.problem or tr("fixes {fixed}", fixed=step.fixed)
+            words = "" if step is None or step.problem else tr("fixes {fixed}", fixed=step.fixed)
             remove = Button("", self._look, "remove", "quiet", tr("Remove {name}", name=name))
             remove.clicked.connect(lambda _checked=False, name=name: self._remove(name))
             self.elements.addLayout(row(label(role, "strong"), label(sentence_case(name)), 0, label(words, "soft"), remove, spacing=8))
+            if step is not None and step.problem:
+                self.elements.addWidget(label(sentence(step.problem), "small", wrap=True))
 
     def _offer(self, program: InspectionProgram) -> None:
         from measureapp.data.inspection_program import copy_names
@@ -211,13 +218,13 @@ class AlignmentPanel(QFrame):
 def freedom_of(program: InspectionProgram, method: str, names: Sequence[str]) -> tuple[Freedom | None, str]:
     """Return what elements fix, and why that is not known; None for a best fit or without elements."""
     from measureapp.data.alignment_program import ReferencePoint
-    from measureapp.inspection.programming.freedom import elements_freedom, points_freedom
+    from measureapp.inspection.programming.freedom import datums_freedom, points_freedom, three_two_one_freedom
 
     if method not in ROLES or not names:
         return None, ""
     try:
         if method == "rps":
             return points_freedom(program, [ReferencePoint(feature=name) for name in names]), ""
-        return elements_freedom(program, names), ""
+        return (three_two_one_freedom if method == "3-2-1" else datums_freedom)(program, names), ""
     except MeasureError as error:
         return None, error.message

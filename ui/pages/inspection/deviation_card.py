@@ -60,8 +60,7 @@ class DeviationCard(QFrame):
         band = row(label("Tolerance band ±", "soft"), self.tolerance, 0, self.store)
         self.setLayout(
             column(
-                row(self.on, 0),
-                self.smooth,
+                row(self.on, self.smooth, 0, spacing=16),
                 band,
                 self.words,
                 self.bands,

@@ -6,13 +6,15 @@ from PySide6.QtCore import Slot
 from PySide6.QtWidgets import QFrame
 
 from ui.controllers.programming import ProgrammingController
+from ui.look.language.words import tr
 from ui.look.look import Look
 from ui.settings.dialogs import choose_new
 from ui.widgets.basic import Button, ElidedLabel, row
 
 UNSAVED = "Program edited, not saved"
 MEASURING = "Measuring what has changed…"
-STALE = "Stale results: the program has changed since they were measured"
+STALE = "Results are stale"
+STALE_TIP = "The inspection program has changed since they were measured"
 PROGRAMS = "Inspection programs (*.toml)"
 
 
@@ -45,6 +47,8 @@ class SaveBar(QFrame):
         stale = programming.state is not None and not programming.is_current and not programming.is_measuring
         self.setVisible(programming.is_modified or stale or programming.is_measuring)
         self.words.set_words(MEASURING if programming.is_measuring else STALE if stale else UNSAVED)
+        if stale:
+            self.words.setToolTip(tr(STALE_TIP))
         self.again.setVisible(stale)
         self.redo.setVisible(programming.stack.canRedo())
         for button in (self.save, self.save_as):

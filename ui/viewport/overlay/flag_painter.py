@@ -13,7 +13,7 @@ from ui.viewport.overlay.flag import LETTERS_PX, PADDING, SIGN_WIDTH, Flag
 from ui.viewport.overlay.flag_layout import Box, FlagPlaces, leader_end
 from ui.viewport.overlay.style import OverlayStyle, use_letters
 
-HIDDEN_OPACITY, DOT_PX = 0.35, 3.5
+HIDDEN_OPACITY, DOT_PX = 0.35, 3.5  # of the line and dot of a hidden anchor: the box stays readable
 LEFT = Qt.AlignmentFlag.AlignVCenter | Qt.AlignmentFlag.AlignLeft
 
 
@@ -26,7 +26,7 @@ def paint_flags(
     hidden: Collection[int] = (),
     chosen: str = "",
 ) -> None:
-    """Draw lines, dots and boxes; flags whose anchor is hidden by the part are faint, except for the chosen one."""
+    """Draw lines, dots and boxes; where the part hides the anchor, its line and dot are faint and the box has a dashed edge."""
     hidden = {index for index in hidden if flags[index].key != chosen}
     painter.save()
     painter.setRenderHint(QPainter.RenderHint.Antialiasing)
@@ -36,9 +36,9 @@ def paint_flags(
         painter.setOpacity(HIDDEN_OPACITY if index in hidden else 1.0)
         _paint_leader(painter, flags[index], anchors_px[index], box, style)
         _paint_dot(painter, flags[index], anchors_px[index], style, index in hidden)
+    painter.setOpacity(1.0)
     for index, box in places.boxes.items():
-        painter.setOpacity(HIDDEN_OPACITY if index in hidden else 1.0)
-        _paint_box(painter, flags[index], box, style, flags[index].key == chosen)
+        _paint_box(painter, flags[index], box, style, flags[index].key == chosen, index in hidden)
     painter.restore()
 
 
@@ -82,9 +82,10 @@ def _paint_dot(painter: QPainter, flag: Flag, anchor: np.ndarray, style: Overlay
     painter.drawEllipse(QPointF(float(anchor[0]), float(anchor[1])), DOT_PX * style.scale, DOT_PX * style.scale)
 
 
-def _paint_box(painter: QPainter, flag: Flag, box: Box, style: OverlayStyle, chosen: bool) -> None:
+def _paint_box(painter: QPainter, flag: Flag, box: Box, style: OverlayStyle, chosen: bool, hidden: bool) -> None:
     colour, area, padding = _colour(flag, style), QRectF(*box), PADDING * style.scale
-    painter.setPen(QPen(colour, (3.0 if chosen else 1.6) * style.scale))
+    edge = Qt.PenStyle.DashLine if hidden else Qt.PenStyle.SolidLine
+    painter.setPen(QPen(colour, (3.0 if chosen else 1.6) * style.scale, edge))
     painter.setBrush(style.surface)
     painter.drawRoundedRect(area, 4 * style.scale, 4 * style.scale)
     inner = area.adjusted(padding, padding, -padding, -padding)
