@@ -128,7 +128,7 @@ class MainWindow(QMainWindow):
     @cached_property
     def palette_(self) -> CommandPalette:
         """The command palette."""
-        return CommandPalette(self.look, self.actions_, self._words_of_pages, self)
+        return CommandPalette(self.look, self.actions_, self._words_of_pages, self, lambda: (self.page.name, self.page))
 
     @cached_property
     def shortcuts(self) -> ShortcutList:

@@ -16,6 +16,10 @@
       <translation>全部位置</translation>
     </message>
     <message>
+      <source>It cannot be used at the moment.</source>
+      <translation>目前无法使用。</translation>
+    </message>
+    <message>
       <source>Keys</source>
       <translation>按键</translation>
     </message>

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from PySide6.QtCore import QObject, Signal
@@ -80,9 +80,12 @@ class Actions(QObject):
         """Return one action; None if there is none of this id."""
         return self._actions.get(id_)
 
-    def find(self, typed: str) -> tuple[Action, ...]:
-        """Return the actions that fit what was typed, the best first; of equals those that can be used."""
-        scored = [(_fit(typed, action), place, action) for place, action in enumerate(self._actions.values())]
+    def find(self, typed: str, also: Sequence[Action] = ()) -> tuple[Action, ...]:
+        """Return the actions that fit what was typed, the best first; of equals those that can be used.
+
+        ``also``: of the moment, such as the buttons of a page; they are not registered.
+        """
+        scored = [(_fit(typed, action), place, action) for place, action in enumerate((*self._actions.values(), *also))]
         found = [(UNUSABLE * bool(self.reason(action)) - points, place, action) for points, place, action in scored if points is not None]
         return tuple(action for *_, action in sorted(found, key=lambda entry: entry[:2]))
 
@@ -91,8 +94,11 @@ class Actions(QObject):
         return action.why_not() if action.for_operator or self._is_engineer() else ENGINEERS
 
     def perform(self, id_: str) -> bool:
-        """Run an action, or say why it cannot be used; return whether it ran."""
-        action = self._actions[id_]
+        """Run a registered action, or say why it cannot be used; return whether it ran."""
+        return self.run(self._actions[id_])
+
+    def run(self, action: Action) -> bool:
+        """Run an action, registered or not, or say why it cannot be used; return whether it ran."""
         reason = self.reason(action)
         if reason:
             self.refused.emit(action.text, reason)

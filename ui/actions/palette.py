@@ -1,10 +1,12 @@
-"""The command palette: type a few letters of what you want, press Enter."""
+"""The command palette: type a few letters of what you want, press Enter. It lists the actions, and the buttons of the page."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtGui import QKeyEvent, QKeySequence
-from PySide6.QtWidgets import QDialog, QLineEdit, QWidget
+from PySide6.QtWidgets import QDialog, QLineEdit, QPushButton, QWidget
 
 from ui.actions.actions import Action, Actions
 from ui.look.language.words import tr, translated
@@ -13,18 +15,22 @@ from ui.widgets.basic import column, label
 from ui.widgets.data_table import Cell, DataTable
 
 SIZE = (640, 420)
+NOT_NOW = "It cannot be used at the moment."
 MOVES = {Qt.Key.Key_Down: 1, Qt.Key.Key_Up: -1, Qt.Key.Key_PageDown: 8, Qt.Key.Key_PageUp: -8}
 
 
 class CommandPalette(QDialog):
     """Lists all actions with their shortcuts; those that cannot be used say why."""
 
-    def __init__(self, look: Look, actions: Actions, contexts: dict[str, str], parent: QWidget) -> None:
-        """``contexts``: words of the pages by their names."""
+    def __init__(
+        self, look: Look, actions: Actions, contexts: dict[str, str], parent: QWidget, page: Callable[[], tuple[str, QWidget]]
+    ) -> None:
+        """``contexts``: words of the pages by their names; ``page``: name and widget of the one shown."""
         super().__init__(parent)
         self.setWindowTitle(tr("Commands"))
         self.setMinimumSize(*SIZE)
-        self._actions, self._contexts = actions, contexts
+        self._actions, self._contexts, self._page = actions, contexts, page
+        self._buttons: tuple[Action, ...] = ()
         self._shown: tuple[Action, ...] = ()
         self.line = QLineEdit()
         self.line.setPlaceholderText(tr("Type what you want to do"))
@@ -41,6 +47,7 @@ class CommandPalette(QDialog):
 
     def begin(self) -> None:
         """Show all actions and wait for letters."""
+        self._buttons = buttons_of(*self._page())
         self.line.clear()
         self._search("")
         self.open()
@@ -57,7 +64,7 @@ class CommandPalette(QDialog):
         return super().eventFilter(watched, event)
 
     def _search(self, typed: str) -> None:
-        self._shown = self._actions.find(typed)
+        self._shown = self._actions.find(typed, self._buttons)
         self.table.set_rows([self._cells(action) for action in self._shown])
         if self._shown:
             self.table.selectRow(0)
@@ -86,4 +93,20 @@ class CommandPalette(QDialog):
             self.hint.setText(translated(self._actions.reason(chosen)))
             return
         self.accept()
-        self._actions.perform(chosen.id)
+        self._actions.run(chosen)
+
+
+def buttons_of(name: str, page: QWidget) -> tuple[Action, ...]:
+    """Return the buttons of a page that are in sight, as actions by the names that a screen reader says."""
+    found = [button for button in page.findChildren(QPushButton) if button.isVisible() and button.accessibleName()]
+    return tuple(
+        Action(
+            f"{name}.button.{place}",
+            button.accessibleName(),
+            button.click,
+            button.toolTip(),
+            name,
+            why_not=lambda button=button: "" if button.isEnabled() else NOT_NOW,  # type: ignore[misc]
+        )
+        for place, button in enumerate(found)
+    )

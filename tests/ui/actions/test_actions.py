@@ -9,6 +9,7 @@ from PySide6.QtWidgets import QWidget
 
 from ui.actions.actions import Action, Actions
 from ui.actions.search import score
+from ui.widgets.basic import Button
 
 
 @pytest.fixture
@@ -61,7 +62,7 @@ def test_what_cannot_be_used_comes_last_and_says_why(actions, qtbot):
 def test_the_palette_runs_what_was_typed_and_refuses_with_a_reason(application, window, qtbot):
     palette = window.palette_
     window.actions_.perform("palette")
-    assert palette.isVisible() and len(palette.table.texts()) == len(window.actions_.all())
+    assert palette.isVisible() and len(palette.table.texts()) >= len(window.actions_.all())
     qtbot.keyClicks(palette.line, "go clou")
     assert palette.table.texts()[0][0] == "Go to Clouds"
     qtbot.keyClick(palette.line, Qt.Key.Key_Return)
@@ -76,6 +77,24 @@ def test_the_palette_runs_what_was_typed_and_refuses_with_a_reason(application, 
     qtbot.keyClicks(palette.line, "qqqq")
     assert palette.table.texts() == [] and "Nothing fits" in palette.hint.text()
     palette.reject()
+
+
+def test_the_palette_lists_the_buttons_of_the_page(window, qtbot):
+    window.show_page("clouds")
+    button = Button("Explode", window.look, tip="Draw the parts apart")
+    window.page.layout().addWidget(button)
+    button.show()
+    pressed = []
+    button.clicked.connect(lambda: pressed.append(True))
+    window.actions_.perform("palette")
+    qtbot.keyClicks(window.palette_.line, "parts apart")
+    assert window.palette_.table.texts()[0][:2] == ["Explode", "Clouds"]
+    button.setEnabled(False)
+    qtbot.keyClick(window.palette_.line, Qt.Key.Key_Return)
+    assert window.palette_.hint.text() == "It cannot be used at the moment." and not pressed
+    button.setEnabled(True)
+    qtbot.keyClick(window.palette_.line, Qt.Key.Key_Return)
+    assert pressed and not window.palette_.isVisible()
 
 
 def test_every_shortcut_is_listed_and_every_action_has_words(window):
