@@ -19,12 +19,24 @@ MARK = {Verdict.PASS: "✓", Verdict.FAIL: "✗", Verdict.NOT_PROVEN: "?", Verdi
 def report_event(event: Event) -> None:
     """Print failed views, a missing surface, chosen exposures and warnings to standard error."""
     from measureapp.acquire.events import ViewpointFailed, ViewpointRetaken
-    from measureapp.pipeline.events import CloudsKept, ExposuresChosen, MemoryShort, ResultKept, SurfaceFailed, ValidityKnown, ViewFailed
+    from measureapp.pipeline.events import (
+        CalibrationReady,
+        CloudsKept,
+        ExposuresChosen,
+        MemoryShort,
+        ResultKept,
+        SurfaceFailed,
+        ValidityKnown,
+        ViewFailed,
+    )
 
     if isinstance(event, ViewpointFailed | ViewFailed):
         say(f"{event.viewpoint_id}: {event.reason}")
     elif isinstance(event, ViewpointRetaken):
         say(f"{event.viewpoint_id}: taken again. {event.reason}")
+    elif isinstance(event, CalibrationReady):
+        for objection in event.objections:
+            say(f"Calibration: {objection}")
     elif isinstance(event, CloudsKept):
         say(f"{event.count} of {event.of} clouds kept, {'placed anew' if event.placed_anew else 'as they were'}.")
     elif isinstance(event, ResultKept):

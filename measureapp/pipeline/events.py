@@ -28,6 +28,7 @@ class CalibrationReady:
     """The rig is calibrated."""
 
     calibration: RigCalibration
+    objections: tuple[str, ...] = ()  # of a calibration that was solved now, such as marks of the board that are displaced
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -179,5 +179,5 @@ def solve_calibration(
         made_from = calibration_made_from(project)
         solved = solve_views(project.board_views(), project.settings.board, project.rig(), progress, threads)
         project.save_calibration(solved.solution.calibration, uncertainty_of(solved.solution), made_from)
-    on_event(CalibrationReady(solved.solution.calibration))
+    on_event(CalibrationReady(solved.solution.calibration, solved.verdict.reasons))
     return solved

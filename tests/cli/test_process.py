@@ -11,7 +11,7 @@ from demo_fixture import Demo
 from measureapp.cli import main
 from measureapp.data.decode_limits import DecodeLimits
 from measureapp.pipeline import Outcome
-from measureapp.pipeline.events import ViewFailed
+from measureapp.pipeline.events import CalibrationReady, ViewFailed
 from measureapp.pipeline.noise import decode_settings_of
 from measureapp.project.folder import ProjectFolder
 from measureapp.project.fringes.decode_limits_file import read_decode_limits
@@ -30,6 +30,20 @@ def processed(demo: Demo, monkeypatch: pytest.MonkeyPatch) -> None:
         return Outcome(replace(measurement, inspection=None), {"dimensions": []}, {})
 
     monkeypatch.setattr("measureapp.pipeline.process_project", process_project)
+
+
+def test_what_limits_a_calibration_that_was_solved_now_is_said(demo: Demo, monkeypatch: pytest.MonkeyPatch, capsys) -> None:
+    measurement = demo.project.measurement()
+    assert measurement is not None
+    displaced = "The marks of the board are displaced by 0.027 mm (rms)."
+
+    def process_project(project, on_event, progress) -> Outcome:
+        on_event(CalibrationReady(measurement.calibration, (displaced,)))
+        return Outcome(replace(measurement, inspection=None), {"dimensions": []}, {})
+
+    monkeypatch.setattr("measureapp.pipeline.process_project", process_project)
+    assert main(["process", str(demo.folder), "--json"]) == 0
+    assert capsys.readouterr().err == f"Calibration: {displaced}\n"
 
 
 def test_a_view_without_points_is_reported_with_the_answer(processed: None, demo: Demo, capsys) -> None:

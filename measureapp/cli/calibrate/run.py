@@ -17,6 +17,7 @@ from measureapp.cli.reply import JsonOption, TerminalProgress, reply
 
 if TYPE_CHECKING:
     from measureapp.data.board import AnyBoard
+    from measureapp.pipeline.events import Event
     from measureapp.pipeline.rig_calibration import CalibratedRig
 
 PlanOption = Annotated[Path | None, typer.Option("--plan", help="Scan plan: the board is also taken from its robot poses.")]
@@ -49,10 +50,18 @@ def register(group: typer.Typer) -> None:
         description = read_rig(rig)
         require_devices(description)
         request = CalibrationRequest(description, project, None if plan is None else read_plan(plan), _board_of(board))
-        calibrated, kept_in = calibrate_into_project(request, report_event, TerminalProgress())
+        calibrated, kept_in = calibrate_into_project(request, _report, TerminalProgress())
         reply(run_answer(calibrated, kept_in.path), "\n".join(run_lines(calibrated)), as_json)
         if calibrated.solved.verdict.level == "bad":
             raise typer.Exit(OUT_OF_TOLERANCE)
+
+
+def _report(event: Event) -> None:
+    """Print events but the calibration itself: the answer states it with everything that limits it."""
+    from measureapp.pipeline.events import CalibrationReady
+
+    if not isinstance(event, CalibrationReady):
+        report_event(event)
 
 
 def _board_of(board: BoardChoice) -> AnyBoard | None:
