@@ -53,7 +53,7 @@ class DecodeSettings(Model):
     )
 
     def limited(self, min_modulation: float | None, max_sigma_rad: float | None) -> DecodeSettings:
-        """Return the settings with another least modulation of pixels beyond doubt, or largest σ; None keeps it."""
+        """Return the settings with another least modulation of a valid pixel, or largest σ; None keeps it."""
         given: dict[str, float] = {}
         if min_modulation is not None:
             given = {"faint_modulation": min_modulation, "min_modulation": max(self.min_modulation, min_modulation)}
@@ -66,7 +66,7 @@ class DecodeSettings(Model):
         return self.min_modulation * saturation / EIGHT_BIT_WHITE
 
     def faint_modulation_grey(self, saturation: float) -> float:
-        """Return the least modulation of a pixel whose orders are beyond doubt, in grey levels of images that saturate at ``saturation``."""
+        """Return the least modulation of a valid pixel, in grey levels of images that saturate at ``saturation``."""
         return min(self.faint_modulation, self.min_modulation) * saturation / EIGHT_BIT_WHITE
 
     def noise_of(self, camera: str) -> CameraNoise:

@@ -30,7 +30,7 @@ def holes(tmp_path_factory: pytest.TempPathFactory) -> list[str]:
     for path in sorted(folder.glob("left/*.png")):
         image = cv2.imread(str(path), cv2.IMREAD_UNCHANGED)
         image[_box(SATURATED)], image[_box(SHADOW)] = 255, 3
-        image[_box(WEAK)] = np.rint(60 + 0.08 * (image[_box(WEAK)].astype(float) - 60))
+        image[_box(WEAK)] = np.rint(60 + 0.02 * (image[_box(WEAK)].astype(float) - 60))
         cv2.imwrite(str(path), image)
     write_cameras(folder / "cameras.json", flat_cameras())
     return ["why", str(manifest), "--cameras", str(folder / "cameras.json")]
