@@ -22,9 +22,7 @@ NoiseOption = Annotated[Path | None, typer.Option("--noise", help="Noise models 
 ResponseOption = Annotated[Path | None, typer.Option("--response", help="Projector response, from `measureapp response`.")]
 ModulationOption = Annotated[
     float | None,
-    typer.Option(
-        "--min-modulation", help="Least modulation of a pixel whose fringe orders are beyond doubt, in grey levels of 255; else 3."
-    ),
+    typer.Option("--min-modulation", help="Least modulation of a valid pixel, in grey levels of 255; else 3."),
 ]
 PhaseSigmaOption = Annotated[
     float | None, typer.Option("--max-phase-sigma", help="Largest standard deviation of a phase in radians; else 0.25.")

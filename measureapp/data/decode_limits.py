@@ -13,7 +13,5 @@ class DecodeLimits(Model):
     """Limits stored with a project and applied whenever it is recomputed; None: the usual one."""
 
     schema_version: Literal[1] = 1
-    min_modulation: float | None = Field(
-        default=None, ge=0, description="grey levels of 255, of a pixel whose fringe orders are beyond doubt"
-    )
+    min_modulation: float | None = Field(default=None, ge=0, description="grey levels of 255, of a valid pixel")
     max_phase_sigma_rad: float | None = Field(default=None, gt=0, description="largest standard deviation of an absolute phase")

@@ -180,7 +180,7 @@ class AlignmentPanel(QFrame):
             widget.setVisible(uses)
         fixed = LAMPS if freedom is None and not uses else 0 if freedom is None else freedom.fixed
         self.lamps.show_fixed(fixed)
-        left = "" if freedom is None or not freedom.free else tr("; free: {list}", list=", ".join(freedom.free))
+        left = "" if freedom is None or not freedom.free else tr("; free: {list}", list=", ".join(map(translated, freedom.free)))
         self.count.setText(translated(problem) or f"{fixed}/6{left}")
         complete = len(self._names) >= LEAST[method] or not uses
         refused = freedom is not None and any(step.refused for step in freedom.steps)
@@ -203,7 +203,7 @@ class AlignmentPanel(QFrame):
 
         names = [name for one in program.features for name in copy_names(one.name, one.repeat)]
         self.choice.clear()
-        self.choice.addItem(ADD)
+        self.choice.addItem(translated(ADD))
         for name in (one for one in names if one not in self._names):
             self.choice.addItem(sentence_case(name), name)
 

@@ -178,7 +178,8 @@ class DimensionSide(QWidget):
         return apply_edit(self._programming, self.table.rows, edit)
 
     def _show_list(self) -> None:
-        self._lists.setCurrentIndex(list(LISTS).index(self.list.value()))
+        shown = {"dimensions": self.table, "features": self.features, "alignment": self.alignment, "deviation": self.deviation}
+        self._lists.setCurrentWidget(shown[self.list.value()])
         self.filter.setVisible(self.list.value() == "dimensions")
         self.rule.setVisible(self.list.value() == "dimensions")
         self._show_create()
