@@ -23,7 +23,9 @@ def register(app: typer.Typer) -> None:
     @group.command()
     @with_groups
     def export(
-        out: Annotated[Path, typer.Option("--out", help="SVG file to write; print it at 100 % and measure its line of 100 mm.")],
+        out: Annotated[
+            Path, typer.Option("--out", help="SVG file to write; print it at 100 % and measure its line of 100 mm.", dir_okay=False)
+        ],
         board: BoardChoice,
         as_json: JsonOption = False,
     ) -> None:

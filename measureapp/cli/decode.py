@@ -43,7 +43,7 @@ def register(app: typer.Typer) -> None:
     @app.command()
     def decode(
         manifest: Annotated[Path, typer.Argument(help="MANIFEST.toml of the recorded images.")],
-        out: Annotated[Path, typer.Option("--out", help="Folder for the phase maps, one .npz per camera.")],
+        out: Annotated[Path, typer.Option("--out", help="Folder for the phase maps, one .npz per camera.", file_okay=False)],
         rule: RuleOption = "combined",
         per_frequency: PerFrequencyOption = False,
         noise: NoiseOption = None,

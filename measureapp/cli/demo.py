@@ -21,7 +21,9 @@ def register(app: typer.Typer) -> None:
 
     @app.command()
     def demo(
-        out: Annotated[Path | None, typer.Option("--out", help="Folder of the new project; default: demo-PART-RESOLUTION here.")] = None,
+        out: Annotated[
+            Path | None, typer.Option("--out", help="Folder of the new project; default: demo-PART-RESOLUTION here.", file_okay=False)
+        ] = None,
         part: Annotated[str, typer.Option(help="impeller, gypsum, gear, sphere_plate, flat, or a mesh file (STL, PLY, OBJ).")] = "gypsum",
         viewpoints: Annotated[int | None, typer.Option(help="Number of viewpoints; default: depends on the part.")] = None,
         resolution: Annotated[Literal["full", "half", "quarter"], typer.Option(help="Resolution of the cameras.")] = "half",

@@ -21,7 +21,7 @@ def register(app: typer.Typer) -> None:
     @app.command("filter")
     def filter_cloud(
         cloud: Annotated[Path, typer.Argument(help="A cloud: PLY, STL, OBJ, PCD, XYZ.")],
-        out: Annotated[Path, typer.Option(help="The filtered cloud (.ply or .xyz).")],
+        out: Annotated[Path, typer.Option(help="The filtered cloud (.ply or .xyz).", dir_okay=False)],
         box: Annotated[str | None, typer.Option(help="Keep the points in a box: X0,X1,Y0,Y1,Z0,Z1 (mm).")] = None,
         plane: Annotated[
             list[str] | None,
@@ -46,6 +46,8 @@ def register(app: typer.Typer) -> None:
 
         if out.suffix.lower() not in (".ply", ".xyz"):
             raise InputError(f"{out}: this is not a format for clouds.", "Use .ply or .xyz.")
+        if out.exists() and out.samefile(cloud):
+            raise InputError(f"{out} is the cloud to be filtered.", "Name another file for the filtered one.")
         requested = [] if box is None else [Filter("box", _numbers("--box", box, 6))]
         requested += [Filter("plane", _numbers("--plane", words, 4)) for words in plane or ()]
         requested += [] if radius_mm is None else [Filter("radius", (radius_mm, least))]

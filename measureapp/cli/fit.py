@@ -13,6 +13,7 @@ from measureapp.cli.reply import JsonOption, UnitOption, reply
 from measureapp.data.length_unit import LengthUnit
 
 if TYPE_CHECKING:
+    from measureapp.arrays import FloatArray
     from measureapp.geometry.feature import Feature
     from measureapp.geometry.minimum_zone import MinimumZone
 
@@ -55,7 +56,7 @@ def register(app: typer.Typer) -> None:
         from measureapp.geometry.fits import fit
         from measureapp.geometry.minimum_zone import fit_minimum_zone
 
-        read = _read(points) * unit.in_mm
+        read, dropped = _read(points, unit)
         if criterion is Criterion.MINIMUM_ZONE and robust:
             raise FitError("A minimum zone contains all points, it cannot reject outliers.", "Omit --robust.")
         if criterion is Criterion.MINIMUM_ZONE:
@@ -63,23 +64,29 @@ def register(app: typer.Typer) -> None:
             document = _document(zone.feature, criterion.value) | {"proof": _proof(zone)}
         else:
             document = _document(fit(shape.value, read, robust=robust), criterion.value)
+        document["without_coordinates"] = dropped
         reply(document, _lines(document), as_json)
 
 
-def _read(path: Path) -> Any:
+def _read(path: Path, unit: LengthUnit) -> tuple[FloatArray, int]:
+    """Return the points in mm, and the number of those in the file that have no finite coordinates."""
     from measureapp.errors import InputError
     from measureapp.project.geometry.files import KINDS, read_points
     from measureapp.project.geometry.point_files import read_table
 
     if path.suffix.lower() in KINDS or not path.is_file():
-        return read_points(path).points_mm
+        read = read_points(path, unit)
+        return read.points_mm, read.dropped
     points = read_table(path)[:, :3]
     if not np.isfinite(points).all():
         raise InputError(f"{path} contains non-finite coordinates.", "Remove these lines.")
-    return points
+    return points * unit.in_mm, 0
 
 
 def _document(made: Feature, criterion: str) -> dict[str, Any]:
+    from measureapp.geometry.fits import LEAST_POINTS
+
+    is_judged = made.points > LEAST_POINTS[made.shape]  # else any scatter fits exactly, which is no precision
     document: dict[str, Any] = {"shape": made.shape, "criterion": criterion, "point_mm": made.point_mm, "direction": made.direction}
     document["radius_mm"] = made.radius_mm
     document["half_angle_deg"] = None if made.half_angle_rad is None else float(np.degrees(made.half_angle_rad))
@@ -94,8 +101,8 @@ def _document(made: Feature, criterion: str) -> dict[str, Any]:
         "rms_mm": made.rms_mm,
         "points": made.points,
         "left_out": made.left_out,
-        "standard_deviations": deviations,
-        "covariance": made.covariance,
+        "standard_deviations": deviations if is_judged else None,
+        "covariance": made.covariance if is_judged else None,
     }
 
 
@@ -107,7 +114,11 @@ def _proof(zone: MinimumZone) -> dict[str, Any]:
 def _lines(document: dict[str, Any]) -> str:
     rows = []
     for name, value in document.items():
-        if name == "standard_deviations":
+        if name == "standard_deviations" and value is None:
+            rows.append(f"{'σ':<18} not determined: as many points as the shape needs")
+        elif name == "without_coordinates":
+            rows += [f"{value} points of the file have no finite coordinates and were left out"] if value else []
+        elif name == "standard_deviations":
             rows += [f"{'σ ' + key:<18} {sigma:.3g}" for key, sigma in value.items()]
         elif name == "proof":
             rows.append(f"{'proof':<18} contact points {', '.join(map(str, value['contacts']))}; imbalance {value['imbalance']:.0e}")

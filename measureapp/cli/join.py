@@ -25,7 +25,7 @@ def register(app: typer.Typer) -> None:
     @app.command()
     def join(
         projects: Annotated[list[Path], typer.Argument(help="Project folders, one per set-up; the first defines the part frame.")],
-        out: Annotated[Path, typer.Option("--out", help="Folder of the new, joined project.")],
+        out: Annotated[Path, typer.Option("--out", help="Folder of the new, joined project.", file_okay=False)],
         by: Annotated[
             Literal["overlap", "spheres", "nominal"],
             typer.Option("--by", help="Join by common surface, by reference spheres, or by common surface and the nominal."),

@@ -90,7 +90,10 @@ def _fail_usage(message: str, as_json: bool) -> int:
 
 def _fail(kind: str, message: str, hint: str, as_json: bool, code: int) -> int:
     if as_json:
-        print(json.dumps({"error": {"type": kind, "message": message, "hint": hint}}))
+        try:
+            print(json.dumps({"error": {"type": kind, "message": message, "hint": hint}}), flush=True)
+        except OSError:  # the answer has no place to go, such as a full disk
+            say(f"measureapp: {message} {hint}".rstrip())
     else:
         say(f"measureapp: {message} {hint}".rstrip())
     return code

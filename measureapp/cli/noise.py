@@ -32,7 +32,9 @@ def register(app: typer.Typer) -> None:
             typer.Option("--fringes", metavar="MANIFEST", help="MANIFEST.toml of recorded fringes, instead of flat-field images."),
         ] = None,
         plan: Annotated[Path | None, typer.Option("--plan", help="With --rig: first move to the first viewpoint of this plan.")] = None,
-        out: Annotated[Path | None, typer.Option("--out", help="File for the noise models, used by `decode --noise`.")] = None,
+        out: Annotated[
+            Path | None, typer.Option("--out", help="File for the noise models, used by `decode --noise`.", dir_okay=False)
+        ] = None,
         project: Annotated[
             Path | None,
             typer.Option("--project", help="Project in which to store the noise models; its images are decoded with them from then on."),

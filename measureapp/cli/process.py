@@ -27,6 +27,9 @@ if TYPE_CHECKING:
     from measureapp.project.folder import ProjectFolder
 
 
+CURRENT = (
+    "The results are those of the stored images, calibration and program, as far as sizes and the journal tell; `verify` reads every byte."
+)
 SurroundingsOption = Annotated[
     Literal["keep", "exclude"] | None,
     typer.Option(help="Keep the points of table, fixtures and background, or exclude them, now and later.", show_default="exclude"),
@@ -156,7 +159,7 @@ def _check(project: ProjectFolder, as_json: bool) -> int:
     stale = (*damaged, *project.stale_results()) if there else (*damaged, "There are no results yet.")
     reply(
         {"current": not stale, "stale": stale},
-        "\n".join(stale) or "The results are those of the stored images, calibration and program.",
+        "\n".join(stale) or CURRENT,
         as_json,
     )
     return OUT_OF_TOLERANCE if stale else DONE

@@ -40,7 +40,7 @@ def register(app: typer.Typer) -> None:
     def reconstruct(
         manifest: Annotated[Path, typer.Argument(help="MANIFEST.toml of the recorded images.")],
         cameras: Annotated[Path, typer.Option("--cameras", help="cameras.json of the cameras that took them.")],
-        out: Annotated[Path, typer.Option("--out", help="Cloud to write: .ply or .xyz.")],
+        out: Annotated[Path, typer.Option("--out", help="Cloud to write: .ply or .xyz.", dir_okay=False)],
         rule: RuleOption = "combined",
         per_frequency: PerFrequencyOption = False,
         noise: NoiseOption = None,

@@ -20,7 +20,7 @@ def register(app: typer.Typer) -> None:
     @app.command()
     def repeat(
         projects: Annotated[list[Path], typer.Argument(help="Project folders, each one measurement of the part.")],
-        out: Annotated[Path | None, typer.Option("--out", help="Folder for repeats.pdf, .csv and .json.")] = None,
+        out: Annotated[Path | None, typer.Option("--out", help="Folder for repeats.pdf, .csv and .json.", file_okay=False)] = None,
         one_part: Annotated[
             bool, typer.Option("--one-part", help="The projects are of one part although they name it differently.")
         ] = False,

@@ -26,7 +26,7 @@ def register(app: typer.Typer) -> None:
         template: Annotated[
             Path | None, typer.Option("--template", help="Template folder with a template.toml; by default the project's, else your own.")
         ] = None,
-        out: Annotated[Path | None, typer.Option("--out", help="Output folder; by default the project's.")] = None,
+        out: Annotated[Path | None, typer.Option("--out", help="Output folder; by default the project's.", file_okay=False)] = None,
         as_json: JsonOption = False,
     ) -> None:
         """Write the report of the last measurement in the chosen formats (default: PDF, CSV and JSON)."""

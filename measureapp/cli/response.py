@@ -22,7 +22,7 @@ def register(app: typer.Typer) -> None:
     @app.command()
     def response(
         recorded: Annotated[Path, typer.Argument(metavar="MANIFEST", help="MANIFEST.toml of recorded fringes, or .csv of a grey ramp.")],
-        out: Annotated[Path, typer.Option("--out", help="Response file (JSON) to write.")],
+        out: Annotated[Path, typer.Option("--out", help="Response file (JSON) to write.", dir_okay=False)],
         camera: Annotated[str | None, typer.Option("--camera", help="Camera whose images are used; default: the first.")] = None,
         as_json: JsonOption = False,
     ) -> None:

@@ -32,7 +32,9 @@ def _add_open(group: typer.Typer) -> None:
     @group.command(name="open")
     def open_sample(
         name: Annotated[str, typer.Argument(help="Name of the sample, as `sample list` shows it.")],
-        out: Annotated[Path | None, typer.Option("--out", help="Folder of the project; default: sample-NAME here.")] = None,
+        out: Annotated[
+            Path | None, typer.Option("--out", help="Folder of the project; default: sample-NAME here.", file_okay=False)
+        ] = None,
         as_json: JsonOption = False,
     ) -> None:
         """Unpack a sample project, which can then be opened, measured and reported like any other."""

@@ -77,7 +77,7 @@ def _add_report(group: typer.Typer) -> None:
     @group.command()
     def report(
         program: ProgramArgument,
-        out: Annotated[Path, typer.Option("--out", help="Folder for series.pdf, .csv and .json.")],
+        out: Annotated[Path, typer.Option("--out", help="Folder for series.pdf, .csv and .json.", file_okay=False)],
         since: Annotated[str | None, typer.Option("--since", help="Only runs since this date or time (ISO 8601).")] = None,
         results: RootOption = None,
         as_json: JsonOption = False,

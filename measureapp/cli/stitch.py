@@ -38,7 +38,7 @@ def register(app: typer.Typer) -> None:
             typer.Argument(help="One cloud per view, in its camera's frame; the file name without extension is the name of its pose."),
         ],
         poses: Annotated[Path, typer.Option(help="poses.csv: name,x_mm,y_mm,z_mm,qw,qx,qy,qz (part_from_camera).")],
-        out: Annotated[Path, typer.Option(help="The stitched cloud (.ply or .xyz).")],
+        out: Annotated[Path, typer.Option(help="The stitched cloud (.ply or .xyz).", dir_okay=False)],
         mesh: Annotated[Path | None, typer.Option(help="Also write a surface mesh (.ply or .stl).")] = None,
         mesher: Annotated[
             Mesher, typer.Option(help="poisson: closed surface; open: triangulation of one open patch, holes stay open.")
@@ -89,6 +89,8 @@ def _check_outputs(clouds: list[Path], out: Path, mesh: Path | None) -> None:
         raise InputError(f"Two clouds are named {twice[0]!r}.", "Give each view its own file name: it names the pose.")
     if out.suffix.lower() not in (".ply", ".xyz"):
         raise InputError(f"{out}: this is not a format for clouds.", "Use .ply or .xyz.")
+    if any(out.exists() and out.samefile(path) for path in clouds if path.exists()):
+        raise InputError(f"{out} is one of the clouds to be stitched.", "Name another file for the stitched one.")
     if mesh and mesh.suffix.lower() not in (".ply", ".stl"):
         raise InputError(f"{mesh}: this is not a format for meshes.", "Use .ply or .stl.")
 

@@ -35,11 +35,12 @@ def read_inspected(project: ProjectFolder) -> InspectedProject:
     InputError
         The project was not measured yet, or without an inspection program.
     StorageError
-        The results are damaged.
+        The results are damaged, or not what was stored.
     """
     path = project.results / DOCUMENT
     if not path.exists():
         raise InputError(f"{project.path} has no results.", f"Measure it first: measureapp process {project.path}.")
+    project.journal.check(path)
     try:
         document = json.loads(path.read_text(encoding="utf-8"))
         stored, measured_at = document["inspection"], str(document["measured_at"])

@@ -9,6 +9,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
+from measureapp.errors import StorageError
 from measureapp.project.journal import disk, publish
 from measureapp.project.journal.entries import Entry
 
@@ -22,9 +23,11 @@ def replacing(path: Path) -> Iterator[Path]:
     Raises
     ------
     StorageError
-        The folder cannot be written to, or the disk is full (`DiskFull`) or failed (`DiskFailed`).
+        ``path`` is a folder, its folder cannot be written to, or the disk is full (`DiskFull`) or failed (`DiskFailed`).
     """
     path = Path(path)
+    if not path.name or path.is_dir():
+        raise StorageError(f"{path} is a folder.", "Give the path of the file to be written.")
     temporary = publish.part_of(path)
     try:
         with disk.explained(path):

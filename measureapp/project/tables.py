@@ -22,6 +22,7 @@ POSE_COLUMNS = ("name", "x_mm", "y_mm", "z_mm", "qw", "qx", "qy", "qz")
 GUIDE_COLUMNS = ("name", "position_mm")
 CORNER_COLUMNS = ("position", "corner", "x_mm", "y_mm", "z_mm")
 ANGLE_COLUMNS = ("position", "angle_deg")
+DECIMAL_COMMA = re.compile(r"^([+-]?\d*),(\d+(?:[eE][+-]?\d+)?)$")
 UNIT_TOLERANCE = 1e-3
 METRES_BELOW = 5.0  # positions that are all below 5 mm are in metres
 Value = TypeVar("Value")
@@ -165,10 +166,12 @@ def _read_rows(path: Path, columns: Sequence[str], optional: Sequence[str] = ())
         raise InputError(f"{path} cannot be read: {error.strerror or error}.", "Check the path.") from error
     except UnicodeDecodeError as error:
         raise InputError(f"{path} is not a text file.", "Give comma-separated values in UTF-8.") from error
-    reader = csv.reader(io.StringIO(text))
+    semicolons = ";" in text.partition("\n")[0]  # as spreadsheets write where the comma is the decimal point
+    reader = csv.reader(io.StringIO(text), delimiter=";" if semicolons else ",")
     header: list[str] | None = None
     rows = []
-    for cells in reader:
+    for written in reader:
+        cells = [DECIMAL_COMMA.sub(r"\1.\2", cell.strip()) for cell in written] if semicolons else written
         if not any(cell.strip() for cell in cells):
             continue
         if header is None:

@@ -167,3 +167,12 @@ def test_a_refused_image_that_leaves_too_few_is_named_with_its_remedy(capsys, si
     assert code == 2
     assert "blurred" in answer["error"]["message"]
     assert "Focus the camera" in answer["error"]["message"]
+
+
+def test_tables_with_semicolons_and_decimal_commas_are_read(tmp_path):
+    poses = {"v01": RigidTransform.from_vector([0.1, 0.2, 0.3], [100.5, -20.25, 7.0], "base", "flange")}
+    write_poses(tmp_path / "poses.csv", poses)
+    text = (tmp_path / "poses.csv").read_text(encoding="utf-8")
+    (tmp_path / "sheet.csv").write_text(text.replace(",", ";").replace(".", ","), encoding="utf-8")
+    read = read_poses(tmp_path / "sheet.csv", "base", "flange")
+    assert np.array_equal(read["v01"].matrix, read_poses(tmp_path / "poses.csv", "base", "flange")["v01"].matrix)

@@ -76,3 +76,31 @@ def test_any_ending_may_hold_points(tmp_path: Path, capsys: pytest.CaptureFixtur
     assert main(["fit", "plane", str(path)]) == 0
     assert main(["fit", "plane", str(tmp_path / "none.dat")]) == 2
     assert "Traceback" not in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("separator", [";", "\t", " "])
+def test_decimal_commas_are_read_as_spreadsheets_write_them(cone: Path, capsys: pytest.CaptureFixture[str], separator: str) -> None:
+    assert main(["fit", "cone", str(cone), "--json"]) == 0
+    expected = json.loads(capsys.readouterr().out)
+    written = cone.with_name("commas.csv")
+    written.write_text("x;y;z\n".replace(";", separator) + cone.read_text().replace(" ", separator).replace(".", ","), encoding="utf-8")
+    assert main(["fit", "cone", str(written), "--json"]) == 0
+    assert json.loads(capsys.readouterr().out) == expected
+
+
+def test_as_many_points_as_the_shape_needs_prove_no_precision(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    three = tmp_path / "three.txt"
+    three.write_text("10 0 0\n0 10 0\n-10 0 0\n", encoding="utf-8")
+    assert main(["fit", "circle", str(three), "--json"]) == 0
+    answer = json.loads(capsys.readouterr().out)
+    assert answer["radius_mm"] == pytest.approx(10) and answer["standard_deviations"] is None and answer["covariance"] is None
+    assert main(["fit", "circle", str(three)]) == 0
+    assert "not determined" in capsys.readouterr().out
+
+
+def test_points_without_coordinates_are_counted(cone: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    cone.write_text(cone.read_text() + "nan nan nan\n1e300 0 0\n", encoding="utf-8")
+    assert main(["fit", "cone", str(cone), "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["without_coordinates"] == 2
+    assert main(["fit", "cone", str(cone)]) == 0
+    assert "2 points of the file have no finite coordinates" in capsys.readouterr().out

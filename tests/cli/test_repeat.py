@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from measureapp.cli import main
+from measureapp.project.atomic import write_text
 from measureapp.project.folder import ProjectFolder, ProjectSettings
 from measureapp.project.results import DOCUMENT
 from measureapp.project.rig_file import read_rig
@@ -102,8 +103,12 @@ def test_one_project_given_twice_or_copied_is_refused(three, tmp_path, capsys) -
 
 def test_a_project_without_results_or_with_damaged_ones_is_refused(three, capsys) -> None:
     results = Path(three[1]) / "results" / DOCUMENT
-    results.write_text(results.read_text(encoding="utf-8")[:100], encoding="utf-8")
+    text = results.read_text(encoding="utf-8")
+    results.write_text(text[:100], encoding="utf-8")
     assert f"{results} cannot be read" in refused(capsys, ["repeat", *three])
+    write_text(results, text)  # with an entry in the journal
+    results.write_text(text.replace("1", "2", 1), encoding="utf-8")
+    assert f"{results} is not what was stored" in refused(capsys, ["repeat", *three])
     results.unlink()
     assert "has no results" in refused(capsys, ["repeat", *three])
 

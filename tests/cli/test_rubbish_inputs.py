@@ -146,3 +146,28 @@ def test_every_command_that_reads_something_is_given_rubbish() -> None:
         ("sample", "open"),
         *named,
     ]  # without input, or tested elsewhere
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "calibrate axis --corners IN --out .",
+        "noise --fringes IN --out /",
+        "response IN --out .",
+        "decode IN --out IN",
+        "repeat IN IN --out IN",
+    ],
+)
+def test_a_folder_in_the_place_of_a_file_is_refused_and_a_file_in_that_of_a_folder(line: str, shelf: Path, tmp_path: Path, capsys) -> None:
+    given = junk("garbage", "toml", tmp_path)
+    said = refused(capsys, filled(line, shelf, tmp_path / "out", str(given)))
+    assert "is a directory" in said or "is a file" in said
+
+
+def test_a_cloud_is_never_replaced_by_what_is_made_of_it(tmp_path: Path, capsys) -> None:
+    cloud = tmp_path / "cloud.xyz"
+    np.savetxt(cloud, np.eye(3))
+    assert "is the cloud to be filtered" in refused(capsys, ["filter", str(cloud), "--box=-9,9,-9,9,-9,9", "--out", str(cloud)])
+    poses = tmp_path / "poses.csv"
+    poses.write_text("name,x_mm,y_mm,z_mm,qw,qx,qy,qz\ncloud,0,0,0,1,0,0,0\n", encoding="utf-8")
+    assert "is one of the clouds" in refused(capsys, ["stitch", str(cloud), "--poses", str(poses), "--out", str(cloud)])

@@ -34,7 +34,9 @@ def register(group: typer.Typer) -> None:
         out: OutOption = None,
         standoff_mm: Annotated[float | None, typer.Option(help="Distance at which parts are measured; default: that of the board.")] = None,
         uncertainty_map: Annotated[Path | None, typer.Option(help="npz to write the uncertainty map to; a PNG goes beside it.")] = None,
-        corners_out: Annotated[Path | None, typer.Option(help="File for the corners found, to solve again with --corners.")] = None,
+        corners_out: Annotated[
+            Path | None, typer.Option(help="File for the corners found, to solve again with --corners.", dir_okay=False)
+        ] = None,
         temperature_c: Annotated[float | None, typer.Option(help="Temperature when the images were taken.")] = None,
         valid_days: Annotated[float | None, typer.Option(help="Days after which the calibration expires.", min=0)] = None,
         as_json: JsonOption = False,

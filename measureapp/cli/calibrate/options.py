@@ -42,7 +42,7 @@ BoardTemperatureOption = Annotated[
     str | None, typer.Option("--board-temperature", help="Of the board in these images in °C with its uncertainty (k = 2): 21.5±0.5.")
 ]
 CamerasOption = Annotated[Path | None, typer.Option("--cameras", help="Calibrated cameras (cameras.json).")]
-OutOption = Annotated[Path | None, typer.Option("--out", help="File to write.")]
+OutOption = Annotated[Path | None, typer.Option("--out", help="File to write.", dir_okay=False)]
 RobotPosesOption = Annotated[Path, typer.Option("--robot-poses", help="base_from_flange: name,x_mm,y_mm,z_mm,qw,qx,qy,qz.")]
 BoardPosesOption = Annotated[Path | None, typer.Option("--board-poses", help="camera_from_board, with the names of the robot poses.")]
 KINDS = {"": "checkerboard", "checkerboard": "checkerboard", "checker": "checkerboard", "charuco": "charuco", "circles": "circles"}

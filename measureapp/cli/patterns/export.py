@@ -22,7 +22,7 @@ def register(group: typer.Typer) -> None:
     @group.command()
     def export(
         patterns: SetArgument,
-        out: Annotated[Path, typer.Option("--out", help="Folder for the images.")],
+        out: Annotated[Path, typer.Option("--out", help="Folder for the images.", file_okay=False)],
         width: WidthOption = 1024,
         height: HeightOption = 768,
         response: Annotated[Path | None, typer.Option("--response", help="Projector response to correct the sinusoids for.")] = None,

@@ -28,7 +28,7 @@ def register(group: typer.Typer) -> None:
     @group.command("edit")
     def edit_plan(
         plan: PlanArgument,
-        out: Annotated[Path, typer.Option(help="Plan to write (TOML or JSON); may be the plan itself.")],
+        out: Annotated[Path, typer.Option(help="Plan to write (TOML or JSON); may be the plan itself.", dir_okay=False)],
         add: Annotated[list[str] | None, typer.Option(help=ADD_HELP)] = None,
         rig: Annotated[str | None, typer.Option(help="Rig description, for --add: a TOML file, or a name in resources/rigs.")] = None,
         guide: Annotated[float, typer.Option(help="Guide position in mm of what --add adds.")] = 0.0,

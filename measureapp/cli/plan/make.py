@@ -36,7 +36,7 @@ def register(app: typer.Typer) -> None:
     def make(
         nominal: Annotated[Path, typer.Argument(help="Nominal: STL, PLY, OBJ, or STEP (with the optional library cascadio).")],
         rig: Annotated[str, typer.Option("--rig", help="Rig description: a TOML file, or a name in resources/rigs.")],
-        out: Annotated[Path, typer.Option("--out", help="Plan to write: TOML or JSON, by its extension.")],
+        out: Annotated[Path, typer.Option("--out", help="Plan to write: TOML or JSON, by its extension.", dir_okay=False)],
         viewpoints: Annotated[
             int | None, typer.Option(min=1, max=500, help="Exactly that many, with the best coverage. Default: as many as needed.")
         ] = None,

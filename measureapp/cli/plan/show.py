@@ -26,7 +26,9 @@ def register(group: typer.Typer) -> None:
     def show_plan(
         plan: PlanArgument,
         rig: RigOption,
-        out: Annotated[Path | None, typer.Option(help="Picture to write: top and side view with all viewpoints (PNG or SVG).")] = None,
+        out: Annotated[
+            Path | None, typer.Option(help="Picture to write: top and side view with all viewpoints (PNG or SVG).", dir_okay=False)
+        ] = None,
         nominal: NominalOption = None,
         unit: UnitOption = LengthUnit.MM,
         as_json: JsonOption = False,

@@ -17,7 +17,7 @@ def register(group: typer.Typer) -> None:
     @group.command("of")
     def make_template(
         project: Annotated[Path, typer.Argument(help="Project folder.")],
-        out: Annotated[Path, typer.Option("--out", help="The part program to write (.mpart).")],
+        out: Annotated[Path, typer.Option("--out", help="The part program to write (.mpart).", dir_okay=False)],
         name: Annotated[str, typer.Option("--name", help="Name of the part; by default that of the project's part.")] = "",
         part_number: Annotated[str, typer.Option("--part-number", help="Number of the part, as on its label or drawing.")] = "",
         remarks: Annotated[str, typer.Option("--remarks", help="How to mount the part, or what else an operator should know.")] = "",

@@ -22,7 +22,7 @@ def register(group: typer.Typer) -> None:
     @group.command()
     def pack(
         plan: Annotated[Path, typer.Argument(help="Scan plan (JSON or TOML).")],
-        out: Annotated[Path, typer.Option("--out", help="The part program to write (.mpart).")],
+        out: Annotated[Path, typer.Option("--out", help="The part program to write (.mpart).", dir_okay=False)],
         inspection: Annotated[
             Path | None, typer.Option("--inspection", help="Inspection program (TOML); the nominal that it names is packed with it.")
         ] = None,

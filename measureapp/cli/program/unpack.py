@@ -17,7 +17,7 @@ def register(group: typer.Typer) -> None:
     @group.command()
     def unpack(
         program: Annotated[Path, typer.Argument(help="Part program (.mpart).")],
-        out: Annotated[Path, typer.Option("--out", help="Folder for its files, new or empty.")],
+        out: Annotated[Path, typer.Option("--out", help="Folder for its files, new or empty.", file_okay=False)],
         as_json: JsonOption = False,
     ) -> None:
         """Write the files of a part program into a folder, to edit them and pack them again."""

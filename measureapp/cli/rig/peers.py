@@ -24,7 +24,9 @@ def register(group: typer.Typer) -> None:
 
     @group.command()
     def peers(
-        out: Annotated[Path, typer.Argument(help="Rig description (TOML) to write; connect it in the window or by other commands.")],
+        out: Annotated[
+            Path, typer.Argument(help="Rig description (TOML) to write; connect it in the window or by other commands.", dir_okay=False)
+        ],
         rig: Annotated[str, typer.Option(help="Rig to imitate: a TOML file, or a name in resources/rigs.")] = "paper",
         part: Annotated[
             str, typer.Option(help="impeller, gypsum, gear, sphere_plate, flat, or a mesh file in mm (STL, PLY, OBJ).")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import numpy as np
@@ -12,10 +13,14 @@ from measureapp.errors import InputError
 PCD_TYPES = {("F", 4): "f4", ("F", 8): "f8"} | {(kind.upper(), size): f"{kind}{size}" for kind in "iu" for size in (1, 2, 4, 8)}
 PCD_HEADER_BYTES = 16384
 DAMAGED = "Export or copy the file again."
+SEPARATORS = re.compile(r"[;\s]+")
+NUMBER = re.compile(r"[+-]?(\d+\.?|\d*[.,]\d+)([eE][+-]?\d+)?")
 
 
 def read_table(path: Path, least_columns: int = 3) -> FloatArray:
     """Return the numbers of a text file, one point a line, white space, commas or semicolons between them.
+
+    Commas within numbers that something else separates are decimal points, as spreadsheets write in many countries.
 
     Lines without numbers at the top (column names) and lines that begin with ``#`` or ``//`` are passed over.
 
@@ -24,7 +29,8 @@ def read_table(path: Path, least_columns: int = 3) -> FloatArray:
     InputError
         No points, a line with other than the first line's number of values, or something that is not a number.
     """
-    lines = path.read_bytes().decode("latin-1").replace(",", " ").replace(";", " ").splitlines()
+    text = path.read_bytes().decode("latin-1")
+    lines = text.replace(",", "." if _has_decimal_commas(text) else " ").replace(";", " ").splitlines()
     kept = [(number, line) for number, line in enumerate(lines, 1) if line.strip() and not line.lstrip().startswith(("#", "//"))]
     if kept and not _is_numbers(kept[0][1]):
         kept = kept[1:]
@@ -39,6 +45,15 @@ def read_table(path: Path, least_columns: int = 3) -> FloatArray:
         return np.loadtxt([line for _, line in kept], comments=None, ndmin=2)
     except ValueError:
         raise _misfit(path, kept, width) from None
+
+
+def _has_decimal_commas(text: str) -> bool:
+    """Return whether the first line of numbers has a comma within a number, and another separator between numbers."""
+    for line in text.splitlines():
+        words = [word for word in SEPARATORS.split(line.strip()) if word]
+        if len(words) > 1 and all(NUMBER.fullmatch(word) for word in words):
+            return any("," in word for word in words)
+    return False
 
 
 def _misfit(path: Path, lines: list[tuple[int, str]], width: int) -> InputError:

@@ -14,6 +14,7 @@ from measureapp.errors import DiskFailed, DiskFull, StorageError
 from measureapp.project.journal.entries import FileState
 
 NOT_ALLOWED = (errno.EACCES, errno.EPERM, errno.EROFS)
+MISPLACED = (errno.EEXIST, errno.ENOTDIR, errno.EISDIR)
 FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
 BLOCK = 8 * 2**20
 
@@ -45,6 +46,10 @@ def storage_error(path: Path, error: OSError) -> StorageError:
         return DiskFull(message, "Free some space, or choose another folder. What was stored before is kept.")
     if error.errno in NOT_ALLOWED:
         return StorageError(message, "Check the permissions, or choose another folder.")
+    if error.errno in MISPLACED:
+        return StorageError(
+            f"{path} cannot be written: there is a file in the place of a folder, or a folder in that of a file.", "Choose another path."
+        )
     if error.errno is None:  # of NumPy, which states bytes in place of a reason
         return DiskFull(f"{path} cannot be written completely.", "Free some space, or choose another folder.")
     return DiskFailed(message, "Check the disk and its connection, or choose another folder. What was stored before is kept.")
