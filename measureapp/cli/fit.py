@@ -117,7 +117,7 @@ def _lines(document: dict[str, Any]) -> str:
         if name == "standard_deviations" and value is None:
             rows.append(f"{'σ':<18} not determined: as many points as the shape needs")
         elif name == "without_coordinates":
-            rows += [f"{value} points of the file have no finite coordinates and were left out"] if value else []
+            rows += [f"{value} points of the file have no finite coordinates and are not used"] if value else []
         elif name == "standard_deviations":
             rows += [f"{'σ ' + key:<18} {sigma:.3g}" for key, sigma in value.items()]
         elif name == "proof":

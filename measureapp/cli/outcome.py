@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from measureapp.cli.reply import say
 from measureapp.data.dimension import Verdict
 from measureapp.data.surroundings import SURROUNDINGS
+from measureapp.report.words import format_tolerance
 
 if TYPE_CHECKING:
     from measureapp.data.dimension import Dimension
@@ -98,7 +99,9 @@ def dimension_line(dimension: Dimension) -> str:
         return f"{start}not measured: {dimension.reason}"
     shown = dimension.round_uncertainty()
     uncertainty = "" if shown is None else f" ± {shown:.3f}"
-    source = f", {dimension.tolerance_source}" if dimension.tolerance_source else ""
+    limits = dimension.lower_tolerance, dimension.upper_tolerance
+    tolerance = dimension.tolerance_source or ("" if None in limits else format_tolerance(*limits))
+    source = f", {tolerance}" if tolerance else ""
     warning = f"\n      {dimension.warning}." if dimension.warning else ""
     return (
         f"{start}{dimension.measured:9.3f}{uncertainty} {dimension.unit} (nominal {dimension.nominal:g}, deviation {dimension.deviation:+.3f}"

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 
 CURRENT = (
-    "The results are those of the stored images, calibration and program, as far as sizes and the journal tell; `verify` reads every byte."
+    "The results are those of the stored images, calibration and program, by the sizes of the files and the journal; `verify` reads every byte."
 )
 SurroundingsOption = Annotated[
     Literal["keep", "exclude"] | None,

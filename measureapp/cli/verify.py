@@ -68,11 +68,12 @@ def _lines(found: Verified) -> list[str]:
     if len(found.unknown) > MOST_UNKNOWN:
         unknown.append(f"… and {len(found.unknown) - MOST_UNKNOWN} more files.")
     checked = (
-        f"{found.files} files of {len(found.viewpoints)} viewpoints checked: "
+        f"{found.files} files checked, among them those of {len(found.viewpoints)} views: "
         if found.journal
-        else f"{len(found.viewpoints)} viewpoints checked: "
+        else f"{len(found.viewpoints)} views checked: "
     )
-    summary = checked + (f"{len(found.damage)} files damaged." if found.damage else "no damage.")
+    files = "1 file is" if len(found.damage) == 1 else f"{len(found.damage)} files are"
+    summary = checked + (f"{files} damaged." if found.damage else "no damage.")
     old = (
         [] if found.journal else ["The project was written by an earlier version: only its images have checksums until it is next changed."]
     )

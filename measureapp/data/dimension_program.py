@@ -101,8 +101,10 @@ class DimensionProgram(Model):
     @classmethod
     def _limits_of_its_text(cls, values: Any) -> Any:
         """Set the limits that follow from `tolerance`; limits stated beside it must agree."""
-        if not isinstance(values, Mapping) or not isinstance(values.get("tolerance"), str):
+        if not isinstance(values, Mapping) or values.get("tolerance") is None:
             return values
+        if not isinstance(values["tolerance"], str):
+            raise ValueError('`tolerance` is a text, such as "±0.05", "+0.1/-0.05", "max 0.05" or "H7"')
         kind, nominal = values.get("kind"), values.get("nominal", 0.0)
         if not isinstance(kind, str) or isinstance(nominal, bool) or not isinstance(nominal, int | float):
             return values

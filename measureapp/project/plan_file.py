@@ -44,7 +44,7 @@ def read_plan(path: Path) -> ScanPlan:
     try:
         return ScanPlan.model_validate(document)
     except ValidationError as error:
-        more = f" (and {error.error_count() - 1} more problems)" if error.error_count() > 1 else ""
+        more = f" (and {error.error_count() - 1} more)" if error.error_count() > 1 else ""
         raise InputError(f"{path}: {_problem(error, document)}{more}.", "Correct this entry of the plan.") from error
 
 

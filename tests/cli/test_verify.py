@@ -48,7 +48,7 @@ def test_a_project_as_it_was_stored_is_whole(project: Path, capsys) -> None:
     assert (code, document["checked"], document["damaged"]) == (0, ["view01", "view02", "board01"], {})
     assert document["unknown"] == document["stale"] == []
     assert main(["verify", str(project)]) == 0
-    assert capsys.readouterr().out == "9 files of 3 viewpoints checked: no damage.\n"
+    assert capsys.readouterr().out == "9 files checked, among them those of 3 views: no damage.\n"
 
 
 @pytest.mark.parametrize("place", [-1, 200, 1000])
@@ -59,7 +59,7 @@ def test_one_flipped_bit_of_a_fringe_image_is_found(place: int, project: Path, c
     assert list(document["damaged"]) == ["view02"]
     assert "right.npy differs from its stored checksum" in document["damaged"]["view02"][0]
     assert main(["verify", str(project)]) == 1
-    assert "1 files damaged" in capsys.readouterr().out
+    assert "1 file is damaged" in capsys.readouterr().out
 
 
 def test_a_missing_image_is_found(project: Path, capsys) -> None:

@@ -1,7 +1,9 @@
 import math
 
 import pytest
+from pydantic import ValidationError
 
+from measureapp.data.dimension_program import DimensionProgram
 from measureapp.data.standard_tolerances import ABOVE_UM, BELOW_UM, GENERAL_MM, GRADES_UM, SIZES_MM, general_tolerance, tolerance_class
 from measureapp.data.tolerance_text import Tolerance, parse_tolerance
 
@@ -110,3 +112,9 @@ def test_general_tolerances_grow_with_size_and_class():
 def test_the_upper_end_of_a_range_belongs_to_it():
     assert tolerance_class("H", 7, 50.0) == (0.0, 0.025) and tolerance_class("H", 7, 50.001) == (0.0, 0.03)
     assert general_tolerance("m", 30.0) == 0.2 and general_tolerance("m", 30.1) == 0.3 and general_tolerance("m", 0.5) == 0.1
+
+
+@pytest.mark.parametrize("value", [0.05, [-0.1, 0.1]])
+def test_a_tolerance_that_is_no_text_is_refused_with_one_that_is(value):
+    with pytest.raises(ValidationError, match="is a text, such as"):
+        DimensionProgram.model_validate({"name": "a", "kind": "diameter", "features": ["hub"], "nominal": 90, "tolerance": value})

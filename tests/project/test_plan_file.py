@@ -66,7 +66,7 @@ def broken(change) -> dict:
         (lambda d: d["viewpoints"][0].update(id="<b>top</b>"), r"'<b>top</b>' \(no. 1\), id: a name begins"),
         (lambda d: d["viewpoints"].insert(0, 3), "viewpoint no. 1"),
         (lambda d: d["viewpoints"][0].pop("guide_mm"), "guide_mm: Field required"),
-        (lambda d: d["viewpoints"][0].update(guide_mm="x", table_deg="y"), "and 1 more problems"),
+        (lambda d: d["viewpoints"][0].update(guide_mm="x", table_deg="y"), "and 1 more"),
         (lambda d: d.update(schema_version=9), "plan of version 9"),
         (lambda d: d.update(viewpoints=[], groups=[]), "no viewpoints"),
     ],

@@ -96,6 +96,6 @@ def _lines(plan: ScanPlan, found: PlanCheck, coverage: PlanCoverage | None) -> l
         lines += [f"  not seen, {share:.1%}: {reason}" for reason, share in coverage.unseen().items()]
     lines += [f"  ✗ {problem}" for problem in found.problems[:SHOWN]]
     if len(found.problems) > SHOWN:
-        lines.append(f"  … and {len(found.problems) - SHOWN} more problems")
+        lines.append(f"  … and {len(found.problems) - SHOWN} more")
     count = len(found.problems)
     return [*lines, "Nothing prevents the scan." if not count else f"{count} problem{'s prevent' if count > 1 else ' prevents'} the scan."]
