@@ -1,8 +1,9 @@
-"""Invalidation of compiled kernels on disk that are older than their sources."""
+"""Compiled kernels on disk: whether there are any, and invalidation of those that are older than their sources."""
 
 from __future__ import annotations
 
 import contextlib
+import os
 from pathlib import Path
 
 
@@ -27,3 +28,8 @@ def drop_stale(folder: Path, *shared: Path) -> None:
         with contextlib.suppress(OSError):  # another process may delete the same file; a read-only folder is never stale
             if compiled.stat().st_mtime < newest:
                 compiled.unlink()
+
+
+def lacks_compiled(folder: Path) -> bool:
+    """Return whether a package of kernels could have compiled ones beside its sources and has none."""
+    return os.access(folder, os.W_OK) and "NUMBA_CACHE_DIR" not in os.environ and not any((folder / "__pycache__").glob("*.nbi"))

@@ -85,9 +85,9 @@ class AxisMotions:
     @property
     def guide_words(self) -> str:
         """The guide's error motions in words; empty where it was not moved."""
-        found = self.amplitudes
         if not self.guide.any():
             return ""
+        found = self.amplitudes
         return f"straightness ± {_um(found['straightness'])}, pitch, yaw and roll ± {found['angles'] / ARCSEC:.1f}″"
 
     @property
@@ -111,8 +111,8 @@ def _without_setting(motion: FloatArray) -> FloatArray:
 
 def _half_range(course: FloatArray) -> float:
     """Return half the range of a course (C, N) in the direction in which it is largest, by the greatest distance of two of its points."""
-    points = course.T
-    return float(np.linalg.norm(points[:, None] - points[None], axis=2).max() / 2)
+    squared = sum((component[:, None] - component) ** 2 for component in course)
+    return float(np.sqrt(np.max(squared)) / 2)
 
 
 def _um(value_mm: float) -> str:

@@ -191,7 +191,7 @@ class RigDescription(Model):
     """
 
     schema_version: Literal[2] = 2
-    name: str
+    name: str = Field(min_length=1)
     driver: str = Field(default="", description="id of the plugin that drives the whole rig")
     driver_settings: dict[str, object] = Field(default_factory=dict)
     devices: dict[str, DriverChoice] = Field(default_factory=dict)
@@ -206,8 +206,8 @@ class RigDescription(Model):
     guide: GuideDescription
     table: TableDescription
     flange_from_head: NominalPose
-    standoff_mm: float
-    exposures_us: tuple[int, ...] = Field(description="the exposure bracket, long to short")
+    standoff_mm: float = Field(gt=0, le=100_000, description="distance of the measuring volume from the reference camera")
+    exposures_us: tuple[Annotated[int, Field(gt=0)], ...] = Field(min_length=1, description="the exposure bracket, long to short")
     calibration_rules: CalibrationRules = CalibrationRules()
 
     @field_validator("schema_version", mode="before")

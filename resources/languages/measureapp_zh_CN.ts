@@ -9999,6 +9999,14 @@
       <translation>不作更改</translation>
     </message>
     <message>
+      <source>Changes are kept for the next time, and measured only then</source>
+      <translation>更改会保留到下次，到那时才测量</translation>
+    </message>
+    <message>
+      <source>Changes of before that were not measured yet. Ctrl+Z shows the program as it is.</source>
+      <translation>以前的更改尚未测量。按 Ctrl+Z 显示当前的程序。</translation>
+    </message>
+    <message>
       <source>Characteristic</source>
       <translation>几何特征</translation>
     </message>
@@ -10185,10 +10193,6 @@
     <message>
       <source>Dimensions</source>
       <translation>尺寸</translation>
-    </message>
-    <message>
-      <source>Discard the changes</source>
-      <translation>放弃更改</translation>
     </message>
     <message>
       <source>Each point</source>
@@ -12895,6 +12899,10 @@ The first run of this part counts.</source>
     <message>
       <source>The connected rig takes all images of the board itself, and everything is solved together</source>
       <translation>已连接的测量系统自行拍摄标定板的所有图像，并一并求解</translation>
+    </message>
+    <message>
+      <source>The logo {logo} does not exist.</source>
+      <translation>徽标 {logo} 不存在。</translation>
     </message>
     <message>
       <source>The report is created when a part has been measured: pictures, dimensions, calibration and settings.</source>
@@ -15733,6 +15741,10 @@ There is no page about “{name}”.</source>
     <message>
       <source>Not checked yet</source>
       <translation>尚未检查</translation>
+    </message>
+    <message>
+      <source>Not every system takes this name for a folder. Choose another, such as {name}.</source>
+      <translation>并非所有系统都接受此文件夹名称。请选择其他名称，例如 {name}。</translation>
     </message>
     <message>
       <source>Not now</source>

@@ -16,6 +16,7 @@ from measureapp.project.folder import ProjectFolder, ProjectSettings
 from measureapp.project.program_file import parse_program
 from ui.controllers.program_rows import carry_ids, changed_names
 from ui.pages.inspection.dimension_model import Column
+from ui.pages.inspection.program_dialog import ProgramDialog
 
 PATIENCE_MS = 60_000
 PROGRAM = """# by hand
@@ -108,6 +109,39 @@ def type_in(page, qtbot, name, column, text, key=Qt.Key.Key_Return):
     if key == Qt.Key.Key_Return:
         qtbot.waitUntil(lambda: not table.is_editing)
     return editor
+
+
+def test_an_editor_that_is_opened_leaves_the_widths_of_the_columns_as_they_are(application, page, qtbot):
+    table = page.side.table
+    before = table.columnWidth(Column.NAME)
+    for column in (Column.NOMINAL, Column.TOLERANCE):
+        editor = type_in(page, qtbot, "half", column, "1", key=Qt.Key.Key_Escape)
+        qtbot.waitUntil(lambda editor=editor: not table.is_editing)
+        settled(application, qtbot)
+    assert table.columnWidth(Column.NAME) == before and not table._chosen
+
+
+def test_an_entry_that_is_refused_is_told_and_leaves_nothing_open(application, page, qtbot):
+    type_in(page, qtbot, "half", Column.TOLERANCE, "wide")
+    told = application.session.messages[-1]
+    assert told.level == "error" and not application.session.messages.is_open(told)
+
+
+def test_changes_of_the_program_outlive_a_closed_dialog(page, project):
+    dialog = ProgramDialog(page.look, page.controllers.programming, page)
+    dialog.show_program()
+    program = dialog.text.toPlainText()
+    dialog.text.setPlainText(program + "# mine")
+    dialog.reject()
+    dialog.show_program()
+    assert dialog.text.toPlainText() == program + "# mine" and "not measured yet" in dialog.problem.text()
+    dialog.text.undo()
+    assert dialog.text.toPlainText() == program
+    dialog.reject()
+    dialog.show_program()
+    assert dialog.text.toPlainText() == program and dialog.problem.isHidden()
+    dialog.reject()
+    dialog.deleteLater()
 
 
 def test_the_worst_verdict_is_first_and_selected(page):

@@ -75,6 +75,19 @@ def test_a_header_is_stored_with_company_and_logo_and_is_in_the_workbook(opened,
     book.close()
 
 
+def test_a_logo_that_is_refused_costs_nothing_of_what_was_typed(opened, qtbot, tmp_path, project):
+    given = Identification(serial_number="SN 8", remarks="clean")
+    dialog = HeaderDialog(opened.look, replace(header_of(given), logo=tmp_path / "none.png"))
+    qtbot.addWidget(dialog)
+    dialog.accept_button.click()
+    assert dialog.result() == 0 and "none.png" in dialog.problem.text()
+    damaged = tmp_path / "mark.png"
+    damaged.write_text("no picture", encoding="utf-8")
+    opened.controllers.documents.set_header(replace(header_of(given), logo=damaged))
+    settled(qtbot, opened)
+    assert read_identification(project.path) == given
+
+
 def test_the_button_opens_the_dialog(opened, qtbot):
     page = opened.window.pages["report"]
     page.header_button.click()

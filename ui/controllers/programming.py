@@ -24,6 +24,7 @@ from ui.controllers.program_jobs import (
 from ui.controllers.program_measuring import ProgramMeasuring
 from ui.controllers.program_rows import DimensionRow, Status, changed_names
 from ui.look.language.words import tr
+from ui.messages import MOMENT
 from ui.session import Session
 
 if TYPE_CHECKING:
@@ -177,7 +178,7 @@ class ProgrammingController(QObject):
         try:
             after = change(self.state.program)
         except MeasureError as error:
-            self._session.tell(error.message, error.hint, "error")
+            self._session.tell(error.message, error.hint, "error", cause=MOMENT)
             return False
         if after != self.state.program:
             self._push(self.state.edited(after), words)

@@ -68,11 +68,11 @@ def save_header(folder: Path, header: ReportHeader, measurement: Measurement | N
     from measureapp.project.template_folder import choose_template
     from measureapp.report.template import default_template, own_logo, save_own_template
 
+    save_identification(folder, header.identification)  # first: a logo or template that is refused must not cost what was typed
     if (header.company, header.logo) != (default_template().description.company, own_logo()):
         save_own_template(header.company, header.logo)
     if not header.template.of_project:
         choose_template(folder, header.template.source)
-    save_identification(folder, header.identification)
     job.report(1, 2, "Documents")
     if measurement is not None:
         write_reports(ProjectFolder.open(folder), measurement)

@@ -130,7 +130,7 @@ class Yielding:
 
 
 def warm_up(job: Progress) -> None:
-    """Import the packages of the first measurement and compile its kernels; runs on a job's thread."""
+    """Import the packages of the first measurement, and compile or load its kernels; runs on a job's thread."""
     for done, name in enumerate(WARM_UP):
         job.report(IMPORTED_SHARE * done, len(WARM_UP), "Preparing the measurement")
         if importlib.util.find_spec(name) is None:
@@ -138,6 +138,8 @@ def warm_up(job: Progress) -> None:
                 tr("The package {name} is missing.", name=name), "Run `python3 installer/bootstrap.py run` to repair the installation."
             )
         import_with_retry(name)
-    from measureapp.pipeline.warm_up import warm_up as compile_kernels
+    from measureapp.pipeline.compile_apart import compile_apart
+    from measureapp.pipeline.warm_up import warm_up as load_kernels
 
-    compile_kernels(PartOf(job, IMPORTED_SHARE, 1.0, "Preparing the measurement: "))
+    compile_apart(job)
+    load_kernels(PartOf(job, IMPORTED_SHARE, 1.0, "Preparing the measurement: "))

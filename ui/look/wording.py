@@ -13,6 +13,8 @@ NOTHING = "–"
 THIN = "\u2009"
 MINUS = "\u2212"
 UNIT_AFTER_NUMBER = re.compile(r"(?<=\d) (?=(?:mm|µm|px|ppm|ms|µs|s|min|h|K|kB|MB|GB|TB)\b|[%°])")
+SENTENCE_ENDS = ".!?…。！？"
+IDEOGRAPHS = "\u4e00", "\u9fff"
 POINT_REASONS = {  # why a pixel has no point, by the names that documents use
     "point": "Measured",
     "seen by another": "Measured by another camera",
@@ -131,11 +133,12 @@ def when(iso: str, now: datetime | None = None) -> str:
 
 
 def sentence(text: str) -> str:
-    """Return ``text`` as a sentence, with a capital letter and a full stop."""
+    """Return ``text`` as a sentence, with a capital letter and the full stop of its script."""
     text = text.strip()
     if not text:
         return ""
-    return text[0].upper() + text[1:] + ("" if text[-1] in ".!?…" else ".")
+    stop = "。" if IDEOGRAPHS[0] <= text[-1] <= IDEOGRAPHS[1] else "."
+    return text[0].upper() + text[1:] + ("" if text[-1] in SENTENCE_ENDS else stop)
 
 
 def part_words(part: str) -> str:

@@ -124,8 +124,12 @@ class HeaderDialog(QDialog):
         except ValidationError as error:
             self._refuse(first_problem(error, "the header"))
             return
+        logo = self.logo.value()
+        if logo is not None and not logo.is_file():
+            self._refuse(tr("The logo {logo} does not exist.", logo=logo))
+            return
         self.accept()
-        entered = {"identification": identification, "company": self.company.text().strip(), "logo": self.logo.value()}
+        entered = {"identification": identification, "company": self.company.text().strip(), "logo": logo}
         self.chosen.emit(replace(self._header, template=self._chosen, **entered))
 
 

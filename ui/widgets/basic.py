@@ -32,6 +32,7 @@ ButtonRole = Literal["normal", "primary", "quiet", "message", "stop"]
 def label(text: str = "", role: TextRole = "body", *, wrap: bool = False) -> QLabel:
     """Return a label; ``wrap`` allows several lines."""
     made = QLabel(translated(text))
+    made.setTextFormat(Qt.TextFormat.PlainText)  # names come from files and people
     made.setProperty("role", role)
     made.setWordWrap(wrap)
     made.setTextInteractionFlags(Qt.TextInteractionFlag.NoTextInteraction)
@@ -45,6 +46,7 @@ class ElidedLabel(QLabel):
 
     def __init__(self, text: str, role: TextRole) -> None:
         super().__init__(translated(text))
+        self.setTextFormat(Qt.TextFormat.PlainText)
         self.setProperty("role", role)
         self.words = translated(text)
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
@@ -69,6 +71,7 @@ class TailLabel(QLabel):
 
     def __init__(self, text: str = "") -> None:
         super().__init__(translated(text))
+        self.setTextFormat(Qt.TextFormat.PlainText)
         self.words = translated(text)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
 

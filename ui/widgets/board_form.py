@@ -6,12 +6,13 @@ from collections.abc import Mapping
 from typing import Any
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QLabel, QSpinBox, QWidget
+from PySide6.QtWidgets import QComboBox, QLabel, QSpinBox, QWidget
 
 from measureapp.data.board import DICTIONARIES, BoardDescription, CharucoDescription, CheckerboardDescription, CirclesDescription
 from ui.look.language.words import translated
 from ui.widgets.basic import Form, label
 from ui.widgets.board_lengths import BoardLengthsField
+from ui.widgets.number_field import NumberField
 from ui.widgets.segments import Segments
 
 KINDS = {"checkerboard": "Checkerboard", "charuco": "ChArUco", "circles": "Circles"}
@@ -38,7 +39,7 @@ class BoardForm(QWidget):
         self.columns, self.rows = QSpinBox(), QSpinBox()
         for spin, least in ((self.columns, 2), (self.rows, 3)):
             spin.setRange(least, 200)
-        self.lengths = {name: QDoubleSpinBox() for name in WORDS}
+        self.lengths = {name: NumberField() for name in WORDS}
         for name, length in self.lengths.items():
             length.setRange(0.01, 1000.0)
             length.setDecimals(3)

@@ -7,11 +7,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 from PySide6.QtCore import Signal
 from PySide6.QtGui import QResizeEvent
-from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QSizePolicy, QSpinBox, QStackedWidget, QWidget
+from PySide6.QtWidgets import QComboBox, QSizePolicy, QSpinBox, QStackedWidget, QWidget
 
 from ui.look.language.words import later, tr, translated
 from ui.look.look import Look
 from ui.widgets.basic import Button, column, label, row
+from ui.widgets.number_field import NumberField
 from ui.widgets.segments import Segments
 
 if TYPE_CHECKING:
@@ -156,8 +157,8 @@ class FilterForm(QWidget):
         self.valueChanged.emit(self.kind.value())
 
 
-def _length(value: float, least: float, most: float, unit: str) -> QDoubleSpinBox:
-    made = QDoubleSpinBox()
+def _length(value: float, least: float, most: float, unit: str) -> NumberField:
+    made = NumberField()
     made.setRange(least, most)
     made.setDecimals(2 if unit != "" or most < 1000 else 1)
     made.setSuffix(unit)

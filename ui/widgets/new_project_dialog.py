@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import unicodedata
 from pathlib import Path
 
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QDialog, QLineEdit, QWidget
 
+from measureapp.project.file_names import safe_file_name
 from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.widgets.basic import Button, Form, column, label, row
@@ -58,6 +60,8 @@ class NewProjectDialog(QDialog):
             return "A project belongs to a rig. Choose one on the page Rig first."
         if wrong or name.endswith("."):
             return tr("A name cannot contain {list}.", list=" ".join(wrong)) if wrong else "A name cannot end with a dot."
+        if name and (possible := safe_file_name(name)) != unicodedata.normalize("NFC", name):
+            return tr("Not every system takes this name for a folder. Choose another, such as {name}.", name=possible)
         if (
             place is not None
             and name

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import Slot
+from PySide6.QtCore import QSize, Slot
 from PySide6.QtGui import QCloseEvent, QKeySequence, QShortcut
 from PySide6.QtWidgets import QDialog, QStackedWidget, QWidget
 
@@ -43,7 +43,7 @@ class CalibrationWizard(QDialog):
         self.setWindowTitle(translated(kind.words.title))
         self.setModal(True)
         self.setMinimumSize(*SMALLEST)
-        self.resize(*USUAL)
+        self.resize(QSize(*USUAL).boundedTo(self.screen().availableSize()))
         self.kind, self.calibrating, self.collecting = kind, calibrating, calibrating.collecting
         self.steps = StepList(look)
         self.setup, self.collect, self.result = SetupPage(look, kind), CollectPage(look, self.collecting), ResultPage(look)

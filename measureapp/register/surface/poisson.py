@@ -6,7 +6,6 @@ harmless, and the reconstruction can be cancelled at any time.
 
 from __future__ import annotations
 
-import subprocess
 import sys
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -14,13 +13,12 @@ from tempfile import TemporaryDirectory
 import numpy as np
 
 from measureapp.arrays import FloatArray, IntArray
-from measureapp.child_process import describe_exit
+from measureapp.child_process import describe_exit, run_child
 from measureapp.errors import RegistrationError
 from measureapp.progress import Progress
 from measureapp.register.surface.poisson_worker import EXIT_OUT_OF_MEMORY
 
 WORKER = Path(__file__).with_name("poisson_worker.py")
-POLL_INTERVAL_S = 0.1
 HINT = "Merge on a coarser grid, close other programs, and check the cloud's normals."
 
 
@@ -50,36 +48,15 @@ def run_poisson(
             raise RegistrationError(
                 f"The points of the surface cannot be written to {folder}: {error.strerror or error}.", "Free disk space there."
             ) from error
-        code = _run([sys.executable, "-P", str(worker), str(source), str(target)], log, progress)
+        command = [sys.executable, "-P", str(worker), str(source), str(target)]
+        try:
+            code = run_child(command, log, lambda: progress.report(0, 1, "reconstructing the surface"))
+        except OSError as error:
+            raise RegistrationError(f"The surface reconstruction could not be started: {error.strerror or error}.", HINT) from error
         if code != 0 or not target.is_file():
             raise RegistrationError(f"The surface reconstruction failed: {_describe_failure(code, log)}.", HINT)
         with np.load(target) as made:
             return made["vertices"], made["triangles"]
-
-
-def _run(command: list[str], log: Path, progress: Progress) -> int:
-    """Run a program and return its exit code; its output goes to the file ``log``."""
-    with log.open("wb") as output:
-        try:
-            process = subprocess.Popen(
-                command,
-                stdin=subprocess.DEVNULL,
-                stdout=output,
-                stderr=subprocess.STDOUT,
-                creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
-            )
-        except OSError as error:
-            raise RegistrationError(f"The surface reconstruction could not be started: {error.strerror or error}.", HINT) from error
-        try:
-            while True:
-                progress.report(0, 1, "reconstructing the surface")
-                try:
-                    return process.wait(POLL_INTERVAL_S)
-                except subprocess.TimeoutExpired:
-                    continue
-        finally:
-            process.kill()
-            process.wait()
 
 
 def _describe_failure(code: int, log: Path) -> str:

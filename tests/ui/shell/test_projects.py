@@ -27,6 +27,9 @@ def test_a_project_is_made_copied_and_closed(application, window, rig, tmp_path,
     dialog.place.setValue(tmp_path)
     dialog.name.setText("a/b")
     assert not dialog.create.isEnabled() and "cannot contain /" in dialog.problem.text()
+    for refused in ("con", "n" * 300):  # what no folder on Windows, and none at all can be called
+        dialog.name.setText(refused)
+        assert not dialog.create.isEnabled() and "Not every system takes this name" in dialog.problem.text()
     dialog.name.setText("Housing 4711")
     dialog.part.setText("housing")
     dialog.create.click()

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QCheckBox, QDoubleSpinBox, QFrame
+from PySide6.QtWidgets import QCheckBox, QFrame
 
 from ui.charts.deviation_histogram import DeviationHistogram
 from ui.look.language.words import tr, translated
@@ -15,6 +15,7 @@ from ui.pages.inspection.deviation_display import DeviationDisplay
 from ui.viewport.overlay.legend import Legend
 from ui.widgets.basic import Button, column, label, row
 from ui.widgets.not_measured import NotMeasuredLegend
+from ui.widgets.number_field import NumberField
 from ui.widgets.segments import Segments
 
 if TYPE_CHECKING:
@@ -46,7 +47,7 @@ class DeviationCard(QFrame):
         self.smooth.setToolTip(translated(SMOOTH_TIP))
         self.smooth.setChecked(display.smooth)
         self.smooth.toggled.connect(display.set_smooth)
-        self.tolerance = QDoubleSpinBox()
+        self.tolerance = NumberField()
         self.tolerance.setRange(0.001, 100.0)
         self.tolerance.setDecimals(3)
         self.tolerance.setSingleStep(0.01)

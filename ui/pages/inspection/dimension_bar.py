@@ -6,12 +6,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from PySide6.QtCore import Signal
-from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QWidget
+from PySide6.QtWidgets import QComboBox, QWidget
 
 from ui.look.language.retranslating import GIVEN
 from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.widgets.basic import Button, column, label, row
+from ui.widgets.number_field import NumberField
 
 TIP = (
     "Add a distance, an angle, a diameter or a radius to the inspection program; “Tolerance…” in the list of features adds tolerance zones"
@@ -148,8 +149,8 @@ class DimensionBar(QWidget):
         self.add.setToolTip(translated(missing) or tr("Add it to the inspection program and measure it"))
 
 
-def _number(words: str) -> QDoubleSpinBox:
-    made = QDoubleSpinBox()
+def _number(words: str) -> NumberField:
+    made = NumberField()
     made.setDecimals(3)
     made.setFixedWidth(128)
     made.setProperty("plain", True)

@@ -193,7 +193,8 @@ class DimensionTable(QTableView):
         """Open the editor of the current row in a column."""
         index = self.currentIndex().siblingAtColumn(column)
         if index.isValid() and index.flags() & Qt.ItemFlag.ItemIsEditable:
-            self._choose_column(column, True)
+            if self.isColumnHidden(column):
+                self._choose_column(column, True)
             self.setCurrentIndex(index)
             self.edit(index)
 

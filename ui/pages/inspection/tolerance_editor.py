@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from PySide6.QtCore import QEvent, QSize, Qt, Signal, Slot
 from PySide6.QtGui import QShortcut
-from PySide6.QtWidgets import QDoubleSpinBox, QFrame, QGridLayout, QWidget
+from PySide6.QtWidgets import QFrame, QGridLayout, QWidget
 
 from measureapp.data.control_frame import CHARACTERISTICS
 from ui.controllers.creating import CreatingController
@@ -17,6 +17,7 @@ from ui.look.look import Look
 from ui.look.wording import sentence_case
 from ui.pages.inspection.frame_picture import ICON_PX, FramePicture, symbol_icon
 from ui.widgets.basic import Button, CalmComboBox, column, label, row
+from ui.widgets.number_field import NumberField
 
 WORDS = {
     "straightness": later("Straightness"),
@@ -251,8 +252,8 @@ def _box(words: str, *, is_given: bool = False) -> CalmComboBox:
     return made
 
 
-def _number(words: str, least: float) -> QDoubleSpinBox:
-    made = QDoubleSpinBox()
+def _number(words: str, least: float) -> NumberField:
+    made = NumberField()
     made.setDecimals(3)
     made.setRange(least, LIMIT)
     made.setSingleStep(0.01)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pydantic import ValidationError
-from PySide6.QtWidgets import QDialog, QDoubleSpinBox, QLineEdit, QWidget
+from PySide6.QtWidgets import QDialog, QLineEdit, QWidget
 
 from measureapp.data.model import first_problem
 from measureapp.errors import MeasureError
@@ -14,6 +14,7 @@ from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.pages.operator.releases import Releases
 from ui.widgets.basic import Button, Form, column, label, row
+from ui.widgets.number_field import NumberField
 from ui.widgets.path_field import PathField
 
 WIDTH = 1120
@@ -34,7 +35,7 @@ class OperatorSetupDialog(QDialog):
         self.programs = PathField(look, "Folder of the part programs", "MeasureApp/programs in your home", "part programs")
         self.parts = PathField(look, "Folder of the measured parts", "MeasureApp/parts in your home", "parts")
         self.releases = Releases(look, operator.stock)
-        self.shifts, self.minutes = QLineEdit(), QDoubleSpinBox()
+        self.shifts, self.minutes = QLineEdit(), NumberField()
         self.shifts.setPlaceholderText("06:00, 14:00, 22:00")
         self.minutes.setRange(1.0, 1440.0)
         self.minutes.setDecimals(0)

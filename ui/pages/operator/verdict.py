@@ -35,6 +35,7 @@ class VerdictBand(QFrame):
         self.sign, self.word = QLabel(), QLabel()
         self.part, self.summary = QLabel(), QLabel()
         for label in (self.part, self.summary):
+            label.setTextFormat(Qt.TextFormat.PlainText)
             label.setWordWrap(True)
             label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         layout = row(self.sign, self.word, column(0, self.part, self.summary, 0, spacing=4), spacing=32)

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from PySide6.QtCore import Signal, Slot
-from PySide6.QtWidgets import QDialog, QDoubleSpinBox, QSpinBox, QWidget
+from PySide6.QtWidgets import QDialog, QSpinBox, QWidget
 
 from ui.controllers.planning import PlanningController
 from ui.look.language.words import tr
 from ui.look.look import Look
 from ui.widgets.basic import Button, Form, column, label, row
+from ui.widgets.number_field import NumberField
 from ui.widgets.segments import Segments
 
 HOW = (
@@ -33,7 +34,7 @@ class GenerateDialog(QDialog):
         self.choose = Button("Choose…", look, "file")
         self.choose.clicked.connect(self.partAsked)
         self.by = Segments(BY, name="Aim")
-        self.coverage = QDoubleSpinBox()
+        self.coverage = NumberField()
         self.coverage.setRange(10.0, 100.0)
         self.coverage.setDecimals(1)
         self.coverage.setSuffix(" % of what the rig can measure")

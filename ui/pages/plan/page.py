@@ -59,8 +59,6 @@ class PlanPage(ViewportPage):
         self.shown = Segments(preview.SHOWN, name="Colours of the part", tips=preview.SHOWN_TIPS)
         self.problem, self.hint = label("", "problem", wrap=True), label("", "soft")
         self.legend = CoverageLegend(look)
-        for words in (self.state, self.problem):
-            words.setTextFormat(Qt.TextFormat.PlainText)  # a plan may have any name
         self._lay_out(look)
         self._connect(session)
         self._show()

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QLineEdit, QWidget
+from PySide6.QtWidgets import QComboBox, QLineEdit, QWidget
 
 from ui.controllers.scan_choices import CheckedScan, ScanChoices
 from ui.look.language.words import tr, translated
@@ -15,6 +15,7 @@ from ui.look.wording import rough_duration, several, storage
 from ui.session import Session
 from ui.widgets.basic import Button, Form, card, label, row, scrolled
 from ui.widgets.checklist import Checklist, Item
+from ui.widgets.number_field import NumberField
 from ui.widgets.path_field import PathField
 
 if TYPE_CHECKING:
@@ -63,7 +64,7 @@ class ScanSetup(QWidget):
         for name, (words, tip) in EXPOSURES.items():
             self.exposures.addItem(translated(words), name)
             self.exposures.setItemData(self.exposures.count() - 1, translated(tip), Qt.ItemDataRole.ToolTipRole)
-        self.seconds = QDoubleSpinBox()
+        self.seconds = NumberField()
         self.seconds.setRange(0.1, 600.0)
         self.seconds.setDecimals(1)
         self.seconds.setValue(ScanChoices().seconds)
