@@ -27,9 +27,7 @@ if TYPE_CHECKING:
     from measureapp.project.folder import ProjectFolder
 
 
-CURRENT = (
-    "The results are those of the stored images, calibration and program, by the sizes of the files and the journal; `verify` reads every byte."
-)
+CURRENT = "The results are those of the stored images, calibration and program, by the sizes of the files and the journal; `verify` reads every byte."
 SurroundingsOption = Annotated[
     Literal["keep", "exclude"] | None,
     typer.Option(help="Keep the points of table, fixtures and background, or exclude them, now and later.", show_default="exclude"),
