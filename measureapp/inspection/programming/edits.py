@@ -12,6 +12,7 @@ from typing import Any
 from measureapp.data.datum_letters import free_letter
 from measureapp.data.inspection_program import InspectionProgram, copy_names
 from measureapp.data.length_certificate import LengthCertificate
+from measureapp.data.shown_name import shown_name
 from measureapp.errors import InputError, InspectionError
 from measureapp.inspection.programming.nominals import linked_nominal
 from measureapp.inspection.programming.references import LISTS, Document, document_of, program_from, rename_references
@@ -218,16 +219,6 @@ def names_of(program: InspectionProgram, kind: str) -> frozenset[str]:
         return frozenset(name for one in program.features for name in (one.name, *copy_names(one.name, one.repeat)))
     entries: Sequence[Any] = program.dimensions if kind == "dimension" else program.alignments
     return frozenset(one.name for one in entries)
-
-
-def shown_name(name: str) -> str:
-    """Return a name as tables and reports show it; two entries that are shown alike cannot be told apart there.
-
-    >>> shown_name("hub_diameter") == shown_name("Hub diameter")
-    True
-    """
-    text = name.replace("_", " ").strip()
-    return text[:1].upper() + text[1:]
 
 
 def unique_name(program: InspectionProgram, kind: str, wanted: str) -> str:

@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from measureapp.data.feature import Feature
 from measureapp.data.dimension_program import FORMS
+from measureapp.data.feature import Feature
 from measureapp.data.inspection_program import ConstructedFeature, DimensionProgram, InspectionProgram, copy_names
 from measureapp.errors import InspectionError
 from measureapp.inspection.evaluate import evaluate_nominal
