@@ -4026,6 +4026,10 @@
       <translation>类型 {v1} 需要 `nominal`</translation>
     </message>
     <message>
+      <source>kind {v1} needs two different features, {v2} is named twice</source>
+      <translation>类型 {v1} 需要两个不同的特征，而 {v2} 出现了两次</translation>
+    </message>
+    <message>
       <source>kind {v1} needs {v2}</source>
       <translation>类型 {v1} 需要{v2}</translation>
     </message>
@@ -9963,6 +9967,10 @@
       <translation>所有点尽量接近名义模型。仅供比较：它会将缺陷分散到整个工件。</translation>
     </message>
     <message>
+      <source>All that refers to the feature follows; it can be undone</source>
+      <translation>所有引用该特征之处随之更改；可以撤销</translation>
+    </message>
+    <message>
       <source>An inspection program fits features to the measured points and compares their dimensions with the nominal.</source>
       <translation>检测程序将特征拟合到测量点，并将其尺寸与名义值比较。</translation>
     </message>
@@ -10017,6 +10025,10 @@
     <message>
       <source>Choose the nominal of the part: a mesh or a STEP file</source>
       <translation>选择工件的名义模型：网格或 STEP 文件</translation>
+    </message>
+    <message>
+      <source>Choose two different features</source>
+      <translation>请选择两个不同的特征</translation>
     </message>
     <message>
       <source>Choose…</source>
@@ -10095,6 +10107,14 @@
       <translation>由所选特征构造特征</translation>
     </message>
     <message>
+      <source>Constructed from</source>
+      <translation>构造自</translation>
+    </message>
+    <message>
+      <source>Constructed from {names}</source>
+      <translation>构造自 {names}</translation>
+    </message>
+    <message>
       <source>Copy its lines</source>
       <translation>复制其文字</translation>
     </message>
@@ -10167,6 +10187,10 @@
       <translation>删除</translation>
     </message>
     <message>
+      <source>Delete the pattern {name}</source>
+      <translation>删除阵列 {name}</translation>
+    </message>
+    <message>
       <source>Deviation</source>
       <translation>偏差</translation>
     </message>
@@ -10189,6 +10213,10 @@
     <message>
       <source>Discard the changes</source>
       <translation>放弃更改</translation>
+    </message>
+    <message>
+      <source>Distance of an offset plane or a point on the axis</source>
+      <translation>偏置平面或轴上点的距离</translation>
     </message>
     <message>
       <source>Each point</source>
@@ -10459,6 +10487,10 @@
       <translation>没有尺寸适合这些特征的组合。</translation>
     </message>
     <message>
+      <source>No dimension fits this feature alone.</source>
+      <translation>没有尺寸适合单独的这个特征。</translation>
+    </message>
+    <message>
       <source>No extreme that its neighbours confirm.</source>
       <translation>没有邻点证实的极值。</translation>
     </message>
@@ -10653,6 +10685,10 @@
     <message>
       <source>Rename</source>
       <translation>重命名</translation>
+    </message>
+    <message>
+      <source>Rename…</source>
+      <translation>重命名…</translation>
     </message>
     <message>
       <source>Reset</source>
@@ -11049,6 +11085,10 @@
     <message>
       <source>{listed}, each confirmed by its neighbours.</source>
       <translation>{listed}，均由其邻点证实。</translation>
+    </message>
+    <message>
+      <source>{names} and {count} more</source>
+      <translation>{names} 及另外 {count} 个</translation>
     </message>
     <message>
       <source>{name} corrects no lengths any more.</source>
