@@ -124,6 +124,8 @@ class DimensionProgram(Model):
         pair = self.kind in PAIRS
         if len(self.features) != (2 if pair else 1):
             raise ValueError(f"kind {self.kind!r} needs {'two features' if pair else 'one feature'}")
+        if pair and any(first == second for first, second in self.feature_sets):
+            raise ValueError(f"kind {self.kind!r} needs two different features, {self.features[0]!r} is named twice")
         if self.lower_tolerance > self.upper_tolerance:
             raise ValueError("lower_tolerance is greater than upper_tolerance")
         if self.count is None and any(PatternIndex.search(name) for name in (*self.features, *self.datums)):

@@ -3882,6 +3882,10 @@
       <translation>`normal` 的长度为 0</translation>
     </message>
     <message>
+      <source>`tolerance` is a text, such as "±0.05", "+0.1/-0.05", "max 0.05" or "H7"</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>`tolerance` {v1} gives {v2} = {v3}, but {v4} is stated: remove one of them</source>
       <translation>`tolerance` {v1} 给出 {v2} = {v3}，而所述为 {v4}：请去掉其中一个</translation>
     </message>
@@ -4024,6 +4028,10 @@
     <message>
       <source>kind {v1} needs `nominal`</source>
       <translation>类型 {v1} 需要 `nominal`</translation>
+    </message>
+    <message>
+      <source>kind {v1} needs two different features, {v2} is named twice</source>
+      <translation>类型 {v1} 需要两个不同的特征，而 {v2} 出现了两次</translation>
     </message>
     <message>
       <source>kind {v1} needs {v2}</source>
@@ -7215,6 +7223,10 @@
       <translation>请选择新的或空的文件夹。</translation>
     </message>
     <message>
+      <source>Choose another path.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Choose one of its features or dimensions.</source>
       <translation>请选择其特征或尺寸之一。</translation>
     </message>
@@ -7445,6 +7457,10 @@
     <message>
       <source>Give the path of a cameras.json.</source>
       <translation>请给出 cameras.json 的路径。</translation>
+    </message>
+    <message>
+      <source>Give the path of the file to be written.</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <source>Give the picture of the part as PNG.</source>
@@ -7951,6 +7967,10 @@
       <translation>无法写出 {v1}。</translation>
     </message>
     <message>
+      <source>{v1} cannot be written: there is a file in the place of a folder, or a folder in that of a file.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>{v1} cannot hold a mesh.</source>
       <translation>{v1} 不能保存网格。</translation>
     </message>
@@ -8173,6 +8193,10 @@
     <message>
       <source>{v1} is a STEP file; the library that reads it is not installed.</source>
       <translation>{v1} 是 STEP 文件；未安装读取它的库。</translation>
+    </message>
+    <message>
+      <source>{v1} is a folder.</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <source>{v1} is a plan of version {v2}; this version of MeasureApp reads versions up to {v3}.</source>
@@ -9963,6 +9987,10 @@
       <translation>所有点尽量接近名义模型。仅供比较：它会将缺陷分散到整个工件。</translation>
     </message>
     <message>
+      <source>All that refers to the feature follows; it can be undone</source>
+      <translation>所有引用该特征之处随之更改；可以撤销</translation>
+    </message>
+    <message>
       <source>An inspection program fits features to the measured points and compares their dimensions with the nominal.</source>
       <translation>检测程序将特征拟合到测量点，并将其尺寸与名义值比较。</translation>
     </message>
@@ -10025,6 +10053,10 @@
     <message>
       <source>Choose the nominal of the part: a mesh or a STEP file</source>
       <translation>选择工件的名义模型：网格或 STEP 文件</translation>
+    </message>
+    <message>
+      <source>Choose two different features</source>
+      <translation>请选择两个不同的特征</translation>
     </message>
     <message>
       <source>Choose…</source>
@@ -10103,6 +10135,14 @@
       <translation>由所选特征构造特征</translation>
     </message>
     <message>
+      <source>Constructed from</source>
+      <translation>构造自</translation>
+    </message>
+    <message>
+      <source>Constructed from {names}</source>
+      <translation>构造自 {names}</translation>
+    </message>
+    <message>
       <source>Copy its lines</source>
       <translation>复制其文字</translation>
     </message>
@@ -10175,6 +10215,10 @@
       <translation>删除</translation>
     </message>
     <message>
+      <source>Delete the pattern {name}</source>
+      <translation>删除阵列 {name}</translation>
+    </message>
+    <message>
       <source>Deviation</source>
       <translation>偏差</translation>
     </message>
@@ -10193,6 +10237,10 @@
     <message>
       <source>Dimensions</source>
       <translation>尺寸</translation>
+    </message>
+    <message>
+      <source>Distance of an offset plane or a point on the axis</source>
+      <translation>偏置平面或轴上点的距离</translation>
     </message>
     <message>
       <source>Each point</source>
@@ -10463,6 +10511,10 @@
       <translation>没有尺寸适合这些特征的组合。</translation>
     </message>
     <message>
+      <source>No dimension fits this feature alone.</source>
+      <translation>没有尺寸适合单独的这个特征。</translation>
+    </message>
+    <message>
       <source>No extreme that its neighbours confirm.</source>
       <translation>没有邻点证实的极值。</translation>
     </message>
@@ -10657,6 +10709,10 @@
     <message>
       <source>Rename</source>
       <translation>重命名</translation>
+    </message>
+    <message>
+      <source>Rename…</source>
+      <translation>重命名…</translation>
     </message>
     <message>
       <source>Reset</source>
@@ -11053,6 +11109,10 @@
     <message>
       <source>{listed}, each confirmed by its neighbours.</source>
       <translation>{listed}，均由其邻点证实。</translation>
+    </message>
+    <message>
+      <source>{names} and {count} more</source>
+      <translation>{names} 及另外 {count} 个</translation>
     </message>
     <message>
       <source>{name} corrects no lengths any more.</source>

@@ -21,7 +21,6 @@ if TYPE_CHECKING:
     from measureapp.inspection.surface.nominal import NominalSurface
 
 SAME_MM, SAME_DIRECTION = 0.01, 0.99999  # of a face that is a feature already
-OFFSET_MM = 10.0  # of a new offset plane or point on an axis, to be changed in the program
 
 
 class CreatingController(QObject):
@@ -96,8 +95,11 @@ class CreatingController(QObject):
         features = self._features(program)
         return tuple(shape for shape in (*PARENTS, *WITH_DISTANCE, *THROUGH_POINTS) if _is_possible(shape, names, features))
 
-    def preview(self, shape: str, names: Sequence[str]) -> Feature | None:
-        """Return what would be constructed from features, as they are measured now; None where one of them is not."""
+    def preview(self, shape: str, names: Sequence[str], distance_mm: float) -> Feature | None:
+        """Return what would be constructed from features, as they are measured now; None where one of them is not.
+
+        ``distance_mm`` is that of an offset plane or a point on an axis; others have none.
+        """
         from measureapp.data.feature_program import ConstructedFeature
         from measureapp.inspection.features.constructions import MAKERS
 
@@ -105,20 +107,20 @@ class CreatingController(QObject):
         known = {} if inspection is None else {one.name: one for one in inspection.features}
         if not all(name in known for name in names):
             return None
-        described = ConstructedFeature.model_validate(_construction("preview", shape, names))
+        described = ConstructedFeature.model_validate(_construction("preview", shape, names, distance_mm))
         try:
             return MAKERS[described.shape](described.name, described.distance_mm or 0.0, [known[name] for name in names])
         except MeasureError:
             return None
 
-    def construct(self, shape: str, names: Sequence[str]) -> str:
-        """Add a constructed feature; return its name, empty if that was refused."""
+    def construct(self, shape: str, names: Sequence[str], distance_mm: float) -> str:
+        """Add a constructed feature, with its distance where it has one; return its name, empty if that was refused."""
         from measureapp.inspection.programming import edits
 
         if self.program is None:
             return ""
         name = edits.unique_name(self.program, "feature", f"{shape.replace('_', ' ')} 1")
-        entry = _construction(name, shape, names)
+        entry = _construction(name, shape, names, distance_mm)
         added = self._programming.edit(
             lambda program: edits.add(program, "feature", entry), tr("{name} added to the inspection program.", name=name)
         )
@@ -178,11 +180,11 @@ def _linked(program: InspectionProgram, names: Sequence[str]) -> InspectionProgr
     return program
 
 
-def _construction(name: str, shape: str, names: Sequence[str]) -> dict[str, Any]:
+def _construction(name: str, shape: str, names: Sequence[str], distance_mm: float = 0.0) -> dict[str, Any]:
     from measureapp.data.feature_program import WITH_DISTANCE
 
     entry: dict[str, Any] = {"name": name, "shape": shape, "of": list(names)}
-    return {**entry, "distance_mm": OFFSET_MM} if shape in WITH_DISTANCE else entry
+    return {**entry, "distance_mm": distance_mm} if shape in WITH_DISTANCE else entry
 
 
 def _is_possible(shape: str, names: Sequence[str], features: Mapping[str, Feature]) -> bool:

@@ -11,7 +11,7 @@ from measureapp.data.datum_letters import letters_of
 if TYPE_CHECKING:
     from measureapp.data.control_frame import ControlFrame
     from measureapp.data.dimension import Dimension
-    from measureapp.data.inspection_program import DimensionProgram, InspectionProgram
+    from measureapp.data.inspection_program import DimensionProgram, FeatureProgram, InspectionProgram
     from measureapp.data.measurement import Inspection
 
 Status = Literal["current", "calculating", "stale", "failed"]
@@ -92,6 +92,33 @@ def letters_shown(program: InspectionProgram | None, inspection: Inspection | No
         return letters_of(program)
     found = () if inspection is None else inspection.dimensions
     return {name: letter for one in found for name, letter in zip(one.datums, one.datum_letters, strict=False)}
+
+
+@dataclass(frozen=True)
+class Construction:
+    """What a constructed feature is made from."""
+
+    of: tuple[str, ...]  # names of its features
+    distance_mm: float | None = None  # of an offset plane or a point on an axis
+
+
+def entries_by_name(entries: Sequence[FeatureProgram]) -> dict[str, FeatureProgram]:
+    """Return the entry of each feature by its name; all copies of a pattern have one."""
+    from measureapp.data.inspection_program import copy_names
+
+    return {name: one for one in entries for name in copy_names(one.name, one.repeat)}
+
+
+def constructions_by_name(entries: Sequence[FeatureProgram]) -> dict[str, Construction]:
+    """Return what each constructed feature is made from, by its name; measured ones are not among them."""
+    from measureapp.data.feature_program import ConstructedFeature, copy_names, parent_sets
+
+    return {
+        name: Construction(of, one.distance_mm)
+        for one in entries
+        if isinstance(one, ConstructedFeature)
+        for name, of in zip(copy_names(one.name, one.repeat), parent_sets(one), strict=True)
+    }
 
 
 def carry_ids(names_before: Sequence[str], ids_before: Sequence[int], names: Sequence[str]) -> tuple[int, ...]:

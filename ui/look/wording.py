@@ -7,6 +7,7 @@ import re
 from datetime import datetime
 from pathlib import PurePath
 
+from measureapp.data.shown_name import shown_name
 from ui.look.language.words import tr, translated
 
 NOTHING = "–"
@@ -148,8 +149,7 @@ def part_words(part: str) -> str:
 
 def sentence_case(text: str) -> str:
     """Return a label with a capital first letter, underscores as spaces."""
-    text = text.replace("_", " ").strip()
-    return text[:1].upper() + text[1:]
+    return shown_name(text)
 
 
 def point_reason(name: str) -> str:

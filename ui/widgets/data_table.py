@@ -41,6 +41,18 @@ def verdict_cell(verdict: str, text: str = "", tip: str = "") -> Cell:
     return Cell(text or VERDICT_WORDS.get(verdict, verdict), sign=verdict, tip=tip)
 
 
+def is_in_sight(view: QTableView, index: Index, height: int | None = None) -> bool:
+    """Return whether a row is in sight as a whole; ``height`` is that of the viewport, or one it had before."""
+    box = view.visualRect(index)
+    return box.isValid() and box.top() >= 0 and box.bottom() < (view.viewport().height() if height is None else height)
+
+
+def bring_into_sight(view: QTableView, index: Index) -> None:
+    """Scroll to a row that is not in sight: to the middle, so that its neighbours are seen, too."""
+    if index.isValid() and not is_in_sight(view, index):
+        view.scrollTo(index, QAbstractItemView.ScrollHint.PositionAtCenter)
+
+
 class TableModel(QAbstractTableModel):
     """Rows of cells; the view does not change them."""
 

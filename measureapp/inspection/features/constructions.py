@@ -13,6 +13,7 @@ from measureapp.errors import InspectionError
 from measureapp.geometry.shapes import tangents
 
 AXES = ("cylinder", "cone", "line")
+FACES = ("plane", "point")  # between which a mid-plane lies; a surface point has the normal of its face
 LEAST_CROSSING_DEG = 5.0
 PARALLEL_WITHIN_DEG = 10.0
 TOGETHER_MM, TOGETHER_DEG = 1.0, 1.0  # by which two features may be off one line or plane and still be one datum, whichever is more
@@ -33,7 +34,7 @@ def _midpoint(name: str, _: float, of: Sequence[Feature]) -> Feature:
 
 def _midplane(name: str, distance: float, of: Sequence[Feature]) -> Feature:
     made = _midpoint(name, distance, of)
-    if made.direction is None:
+    if made.direction is None or any(one.shape not in FACES for one in of):  # midway on an axis the plane would lie across it
         raise InspectionError(f"{name}: a mid-plane needs two planes, {of[0].name} and {of[1].name} are not")
     return replace(made, shape="plane")
 

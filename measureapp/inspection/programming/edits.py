@@ -12,6 +12,7 @@ from typing import Any
 from measureapp.data.datum_letters import free_letter
 from measureapp.data.inspection_program import InspectionProgram, copy_names
 from measureapp.data.length_certificate import LengthCertificate
+from measureapp.data.shown_name import shown_name
 from measureapp.errors import InputError, InspectionError
 from measureapp.inspection.programming.nominals import linked_nominal
 from measureapp.inspection.programming.references import LISTS, Document, document_of, program_from, rename_references
@@ -21,7 +22,7 @@ MOST_LISTED = 4
 
 
 def rename(program: InspectionProgram, node: Node, name: str) -> InspectionProgram:
-    """Rename an entry; all references follow. Raises InputError for a name in use or without letters."""
+    """Rename an entry; all references follow. Raises InputError for a name without letters, or one that is shown like another's."""
     new = name.strip()
     if not new:
         raise InputError(f"{node.name!r} needs a name.", "Enter at least one character.")
@@ -29,7 +30,7 @@ def rename(program: InspectionProgram, node: Node, name: str) -> InspectionProgr
         return program
     document = document_of(program)
     entry = _entry(document, node)
-    if new in names_of(program, node.kind):
+    if shown_name(new) in {shown_name(one) for one in names_of(program, node.kind) - {node.name}}:
         raise InputError(f"The program has a {node.kind} {new!r} already.", "Enter another name.")
     entry["name"] = new
     if node.kind == "feature":
@@ -221,15 +222,15 @@ def names_of(program: InspectionProgram, kind: str) -> frozenset[str]:
 
 
 def unique_name(program: InspectionProgram, kind: str, wanted: str) -> str:
-    """Return ``wanted``, or with the first free number.
+    """Return ``wanted``, or with the first free number, so that no other entry is shown by the same name.
 
     A number at its end is counted on: "bore 2" becomes "bore 3".
     """
-    used = names_of(program, kind)
-    if wanted not in used:
+    used = {shown_name(name) for name in names_of(program, kind)}
+    if shown_name(wanted) not in used:
         return wanted
     stem = re.sub(r" \d+$", "", wanted)
-    return next(name for number in range(2, len(used) + 3) if (name := f"{stem} {number}") not in used)
+    return next(name for number in range(2, len(used) + 3) if shown_name(name := f"{stem} {number}") not in used)
 
 
 def _entry(document: Document, node: Node) -> Document:

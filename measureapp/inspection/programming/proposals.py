@@ -9,8 +9,9 @@ from typing import Any
 
 import numpy as np
 
+from measureapp.data.dimension_program import FORMS
 from measureapp.data.feature import Feature
-from measureapp.data.inspection_program import DimensionProgram, InspectionProgram, copy_names
+from measureapp.data.inspection_program import ConstructedFeature, DimensionProgram, InspectionProgram, copy_names
 from measureapp.errors import InspectionError
 from measureapp.inspection.evaluate import evaluate_nominal
 from measureapp.inspection.features.constructions import MAKERS
@@ -57,11 +58,25 @@ def propose_dimensions(program: InspectionProgram, names: Sequence[str], feature
     chosen = [features[name] for name in expanded if name in features]
     if not chosen or len(chosen) < len(expanded):
         return ()
+    constructed = _constructed(program)
     if len(chosen) == 1:
-        return tuple(_single(program, kind, chosen[0], features) for kind in ONE.get(chosen[0].shape, ()))
+        kinds = [kind for kind in ONE.get(chosen[0].shape, ()) if not (kind in FORMS and chosen[0].name in constructed)]
+        return tuple(_single(program, kind, chosen[0], features) for kind in kinds)
     if len(chosen) == 2:
-        return _pair(program, chosen[0], chosen[1], features)
+        return tuple(one for one in _pair(program, chosen[0], chosen[1], features) if not _lacks_surface(one, constructed))
     return _pattern(program, expanded, chosen, features)
+
+
+def _constructed(program: InspectionProgram) -> frozenset[str]:
+    """Return the names of the constructed features: they have no measured surface, and so neither form nor length."""
+    made = [one for one in program.features if isinstance(one, ConstructedFeature)]
+    return frozenset(name for one in made for name in copy_names(one.name, one.repeat))
+
+
+def _lacks_surface(proposal: Proposal, constructed: frozenset[str]) -> bool:
+    """Return whether a zone is proposed that needs the surface or the length of a constructed feature."""
+    entry = proposal.dimensions[0]
+    return proposal.kind == "perpendicularity" and entry["features"][0] in constructed
 
 
 def _expand(program: InspectionProgram, names: Sequence[str]) -> list[str]:
@@ -111,14 +126,16 @@ def _angle_deg(first: Feature, second: Feature) -> float:
 def _pattern(
     program: InspectionProgram, names: Sequence[str], chosen: Sequence[Feature], features: Mapping[str, Feature]
 ) -> tuple[Proposal, ...]:
-    """Propose the pitch circle of three or more holes or centres, and, for all copies of a pattern, their spacing."""
-    if any(one.shape not in (*AXES, *CENTRES) for one in chosen):
+    """Propose the pitch circle of three or more holes or centres, and, for all copies of a pattern, their spacing.
+
+    Nothing where they determine no circle, as coaxial cylinders do not.
+    """
+    if any(one.shape not in (*AXES, *CENTRES) for one in chosen) or (radius := _mean_radius(chosen)) is None:
         return ()
     stem = _whole_pattern(program, names)
     of: Entry = {"of": [f"{stem}.{{k}}"], "count": len(names)} if stem else {"of": list(names)}
     circle = unique_name(program, "feature", f"{stem or names[0]} pitch circle")
     feature = {"name": circle, "shape": "pitch_circle", **of}
-    radius = _mean_radius(chosen)
     wanted = unique_name(program, "dimension", f"{circle} diameter")
     dimensions: list[Entry] = [{"name": wanted, "kind": "diameter", "features": [circle], "nominal": round(2 * radius, DIGITS)}]
     if stem:
@@ -138,8 +155,11 @@ def _whole_pattern(program: InspectionProgram, names: Sequence[str]) -> str:
     return ""
 
 
-def _mean_radius(chosen: Sequence[Feature]) -> float:
-    return MAKERS["pitch_circle"]("pitch circle", 0.0, chosen).radius_mm or 0.0
+def _mean_radius(chosen: Sequence[Feature]) -> float | None:
+    try:
+        return MAKERS["pitch_circle"]("pitch circle", 0.0, chosen).radius_mm
+    except InspectionError:  # their axes or centres are on one line
+        return None
 
 
 def _proposal(

@@ -62,6 +62,12 @@ def test_symmetry_of_two_axes_lies_midway_and_skew_ones_are_refused():
     assert "parallel" in made("symmetry", axis("a", [0, 0, 0], [0, 0, 1]), axis("b", [10, 4, 3], [0, 1, 0])).reason
 
 
+def test_a_mid_plane_lies_between_faces_and_never_across_axes():
+    assert made("midplane", TOP, plane("low", [0, 0, 10], [0, 0, -1])).feature.point_mm[2] == pytest.approx(20.0)
+    refused = made("midplane", axis("hub", [0, 0, 0], [0, 0, 1]), axis("bore", [0, 0, 20], [0, 0, 1]))
+    assert refused.feature is None and "two planes" in refused.reason
+
+
 def test_an_offset_plane_and_a_point_on_an_axis_lie_at_their_distance():
     assert made("offset", TOP, distance_mm=-2.5).feature.point_mm == pytest.approx([1, 2, 27.5])
     bore = axis("bore", [3, 4, 0], [0, 0, -1])

@@ -55,6 +55,23 @@ def test_a_name_in_use_or_empty_is_refused():
         rename(program_of(), TOP, "  ")
 
 
+def test_a_name_that_is_shown_like_another_is_refused_and_never_proposed():
+    program = rename(program_of(), HEIGHT, "blade_height")
+    with pytest.raises(InputError, match="already"):
+        rename(program, Node("dimension", "diameter"), "Blade height")
+    assert unique_name(program, "dimension", "blade height") == "blade height 2"
+    assert entry(rename(program, Node("dimension", "blade_height"), "blade height"), "blade height").kind == "distance"
+
+
+def test_a_distance_of_a_feature_to_itself_is_refused():
+    twice = {"name": "none", "kind": "distance", "features": ["top", "top"], "nominal": 0}
+    with pytest.raises(InputError, match="two different features"):
+        add(program_of(), "dimension", twice)
+    around = {**twice, "features": ["hole.{k}", "hole.{k+4}"], "count": 4}
+    with pytest.raises(InputError, match="two different features"):
+        add(add(program_of(), "feature", PATTERN), "dimension", around)
+
+
 def test_a_feature_and_a_dimension_may_have_one_name():
     program = rename(program_of(), HEIGHT, "top")
     program = rename(program, TOP, "cover")

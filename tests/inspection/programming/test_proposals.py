@@ -58,6 +58,32 @@ def test_three_single_holes_get_a_pitch_circle():
     assert found.features[0]["of"] == ["hole.1", "hole.2", "bore"] and len(found.dimensions) == 1
 
 
+def test_axes_in_one_line_get_no_pitch_circle():
+    lined = [
+        {"name": name, "shape": "cylinder", "point_mm": [0, 0, z], "direction": UP, "radius_mm": 9}
+        for name, z in (("hub", 10), ("rim", 50))
+    ]
+    program = add(PROGRAM, "feature", *lined)
+    assert propose_dimensions(program, ["bore", "hub", "rim"], nominals_of(program)) == ()
+    balls = [{"name": f"ball {k}", "shape": "sphere", "point_mm": [20 * k, 0, 60], "radius_mm": 5} for k in (1, 2, 3)]
+    program = add(PROGRAM, "feature", *balls)
+    assert propose_dimensions(program, ["ball 1", "ball 2", "ball 3"], nominals_of(program)) == ()
+
+
+def test_no_form_is_proposed_for_a_constructed_feature():
+    made = [
+        {"name": "above", "shape": "offset", "of": ["top"], "distance_mm": 5.0},
+        {"name": "axis", "shape": "symmetry", "of": ["hole.1", "hole.3"]},
+    ]
+    program = add(PROGRAM, "feature", *made)
+    nominal = nominals_of(program)
+    assert propose_dimensions(program, ["above"], nominal) == () == propose_dimensions(program, ["axis"], nominal)
+    assert [one.kind for one in propose_dimensions(program, ["axis", "top"], nominal)] == [
+        "angle"
+    ]  # it has no length to be perpendicular over
+    assert [one.kind for one in propose_dimensions(program, ["above", "base"], nominal)] == ["distance"]
+
+
 def test_nothing_is_proposed_where_nothing_fits():
     assert proposed() == () and proposed("unknown") == () and proposed("top", "base", "side") == ()
 

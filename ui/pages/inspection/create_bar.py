@@ -8,18 +8,22 @@ from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtGui import QAction, QShortcut
 from PySide6.QtWidgets import QFrame, QMenu
 
+from measureapp.data.feature_program import WITH_DISTANCE
 from ui.controllers.creating import CreatingController
 from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.look.wording import millimetres, quantity, sentence_case
 from ui.pages.inspection.feature_table import FeatureTable
 from ui.widgets.basic import Button, CalmComboBox, column, label, row
+from ui.widgets.number_fields import NumberFields
 
 if TYPE_CHECKING:
     from measureapp.inspection.programming.proposals import Proposal
 
 HOW = "Select features in the list, or pick faces of the CAD model in the picture. Fitting dimensions are then proposed."
 NONE_FITS = "No dimension fits these features together."
+NONE_FITS_ONE = "No dimension fits this feature alone."
+START_MM = 10.0  # distance of an offset plane or a point on an axis, until another one is entered
 CONSTRUCTIONS = {
     "midpoint": "Midpoint",
     "midplane": "Mid-plane",
@@ -60,13 +64,17 @@ class CreateBar(QFrame):
         self.tolerance = Button(
             "Tolerance…", look, "", "quiet", "Define a geometrical tolerance of the first selected feature, the others as its datums"
         )
+        self.distance = NumberFields(["Distance of an offset plane or a point on the axis"], "mm", 3)
+        self.distance.setValue([START_MM])
+        self.distance_words = label("Distance", "soft")
         self.menu.hovered.connect(self._preview)
         self.menu.aboutToHide.connect(lambda: self.previewed.emit(None))
         self.add.clicked.connect(self.accept)
         QShortcut(Qt.Key.Key_Return, features, self.accept, context=Qt.ShortcutContext.WidgetShortcut)
         choose = row(self.choice, self.add, spacing=8)
         choose.setStretch(0, 1)
-        self.setLayout(column(row(self.pick, self.construct, self.tolerance, 0), self.words, choose, margin=8, spacing=8))
+        tools = row(self.pick, self.construct, self.distance_words, self.distance, self.tolerance, 0)
+        self.setLayout(column(tools, self.words, choose, margin=8, spacing=8))
         features.chosen.connect(self.show_proposals)
         creating.picked.connect(self._take)
         self.show_proposals()
@@ -75,12 +83,12 @@ class CreateBar(QFrame):
     def show_proposals(self) -> None:
         """Propose what fits the selected features."""
         names = self._features.names()
-        self._proposals = self._creating.proposals(names)
+        self._proposals = ()  # Enter never adds what was proposed for other features
         self.choice.clear()
+        self._proposals = self._creating.proposals(names)
         self.choice.addItems([proposal_words(one) for one in self._proposals])
-        self.words.setText(
-            translated(HOW) if not names else ", ".join(sentence_case(name) for name in names) if self._proposals else translated(NONE_FITS)
-        )
+        missing = HOW if not names else NONE_FITS_ONE if len(names) == 1 else NONE_FITS
+        self.words.setText(", ".join(sentence_case(name) for name in names) if self._proposals else translated(missing))
         for widget in (self.choice, self.add):
             widget.setVisible(bool(self._proposals))
         shapes = self._creating.constructions(names)
@@ -88,6 +96,8 @@ class CreateBar(QFrame):
         for shape in shapes:
             self.menu.addAction(CONSTRUCTIONS[shape], lambda shape=shape: self._construct(shape)).setData(shape)
         self.construct.setVisible(bool(shapes))
+        for widget in (self.distance_words, self.distance):
+            widget.setVisible(not set(WITH_DISTANCE).isdisjoint(shapes))
 
     @Slot()
     def accept(self) -> None:
@@ -105,12 +115,23 @@ class CreateBar(QFrame):
 
     @Slot(QAction)
     def _preview(self, action: QAction) -> None:
-        self.previewed.emit(self._creating.preview(str(action.data()), self._features.names()))
+        shape = str(action.data())
+        distance = self._distance_of(shape)
+        self.previewed.emit(None if distance is None else self._creating.preview(shape, self._features.names(), distance))
 
     def _construct(self, shape: str) -> None:
-        name = self._creating.construct(shape, self._features.names())
+        distance = self._distance_of(shape)
+        if distance is None:  # the field says that this is not a number
+            self.distance.lines[0].setFocus()
+            return
+        name = self._creating.construct(shape, self._features.names(), distance)
         if name:
             self._features.select_names([name])
+
+    def _distance_of(self, shape: str) -> float | None:
+        """Return the distance at which a shape is constructed, 0 where it has none; None: no number is entered."""
+        entered = self.distance.value()
+        return 0.0 if shape not in WITH_DISTANCE else entered[0] if entered else None
 
 
 def proposal_words(proposal: Proposal) -> str:

@@ -44,6 +44,7 @@ class DatumMenu(QObject):
             action.setChecked(letter == mine)
             action.triggered.connect(lambda _checked, letter=letter: self.give(name, letter))
             chosen.addAction(action)
+        self._table.menuAsked.emit(menu)
         return menu
 
     def give(self, name: str, letter: str) -> None:
@@ -56,4 +57,7 @@ class DatumMenu(QObject):
     def _open(self, place: QPoint) -> None:
         index = self._table.indexAt(place)
         if index.isValid() and self._programming.state is not None:
-            self.menu(self._table.name_at(index.row())).popup(self._table.viewport().mapToGlobal(place))
+            name = self._table.name_at(index.row())
+            if name not in self._table.names():  # the actions of the menu are those on what is selected
+                self._table.select_names([name])
+            self.menu(name).popup(self._table.viewport().mapToGlobal(place))

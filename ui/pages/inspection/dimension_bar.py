@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QComboBox, QWidget
 from ui.look.language.retranslating import GIVEN
 from ui.look.language.words import tr, translated
 from ui.look.look import Look
+from ui.look.wording import sentence_case
 from ui.widgets.basic import Button, column, label, row
 from ui.widgets.number_field import NumberField
 
@@ -18,6 +19,7 @@ TIP = (
     "Add a distance, an angle, a diameter or a radius to the inspection program; “Tolerance…” in the list of features adds tolerance zones"
 )
 HOW = "Choose features here, or click them in the list"
+TWICE = "Choose two different features"
 UNSET = -1e6  # below every nominal: no value entered yet
 LIMIT = 20_000.0
 
@@ -89,13 +91,16 @@ class DimensionBar(QWidget):
         self.tolerance.setValue(0.1)
         self.add = Button("Add", look, "", tip="Add it to the inspection program and measure it")
         self.add.clicked.connect(self.asked)
+        self.problem = label("", "small", wrap=True)
         above = row(self.kind, self.first, self.joined, self.second, spacing=8)
         above.setStretch(1, 1)
         above.setStretch(3, 1)
-        self.setLayout(column(above, row(self.nominal, label("±", "soft"), self.tolerance, 0, self.add, spacing=8), margin=8))
+        self.setLayout(column(above, row(self.nominal, label("±", "soft"), self.tolerance, 0, self.add, spacing=8), self.problem, margin=8))
         self._names: tuple[str, ...] = ()
         self._next_is_second = False
         self.kind.currentIndexChanged.connect(self._show_kind)
+        for box in (self.first, self.second):
+            box.currentIndexChanged.connect(self._show_ready)
         self.nominal.valueChanged.connect(self._show_ready)
         self.hide()
         self._show_kind()
@@ -121,7 +126,8 @@ class DimensionBar(QWidget):
     def value(self) -> NewDimension:
         """Return the dimension as chosen."""
         kind, name = self._kind, self.kind.currentData()
-        number = next(place for place in range(1, len(self._names) + 2) if f"{name} {place}" not in self._names)
+        taken = {sentence_case(one) for one in self._names}
+        number = next(place for place in range(1, len(taken) + 2) if sentence_case(f"{name} {place}") not in taken)
         others = (self.second.currentText(),) if kind.joined else ()
         features = (self.first.currentText(), *others)
         return NewDimension(f"{name} {number}", name, features, self.nominal.value(), self.tolerance.value())
@@ -143,9 +149,13 @@ class DimensionBar(QWidget):
     def _show_ready(self) -> None:
         kind = self._kind
         has_features = self.first.count() > (1 if kind.joined else 0)
+        is_twice = has_features and bool(kind.joined) and self.first.currentText() == self.second.currentText()
         has_nominal = self.nominal.value() > UNSET
-        self.add.setEnabled(has_features and has_nominal)
-        missing = "Too few features: grow some first" if not has_features else "" if has_nominal else "Enter the nominal value"
+        self.add.setEnabled(has_features and has_nominal and not is_twice)
+        unentered = "" if has_nominal else "Enter the nominal value"
+        missing = "Too few features: grow some first" if not has_features else TWICE if is_twice else unentered
+        self.problem.setText(translated(TWICE) if is_twice else "")
+        self.problem.setVisible(is_twice)
         self.add.setToolTip(translated(missing) or tr("Add it to the inspection program and measure it"))
 
 

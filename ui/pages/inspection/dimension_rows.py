@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from measureapp.data.dimension import CONTRIBUTION_DIGITS
@@ -15,6 +16,7 @@ if TYPE_CHECKING:
     from measureapp.data.dimension import Dimension
     from measureapp.data.feature import Feature
     from measureapp.data.measurement import Alignment
+    from ui.controllers.program_rows import Construction
 
 
 ALIGNMENTS = (later("best fit"), later("datums"), later("reference points"), later("coordinates"))  # names that results state
@@ -31,6 +33,8 @@ SHAPES = {
     "edge": later("edge"),
     "torus": later("torus"),
 }
+MOST_SOURCES = 3  # named of a constructed feature
+NONE_MADE: Mapping[str, Construction] = MappingProxyType({})
 
 
 def unit_of(dimension: Dimension) -> str:
@@ -55,9 +59,17 @@ def feature_words(feature: Feature, role: str = "") -> str:
     return f"{role}{sentence_case(feature.name)}: {shape_words(feature)}, {found}"
 
 
-def shape_words(feature: Feature) -> str:
-    """Return the shape of a feature in words."""
-    return translated("blade section" if is_blade(feature) else SHAPES.get(str(feature.shape), str(feature.shape)))
+def shape_words(feature: Feature, made: Construction | None = None) -> str:
+    """Return the shape of a feature in words; ``made``: what it is constructed from, with the points of which it is stated."""
+    is_section = made is None and is_blade(feature)
+    return translated("blade section" if is_section else SHAPES.get(str(feature.shape), str(feature.shape)))
+
+
+def source_words(made: Construction) -> str:
+    """Return the names of the features that one is constructed from, the first few of many."""
+    names = [sentence_case(name) for name in made.of[:MOST_SOURCES]]
+    more = len(made.of) - len(names)
+    return ", ".join(names) if not more else tr("{names} and {count} more", names=", ".join(names), count=more)
 
 
 def datum_words(datums: Sequence[str], letters: Sequence[str]) -> str:
@@ -106,8 +118,10 @@ def alignment_group(alignment: Alignment) -> Group:
     return Group("Alignment", (*rows, *(("", note) for note in alignment.notes)))
 
 
-def dimension_properties(dimension: Dimension, features: Sequence[Feature], alignment: Alignment, rule: str) -> Properties:
-    """Return the properties of one dimension, with its alignment and decision ``rule``."""
+def dimension_properties(
+    dimension: Dimension, features: Sequence[Feature], alignment: Alignment, rule: str, made: Mapping[str, Construction] = NONE_MADE
+) -> Properties:
+    """Return the properties of one dimension, with its alignment and decision ``rule``; ``made`` has the constructed features."""
     unit = unit_of(dimension)
     kind = sentence_case(dimension.kind)
     values = Group(
@@ -131,17 +145,27 @@ def dimension_properties(dimension: Dimension, features: Sequence[Feature], alig
         groups.append(Group("Uncertainty budget (k = 2)", rows))
     if taken:
         groups.append(Group("Traceability", taken))
-    groups += [feature_group(feature) for feature in features]
+    groups += [feature_group(feature, made.get(feature.name)) for feature in features]
     groups.append(alignment_group(alignment))
     if rule:
         groups.append(Group("Decision rule", (("", rule),)))
     return Properties(dimension_words(dimension.name), tuple(groups), dimension.reason)
 
 
-def feature_group(feature: Feature) -> Group:
-    """Return the figures of a fit."""
+def feature_group(feature: Feature, made: Construction | None = None) -> Group:
+    """Return the figures of a fit; of a constructed feature what it is made from, since it has no points of its own."""
+    title = tr("{name} ({shape})", name=sentence_case(feature.name), shape=shape_words(feature, made))
+    if made is not None:
+        return Group(
+            title,
+            (
+                ("Constructed from", source_words(made)),
+                *([("Distance", millimetres(made.distance_mm))] if made.distance_mm is not None else []),
+                *([("Radius", millimetres(feature.radius_mm))] if feature.radius_mm is not None else []),
+            ),
+        )
     return Group(
-        tr("{name} ({shape})", name=sentence_case(feature.name), shape=shape_words(feature)),
+        title,
         (
             ("Points", counted(feature.points)),
             ("Rejected", counted(feature.left_out)),

@@ -20,6 +20,7 @@ from ui.pages.inspection.deviation_card import DeviationCard
 from ui.pages.inspection.deviation_display import DeviationDisplay
 from ui.pages.inspection.dimension_rows import Selection, decision_rule, features_of, rule_name
 from ui.pages.inspection.dimension_table import DimensionTable
+from ui.pages.inspection.feature_actions import FeatureActions
 from ui.pages.inspection.feature_table import FeatureTable
 from ui.pages.inspection.filter_bar import FilterBar
 from ui.pages.inspection.no_alignment import NoAlignment
@@ -60,6 +61,7 @@ class DimensionSide(QWidget):
         self.create.dimensionAdded.connect(self._await)
         self._awaited = ""  # name of the dimension that was added last
         self.actions, self.datums = RowActions(look, self.table, programming), DatumMenu(self.features, programming)
+        self.feature_actions = FeatureActions(look, self.features, programming)
         self.table.frameAsked.connect(self._edit_frame)
         self.actions.toleranceAsked.connect(self._begin_frame)
         self.create.tolerance.clicked.connect(self._begin_frame)
@@ -148,7 +150,7 @@ class DimensionSide(QWidget):
         if self._inspection is not None:
             state = self._programming.state
             letters = letters_shown(None if state is None else state.program, self._inspection)
-            self.features.show_features(self._inspection.features, letters)
+            self.features.show_features(self._inspection.features, letters, () if state is None else state.program.features)
         rows = self._programming.rows()
         had_none = self.table.current_id() < 0
         self.table.set_rows(rows)

@@ -17,7 +17,7 @@ from ui.pages.inspection.dimension_filter import PROGRAM_ORDER, DimensionFilter
 from ui.pages.inspection.dimension_model import COPIED, EDITABLE, FRAME_ROLE, HEADERS, ROW_ROLE, CellEdit, Column, DimensionModel, cell_text
 from ui.viewport.overlay.control_frame import frame_width
 from ui.viewport.overlay.style import OverlayStyle
-from ui.widgets.data_table import ROW_HEIGHT, Index
+from ui.widgets.data_table import ROW_HEIGHT, Index, bring_into_sight, is_in_sight
 
 STATUS_WIDTH, NAME_WIDTH, LEAST_NAME_WIDTH = 28, 150, 96
 LEFT_OUT = (Column.NOMINAL, Column.DEVIATION, Column.TOLERANCE)  # in this order, where there is little room; the properties show them
@@ -96,8 +96,9 @@ class DimensionTable(QTableView):
         return self.state() == QAbstractItemView.State.EditingState
 
     def set_rows(self, rows: Sequence[DimensionRow]) -> None:
-        """Show these rows; the selected ones stay selected."""
+        """Show these rows; the selected ones stay selected, and the current one in sight where its verdict gives it another place."""
         kept, current = self.selected_ids(), self._current
+        was_in_sight = is_in_sight(self, self.currentIndex())
         blocked = self.selectionModel().blockSignals(True)
         was_reset = self.dimensions.set_rows(rows)
         self.selectionModel().blockSignals(blocked)
@@ -107,6 +108,8 @@ class DimensionTable(QTableView):
             self._is_waiting = True
             return
         self._sort_keeping(kept, current)
+        if was_in_sight:
+            bring_into_sight(self, self.currentIndex())
         if was_reset and self.current_id() != current:
             self._follow()
 
@@ -122,9 +125,11 @@ class DimensionTable(QTableView):
             self.setColumnWidth(Column.NAME, NAME_WIDTH)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
-        """Leave columns out where there is no room for them."""
+        """Leave columns out where there is no room for them; the current row stays in sight."""
         super().resizeEvent(event)
         self._leave_out_columns()
+        if is_in_sight(self, self.currentIndex(), event.oldSize().height()):
+            bring_into_sight(self, self.currentIndex())
 
     def _leave_out_columns(self) -> None:
         """Hide columns until names and verdicts are in sight; those that the user chose stay as he chose."""
@@ -149,8 +154,9 @@ class DimensionTable(QTableView):
         self._select_ids(kept, current)
 
     def select(self, row_id: int) -> None:
-        """Select a row by its number."""
+        """Select a row by its number, and bring it into sight."""
         self._select_ids([row_id], row_id)
+        bring_into_sight(self, self.currentIndex())
 
     def select_first(self) -> None:
         """Select the first row shown: the worst, unless another order was chosen."""

@@ -184,10 +184,12 @@ class InspectionPage(ViewportPage):
         inspection, chosen = self.session.inspection, self.side.selection
         dimension, features = chosen.dimension, chosen.features
         if inspection is not None and dimension is not None:
-            self._show_entry(dimension_properties(dimension, features, inspection.alignment, decision_rule()), dimension.name)
+            shown = dimension_properties(dimension, features, inspection.alignment, decision_rule(), self.side.features.constructed)
+            self._show_entry(shown, dimension.name)
         elif features:
             title = sentence_case(features[0].name) if len(features) == 1 else several(len(features), "feature")
-            self._show_entry(Properties(title, tuple(feature_group(one) for one in features)), features[-1].name)
+            groups = tuple(feature_group(one, self.side.features.constructed.get(one.name)) for one in features)
+            self._show_entry(Properties(title, groups), features[-1].name)
             self.program.bar.take(features[-1].name)
         self.content.show()
 
