@@ -197,8 +197,8 @@ class PlanPage(ViewportPage):
         if found is not None and found.plan is plan:
             count = len(found.check.sentences())
             size = tr("about {time_s}, {bytes}", time_s=duration(found.check.time_s), bytes=storage(found.check.bytes))
-            judged = several(count, "problem") if count else "nothing prevents the scan"
-            said = tr("{viewpoints}, {size} · {judged}.", viewpoints=viewpoints, size=size, judged=translated(judged))
+            verdict = several(count, "problem") if count else "nothing prevents the scan"
+            said = tr("{viewpoints}, {size} · {verdict}.", viewpoints=viewpoints, size=size, verdict=translated(verdict))
             sentences = found.check.sentences()
             self.tree.show_states(
                 {
@@ -207,7 +207,7 @@ class PlanPage(ViewportPage):
                 }
             )
         else:
-            said = tr("{viewpoints}, {judged}", viewpoints=viewpoints, judged=tr("being checked…"))
+            said = tr("{viewpoints}, {verdict}", viewpoints=viewpoints, verdict=tr("being checked…"))
             self.tree.show_states({})
         self.state.setText(said)
 
