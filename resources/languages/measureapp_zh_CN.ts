@@ -1540,6 +1540,10 @@
       <translation>此文档尚不存在。</translation>
     </message>
     <message>
+      <source>This is impossible: {problem}</source>
+      <translation>无法做到：{problem}</translation>
+    </message>
+    <message>
       <source>This measurement has no surface mesh.</source>
       <translation>此测量没有表面网格。</translation>
     </message>
@@ -2119,10 +2123,6 @@
     <message>
       <source>Camera {v1} is not calibrated.</source>
       <translation>相机 {v1} 未标定。</translation>
-    </message>
-    <message>
-      <source>Cameras</source>
-      <translation>相机</translation>
     </message>
     <message>
       <source>Cameras {v1} and {v2}</source>
@@ -3798,6 +3798,10 @@
   <context>
     <name>core.data</name>
     <message>
+      <source>Customer</source>
+      <translation>客户</translation>
+    </message>
+    <message>
       <source>Deviations by {v1} exceed the error model by {v2} mm (k = 1), which is added to U. Likely cause: {v3}.</source>
       <translation>按{v1}归类的偏差超出误差模型 {v2} mm (k = 1)，已计入 U。可能原因：{v3}。</translation>
     </message>
@@ -3818,12 +3822,44 @@
       <translation>ISO 2768-{v1} 对 {v2} mm 未规定公差：请以数字输入极限</translation>
     </message>
     <message>
+      <source>Location</source>
+      <translation>地点</translation>
+    </message>
+    <message>
+      <source>Machine</source>
+      <translation>测量机</translation>
+    </message>
+    <message>
       <source>No points were found where the part should stand on the table: none were excluded as its surroundings.</source>
       <translation>在工件应处于转台上的位置没有找到点：没有点作为环境被排除。</translation>
     </message>
     <message>
+      <source>Part number</source>
+      <translation>零件号</translation>
+    </message>
+    <message>
+      <source>Part temperature</source>
+      <translation>工件温度</translation>
+    </message>
+    <message>
       <source>Points of table, fixtures and background were kept, by choice.</source>
       <translation>按选择保留了转台、夹具和背景的点。</translation>
+    </message>
+    <message>
+      <source>Relative humidity (%)</source>
+      <translation>相对湿度 (%)</translation>
+    </message>
+    <message>
+      <source>Revision</source>
+      <translation>版次</translation>
+    </message>
+    <message>
+      <source>Temperature (°C)</source>
+      <translation>温度 (°C)</translation>
+    </message>
+    <message>
+      <source>Temperature from</source>
+      <translation>温度来源</translation>
     </message>
     <message>
       <source>The measurement agrees with its error model.</source>
@@ -3974,8 +4010,20 @@
       <translation>{v1}需要 `radius_mm`</translation>
     </message>
     <message>
+      <source>air temperature in °C</source>
+      <translation>空气温度，单位 °C</translation>
+    </message>
+    <message>
       <source>an edge needs the `normals` of both faces; a free edge has one, and needs `loss_mm`: fringe window and blur end the points before the material ends</source>
       <translation>边需要两个面的 `normals`；自由边只有一个，并需要 `loss_mm`：由于条纹窗口和模糊，点在材料结束之前就结束</translation>
+    </message>
+    <message>
+      <source>an expansion of {v1} ppm/K is not between 0 and {v2} ppm/K</source>
+      <translation>热膨胀系数 {v1} ppm/K 不在 0 与 {v2} ppm/K 之间</translation>
+    </message>
+    <message>
+      <source>an uncertainty of {v1} K is not between 0 and {v2} K</source>
+      <translation>不确定度 {v1} K 不在 0 与 {v2} K 之间</translation>
     </message>
     <message>
       <source>datum {v1} names feature {v2}, which is not defined</source>
@@ -4042,12 +4090,36 @@
       <translation>lower_tolerance 大于 upper_tolerance</translation>
     </message>
     <message>
+      <source>measuring machine; the name of the rig where it is empty</source>
+      <translation>测量机；为空时用测量系统的名称</translation>
+    </message>
+    <message>
+      <source>of the part drawing</source>
+      <translation>零件图的版次</translation>
+    </message>
+    <message>
+      <source>of the part in °C with its uncertainty (k = 2), such as 23±0.5: lengths are corrected to 20 °C</source>
+      <translation>工件的温度，单位 °C，含其不确定度 (k = 2)，例如 23±0.5：长度将修正到 20 °C</translation>
+    </message>
+    <message>
+      <source>of the part, such as steel, or its expansion, such as 11.5±0.6 ppm/K</source>
+      <translation>工件的材料，例如 steel，或其热膨胀系数，例如 11.5±0.6 ppm/K</translation>
+    </message>
+    <message>
       <source>radial ± {v1}, axial ± {v2}, tilt ± {v3}″</source>
       <translation>径向 ± {v1}，轴向 ± {v2}，倾斜 ± {v3}″</translation>
     </message>
     <message>
+      <source>relative humidity of the air</source>
+      <translation>空气的相对湿度</translation>
+    </message>
+    <message>
       <source>straightness ± {v1}, pitch, yaw and roll ± {v2}″</source>
       <translation>直线度 ± {v1}，俯仰、偏摆和滚转 ± {v2}″</translation>
+    </message>
+    <message>
+      <source>the expansion of {v1} is not known: choose one of {v2}, or state it, such as 11.5±0.6 ppm/K</source>
+      <translation>{v1} 的热膨胀系数未知：请从 {v2} 中选择，或直接给出，例如 11.5±0.6 ppm/K</translation>
     </message>
     <message>
       <source>the faces of an edge must not be parallel</source>
@@ -4078,6 +4150,10 @@
       <translation>两个特征都名为 {v1}</translation>
     </message>
     <message>
+      <source>who or what measured the temperature</source>
+      <translation>由何人或何种仪器测量温度</translation>
+    </message>
+    <message>
       <source>with a material condition the mean of several positions is meaningless: use `statistic = "max"`</source>
       <translation>有实体要求时，多个位置度的平均值没有意义：请用 `statistic = "max"`</translation>
     </message>
@@ -4106,6 +4182,10 @@
       <translation>{v1} 的定义范围为 {v2} mm 以下，不包括 {v3} mm：请以数字输入极限</translation>
     </message>
     <message>
+      <source>{v1} is not a temperature in °C, such as 23±0.5</source>
+      <translation>{v1} 不是以 °C 表示的温度，例如 23±0.5</translation>
+    </message>
+    <message>
       <source>{v1} is not a tolerance: enter {v2}</source>
       <translation>{v1} 不是公差：请输入 {v2}</translation>
     </message>
@@ -4132,6 +4212,10 @@
     <message>
       <source>{v1} uses {v2}, a free_form: use another feature, or a region of the best fit</source>
       <translation>{v1} 使用 free_form {v2}：请用其他特征，或最佳拟合的区域</translation>
+    </message>
+    <message>
+      <source>{v1} °C is not between {v2} and {v3} °C</source>
+      <translation>{v1} °C 不在 {v2} 与 {v3} °C 之间</translation>
     </message>
     <message>
       <source>{v1}: a tolerance of zero width cannot be verified; enter a number above 0</source>
@@ -11222,12 +11306,84 @@
       <translation>9 幅图像：16、17.84 和 18.14 px 处 3 步。</translation>
     </message>
     <message>
+      <source>ABB robot (Robot Web Services)</source>
+      <translation>ABB 机器人 (Robot Web Services)</translation>
+    </message>
+    <message>
+      <source>Absolute encoder</source>
+      <translation>绝对编码器</translation>
+    </message>
+    <message>
+      <source>Acceleration</source>
+      <translation>加速度</translation>
+    </message>
+    <message>
+      <source>Accuracy</source>
+      <translation>精度</translation>
+    </message>
+    <message>
+      <source>Accuracy of the orientation</source>
+      <translation>姿态精度</translation>
+    </message>
+    <message>
+      <source>Accuracy of the position</source>
+      <translation>位置精度</translation>
+    </message>
+    <message>
+      <source>Action</source>
+      <translation>动作命令</translation>
+    </message>
+    <message>
+      <source>Address</source>
+      <translation>地址</translation>
+    </message>
+    <message>
+      <source>After the last image</source>
+      <translation>最后一幅图像之后</translation>
+    </message>
+    <message>
       <source>All {count} pass.</source>
       <translation>全部 {count}合格。</translation>
     </message>
     <message>
       <source>Ambiguous</source>
       <translation>多义</translation>
+    </message>
+    <message>
+      <source>Angle tolerance</source>
+      <translation>角度容差</translation>
+    </message>
+    <message>
+      <source>Angular acceleration</source>
+      <translation>角加速度</translation>
+    </message>
+    <message>
+      <source>Angular error</source>
+      <translation>角度误差</translation>
+    </message>
+    <message>
+      <source>Arm</source>
+      <translation>机械臂</translation>
+    </message>
+    <message>
+      <source>At a new sequence</source>
+      <translation>新序列开始时</translation>
+    </message>
+    <message>
+      <source>Axes on Modbus: TOYO, IAI, Oriental Motor, SMC</source>
+      <translation>Modbus 轴：TOYO、IAI、Oriental Motor、SMC</translation>
+    </message>
+    <message>
+      <source>Axial error motion</source>
+      <translation>轴向误差运动</translation>
+    </message>
+    <message>
+      <source>Axis</source>
+      <translation>轴</translation>
+    </message>
+    <message>
+      <source>Basler camera (pylon)</source>
+      <translation>Basler 相机 (pylon)</translation>
     </message>
     <message>
       <source>Baud rate</source>
@@ -11238,12 +11394,24 @@
       <translation>导轨横梁</translation>
     </message>
     <message>
+      <source>Bit depth</source>
+      <translation>位深</translation>
+    </message>
+    <message>
+      <source>Black level</source>
+      <translation>黑电平</translation>
+    </message>
+    <message>
       <source>Bodies in the cell</source>
       <translation>工作站中的物体</translation>
     </message>
     <message>
       <source>Boxes of the head</source>
       <translation>测头的外形盒</translation>
+    </message>
+    <message>
+      <source>Buffers</source>
+      <translation>缓冲区数</translation>
     </message>
     <message>
       <source>Calibration</source>
@@ -11258,8 +11426,28 @@
       <translation>测头中的相机</translation>
     </message>
     <message>
+      <source>Camera of recorded images</source>
+      <translation>录制图像的相机</translation>
+    </message>
+    <message>
+      <source>Cameras</source>
+      <translation>相机</translation>
+    </message>
+    <message>
+      <source>Cameras on link</source>
+      <translation>同一链路上的相机</translation>
+    </message>
+    <message>
       <source>Cantarell</source>
       <translation>Cantarell</translation>
+    </message>
+    <message>
+      <source>Centre in the guide frame</source>
+      <translation>导轨坐标系中的中心</translation>
+    </message>
+    <message>
+      <source>Certificate SHA-256</source>
+      <translation>证书 SHA-256</translation>
     </message>
     <message>
       <source>Certified length at 20 °C</source>
@@ -11294,8 +11482,28 @@
       <translation>互补格雷码</translation>
     </message>
     <message>
+      <source>Conditions</source>
+      <translation>状况</translation>
+    </message>
+    <message>
       <source>Contradicted</source>
       <translation>矛盾</translation>
+    </message>
+    <message>
+      <source>Controller</source>
+      <translation>控制器</translation>
+    </message>
+    <message>
+      <source>Counts at zero</source>
+      <translation>零点计数</translation>
+    </message>
+    <message>
+      <source>Counts per unit</source>
+      <translation>每单位计数</translation>
+    </message>
+    <message>
+      <source>Cycle of a held pattern</source>
+      <translation>保持图案的周期</translation>
     </message>
     <message>
       <source>Delay between packets</source>
@@ -11312,6 +11520,34 @@
     <message>
       <source>Depth discontinuity</source>
       <translation>深度不连续</translation>
+    </message>
+    <message>
+      <source>Deviation from the kinematic model</source>
+      <translation>与运动学模型的偏差</translation>
+    </message>
+    <message>
+      <source>Device key</source>
+      <translation>设备密钥</translation>
+    </message>
+    <message>
+      <source>Devices</source>
+      <translation>设备</translation>
+    </message>
+    <message>
+      <source>Drive</source>
+      <translation>驱动器</translation>
+    </message>
+    <message>
+      <source>Driver settings</source>
+      <translation>驱动程序设置</translation>
+    </message>
+    <message>
+      <source>Duration of a frame</source>
+      <translation>一帧的时长</translation>
+    </message>
+    <message>
+      <source>EGM port</source>
+      <translation>EGM 端口</translation>
     </message>
     <message>
       <source>Enter a finite number</source>
@@ -11334,8 +11570,32 @@
       <translation>请输入整数</translation>
     </message>
     <message>
+      <source>Exposure chunk</source>
+      <translation>图像附带曝光数据</translation>
+    </message>
+    <message>
+      <source>Exposure in the name</source>
+      <translation>名称中的曝光</translation>
+    </message>
+    <message>
       <source>FAIL</source>
       <translation>不合格</translation>
+    </message>
+    <message>
+      <source>File</source>
+      <translation>文件</translation>
+    </message>
+    <message>
+      <source>Files</source>
+      <translation>文件</translation>
+    </message>
+    <message>
+      <source>Fixtures</source>
+      <translation>夹具</translation>
+    </message>
+    <message>
+      <source>Flash</source>
+      <translation>闪存</translation>
     </message>
     <message>
       <source>Flat</source>
@@ -11350,12 +11610,32 @@
       <translation>飞点</translation>
     </message>
     <message>
+      <source>Focal length</source>
+      <translation>焦距</translation>
+    </message>
+    <message>
+      <source>Folder</source>
+      <translation>文件夹</translation>
+    </message>
+    <message>
+      <source>Follows the cell at</source>
+      <translation>跟随的工作站</translation>
+    </message>
+    <message>
+      <source>Framing</source>
+      <translation>帧格式</translation>
+    </message>
+    <message>
       <source>Full well</source>
       <translation>满阱容量</translation>
     </message>
     <message>
       <source>Fusion</source>
       <translation>融合</translation>
+    </message>
+    <message>
+      <source>Gain</source>
+      <translation>增益</translation>
     </message>
     <message>
       <source>Gear</source>
@@ -11370,6 +11650,10 @@
       <translation>齿轮：形状、方向、位置与跳动</translation>
     </message>
     <message>
+      <source>GenICam camera (GigE Vision, USB3 Vision)</source>
+      <translation>GenICam 相机 (GigE Vision、USB3 Vision)</translation>
+    </message>
+    <message>
       <source>Give at least {limits}.</source>
       <translation>请至少给出 {limits}。</translation>
     </message>
@@ -11382,12 +11666,28 @@
       <translation>掠入射</translation>
     </message>
     <message>
+      <source>Group key</source>
+      <translation>组密钥</translation>
+    </message>
+    <message>
+      <source>Group mask</source>
+      <translation>组掩码</translation>
+    </message>
+    <message>
       <source>Gypsum</source>
       <translation>石膏</translation>
     </message>
     <message>
       <source>Gypsum cross: a, b, c, d</source>
       <translation>石膏十字：a、b、c、d</translation>
+    </message>
+    <message>
+      <source>Hardware trigger</source>
+      <translation>硬件触发</translation>
+    </message>
+    <message>
+      <source>Hash</source>
+      <translation>散列值</translation>
     </message>
     <message>
       <source>Head on the flange</source>
@@ -11400,6 +11700,18 @@
     <message>
       <source>Hierarchical</source>
       <translation>分层</translation>
+    </message>
+    <message>
+      <source>Host</source>
+      <translation>主机</translation>
+    </message>
+    <message>
+      <source>Image height</source>
+      <translation>图像高度</translation>
+    </message>
+    <message>
+      <source>Image width</source>
+      <translation>图像宽度</translation>
     </message>
     <message>
       <source>Impeller</source>
@@ -11422,6 +11734,14 @@
       <translation>Inter</translation>
     </message>
     <message>
+      <source>Interval of reads at rest</source>
+      <translation>静止时的读数间隔</translation>
+    </message>
+    <message>
+      <source>Interval of reads in motion</source>
+      <translation>运动时的读数间隔</translation>
+    </message>
+    <message>
       <source>Inverse camera in the bundle adjustment of all cameras</source>
       <translation>在所有相机的光束法平差中作为逆相机</translation>
     </message>
@@ -11438,6 +11758,10 @@
       <translation>测量装置联合标定</translation>
     </message>
     <message>
+      <source>Joint margin</source>
+      <translation>关节余量</translation>
+    </message>
+    <message>
       <source>Joint refinement</source>
       <translation>联合优化</translation>
     </message>
@@ -11446,12 +11770,84 @@
       <translation>禁入区</translation>
     </message>
     <message>
+      <source>Kinematic model</source>
+      <translation>运动学模型</translation>
+    </message>
+    <message>
+      <source>LED</source>
+      <translation>LED</translation>
+    </message>
+    <message>
+      <source>LED current</source>
+      <translation>LED 电流</translation>
+    </message>
+    <message>
+      <source>Largest change of temperature</source>
+      <translation>最大温度变化</translation>
+    </message>
+    <message>
       <source>Largest part</source>
       <translation>最大工件</translation>
     </message>
     <message>
+      <source>Largest reach</source>
+      <translation>最大工作半径</translation>
+    </message>
+    <message>
+      <source>Latency</source>
+      <translation>延迟</translation>
+    </message>
+    <message>
+      <source>Least reach</source>
+      <translation>最小工作半径</translation>
+    </message>
+    <message>
+      <source>Link</source>
+      <translation>连接</translation>
+    </message>
+    <message>
+      <source>Longest duration of a move</source>
+      <translation>单次移动的最长时间</translation>
+    </message>
+    <message>
+      <source>Longest wait for a login</source>
+      <translation>登录的最长等待</translation>
+    </message>
+    <message>
+      <source>Longest wait for a reply</source>
+      <translation>应答的最长等待</translation>
+    </message>
+    <message>
+      <source>Longest wait for access</source>
+      <translation>获得访问的最长等待</translation>
+    </message>
+    <message>
+      <source>Longest wait for the start</source>
+      <translation>启动的最长等待</translation>
+    </message>
+    <message>
+      <source>Longest wait for wake-up</source>
+      <translation>唤醒的最长等待</translation>
+    </message>
+    <message>
+      <source>Lost after</source>
+      <translation>判为失联的时间</translation>
+    </message>
+    <message>
       <source>Lower corner</source>
       <translation>下角点</translation>
+    </message>
+    <message>
+      <source>Manifest</source>
+      <translation>清单文件</translation>
+    </message>
+    <message>
+      <source>Manufacturer</source>
+      <translation>制造商</translation>
+    </message>
+    <message>
+      <source>Material</source>
+      <translation>材料</translation>
     </message>
     <message>
       <source>Measured</source>
@@ -11460,6 +11856,14 @@
     <message>
       <source>Measured by another camera</source>
       <translation>由另一相机测量</translation>
+    </message>
+    <message>
+      <source>Mechanical unit</source>
+      <translation>机械单元</translation>
+    </message>
+    <message>
+      <source>Module</source>
+      <translation>模块</translation>
     </message>
     <message>
       <source>Must be at least {ge}</source>
@@ -11506,12 +11910,36 @@
       <translation>对另一相机过斜</translation>
     </message>
     <message>
+      <source>Offset</source>
+      <translation>偏移</translation>
+    </message>
+    <message>
+      <source>Offset x</source>
+      <translation>x 偏移</translation>
+    </message>
+    <message>
+      <source>Offset y</source>
+      <translation>y 偏移</translation>
+    </message>
+    <message>
+      <source>Order of the images</source>
+      <translation>图像顺序</translation>
+    </message>
+    <message>
       <source>Outlier</source>
       <translation>离群点</translation>
     </message>
     <message>
       <source>PASS</source>
       <translation>合格</translation>
+    </message>
+    <message>
+      <source>Packed</source>
+      <translation>打包格式</translation>
+    </message>
+    <message>
+      <source>Packet delay</source>
+      <translation>数据包间隔</translation>
     </message>
     <message>
       <source>Packet size</source>
@@ -11526,8 +11954,44 @@
       <translation>论文：32 和 33 px</translation>
     </message>
     <message>
+      <source>Parity</source>
+      <translation>奇偶校验</translation>
+    </message>
+    <message>
       <source>Park pose</source>
       <translation>停放位姿</translation>
+    </message>
+    <message>
+      <source>Password</source>
+      <translation>密码</translation>
+    </message>
+    <message>
+      <source>Pixel format</source>
+      <translation>像素格式</translation>
+    </message>
+    <message>
+      <source>Plain level</source>
+      <translation>均匀光灰度</translation>
+    </message>
+    <message>
+      <source>Port</source>
+      <translation>端口</translation>
+    </message>
+    <message>
+      <source>Position (x, y, z)</source>
+      <translation>位置 (x, y, z)</translation>
+    </message>
+    <message>
+      <source>Position of the shoulder</source>
+      <translation>肩部的位置</translation>
+    </message>
+    <message>
+      <source>Position tolerance</source>
+      <translation>位置容差</translation>
+    </message>
+    <message>
+      <source>Projector as a second screen</source>
+      <translation>作为第二屏幕的投影仪</translation>
     </message>
     <message>
       <source>Projector in the head</source>
@@ -11536,6 +12000,26 @@
     <message>
       <source>Quaternion</source>
       <translation>四元数</translation>
+    </message>
+    <message>
+      <source>Radial error motion</source>
+      <translation>径向误差运动</translation>
+    </message>
+    <message>
+      <source>Range of rotation</source>
+      <translation>旋转范围</translation>
+    </message>
+    <message>
+      <source>Range of travel</source>
+      <translation>行程范围</translation>
+    </message>
+    <message>
+      <source>Read-out of a row</source>
+      <translation>一行的读出时间</translation>
+    </message>
+    <message>
+      <source>Read-out time</source>
+      <translation>读出时间</translation>
     </message>
     <message>
       <source>Recommended. 12 images: 4 steps at 16, 17.84 and 18.14 px.</source>
@@ -11550,8 +12034,24 @@
       <translation>报告</translation>
     </message>
     <message>
+      <source>Robot with the MeasureApp line protocol</source>
+      <translation>采用 MeasureApp 行协议的机器人</translation>
+    </message>
+    <message>
       <source>Roboto</source>
       <translation>Roboto</translation>
+    </message>
+    <message>
+      <source>Rotary tables on a serial line: Newport, OWIS, Sigma-Koki</source>
+      <translation>串行线上的转台：Newport、OWIS、Sigma-Koki</translation>
+    </message>
+    <message>
+      <source>Rotation (x, y, z)</source>
+      <translation>旋转 (x, y, z)</translation>
+    </message>
+    <message>
+      <source>Rotation of the part</source>
+      <translation>工件的旋转</translation>
     </message>
     <message>
       <source>SF Pro Text</source>
@@ -11570,6 +12070,10 @@
       <translation>扫描（含存储和点云）</translation>
     </message>
     <message>
+      <source>Schema version</source>
+      <translation>格式版本</translation>
+    </message>
+    <message>
       <source>Segoe UI</source>
       <translation>Segoe UI</translation>
     </message>
@@ -11578,8 +12082,48 @@
       <translation>Segoe UI Variable</translation>
     </message>
     <message>
+      <source>Sense of counting</source>
+      <translation>计数方向</translation>
+    </message>
+    <message>
+      <source>Serial number</source>
+      <translation>序列号</translation>
+    </message>
+    <message>
+      <source>Serial number of the USB adapter</source>
+      <translation>USB 适配器序列号</translation>
+    </message>
+    <message>
       <source>Settling time</source>
       <translation>稳定时间</translation>
+    </message>
+    <message>
+      <source>Share of the joint speeds</source>
+      <translation>关节速度的比例</translation>
+    </message>
+    <message>
+      <source>Shortest trigger pulse</source>
+      <translation>最短触发脉冲</translation>
+    </message>
+    <message>
+      <source>Shutter</source>
+      <translation>快门</translation>
+    </message>
+    <message>
+      <source>Size of a pixel</source>
+      <translation>像元尺寸</translation>
+    </message>
+    <message>
+      <source>Speed</source>
+      <translation>速度</translation>
+    </message>
+    <message>
+      <source>Speed of rotation</source>
+      <translation>旋转速度</translation>
+    </message>
+    <message>
+      <source>Speeds of the joints</source>
+      <translation>关节速度</translation>
     </message>
     <message>
       <source>Sphere plate</source>
@@ -11590,6 +12134,10 @@
       <translation>球板：直径与球心距</translation>
     </message>
     <message>
+      <source>Stands on the table</source>
+      <translation>位于转台上</translation>
+    </message>
+    <message>
       <source>Stitching</source>
       <translation>拼接</translation>
     </message>
@@ -11598,12 +12146,40 @@
       <translation>表面</translation>
     </message>
     <message>
+      <source>Surroundings</source>
+      <translation>周围物体</translation>
+    </message>
+    <message>
+      <source>Switch motors on</source>
+      <translation>接通电机</translation>
+    </message>
+    <message>
       <source>Synchronisation</source>
       <translation>同步</translation>
     </message>
     <message>
+      <source>System ID</source>
+      <translation>系统 ID</translation>
+    </message>
+    <message>
       <source>Systematic</source>
       <translation>系统</translation>
+    </message>
+    <message>
+      <source>TCP port</source>
+      <translation>TCP 端口</translation>
+    </message>
+    <message>
+      <source>TI LightCrafter 4500 (DLPC350)</source>
+      <translation>TI LightCrafter 4500 投影仪 (DLPC350)</translation>
+    </message>
+    <message>
+      <source>Take over</source>
+      <translation>接管</translation>
+    </message>
+    <message>
+      <source>Task</source>
+      <translation>任务</translation>
     </message>
     <message>
       <source>The dimension passes.</source>
@@ -11616,6 +12192,10 @@
     <message>
       <source>There is no such setting</source>
       <translation>没有此设置</translation>
+    </message>
+    <message>
+      <source>Thermal drift</source>
+      <translation>热漂移</translation>
     </message>
     <message>
       <source>Thermal expansion of the head</source>
@@ -11654,8 +12234,56 @@
       <translation>三宽，从 32 px 起</translation>
     </message>
     <message>
+      <source>Tilt error motion</source>
+      <translation>倾斜误差运动</translation>
+    </message>
+    <message>
+      <source>Time scale</source>
+      <translation>时间比例</translation>
+    </message>
+    <message>
+      <source>Time to accelerate</source>
+      <translation>加速时间</translation>
+    </message>
+    <message>
+      <source>Tolerance at rest, angle</source>
+      <translation>静止判定容差，角度</translation>
+    </message>
+    <message>
+      <source>Tolerance at rest, position</source>
+      <translation>静止判定容差，位置</translation>
+    </message>
+    <message>
+      <source>Tolerance at the goal, angle</source>
+      <translation>到位判定容差，角度</translation>
+    </message>
+    <message>
+      <source>Tolerance at the goal, position</source>
+      <translation>到位判定容差，位置</translation>
+    </message>
+    <message>
+      <source>Tolerance of the position</source>
+      <translation>到位容差</translation>
+    </message>
+    <message>
       <source>Total</source>
       <translation>总计</translation>
+    </message>
+    <message>
+      <source>Trigger delay</source>
+      <translation>触发延迟</translation>
+    </message>
+    <message>
+      <source>Trigger inverted</source>
+      <translation>触发信号反相</translation>
+    </message>
+    <message>
+      <source>Trigger line</source>
+      <translation>触发线</translation>
+    </message>
+    <message>
+      <source>Triggered by</source>
+      <translation>触发方式</translation>
     </message>
     <message>
       <source>Uncertain</source>
@@ -11670,6 +12298,14 @@
       <translation>比例的不确定度</translation>
     </message>
     <message>
+      <source>Unit</source>
+      <translation>单位</translation>
+    </message>
+    <message>
+      <source>Unit ID</source>
+      <translation>站号</translation>
+    </message>
+    <message>
       <source>Unmatched</source>
       <translation>未匹配</translation>
     </message>
@@ -11678,16 +12314,40 @@
       <translation>上角点</translation>
     </message>
     <message>
-      <source>Validity</source>
-      <translation>有效性</translation>
+      <source>User</source>
+      <translation>用户</translation>
+    </message>
+    <message>
+      <source>User set</source>
+      <translation>用户设置集</translation>
+    </message>
+    <message>
+      <source>Valid for</source>
+      <translation>有效期</translation>
     </message>
     <message>
       <source>Value error, </source>
       <translation>数值错误，</translation>
     </message>
     <message>
+      <source>Video</source>
+      <translation>视频</translation>
+    </message>
+    <message>
+      <source>Virtual rig</source>
+      <translation>虚拟测量系统</translation>
+    </message>
+    <message>
       <source>Weighted least squares</source>
       <translation>加权最小二乘</translation>
+    </message>
+    <message>
+      <source>When a limit is exceeded</source>
+      <translation>超出限值时</translation>
+    </message>
+    <message>
+      <source>World</source>
+      <translation>虚拟环境</translation>
     </message>
     <message>
       <source>Zhang, then bundle adjustment of all cameras</source>
@@ -11712,6 +12372,18 @@
     <message>
       <source>brightness</source>
       <translation>亮度</translation>
+    </message>
+    <message>
+      <source>built-in</source>
+      <translation>内置</translation>
+    </message>
+    <message>
+      <source>bytes</source>
+      <translation>字节</translation>
+    </message>
+    <message>
+      <source>days</source>
+      <translation>天</translation>
     </message>
     <message>
       <source>dimension</source>
@@ -11770,6 +12442,10 @@
       <translation>刚刚</translation>
     </message>
     <message>
+      <source>location</source>
+      <translation>位置</translation>
+    </message>
+    <message>
       <source>no tolerance</source>
       <translation>无公差</translation>
     </message>
@@ -11780,6 +12456,10 @@
     <message>
       <source>or nothing for no verdict</source>
       <translation>或留空以不作判定</translation>
+    </message>
+    <message>
+      <source>orientation</source>
+      <translation>方向</translation>
     </message>
     <message>
       <source>part</source>
@@ -11864,6 +12544,10 @@
     <message>
       <source>{n} pass</source>
       <translation>{n} 合格</translation>
+    </message>
+    <message>
+      <source>{n} rejected</source>
+      <translation>{n} 个被剔除</translation>
     </message>
     <message>
       <source>{n} without tolerance</source>
@@ -12230,10 +12914,6 @@ The first run of this part counts.</source>
       <translation>搜索工件</translation>
     </message>
     <message>
-      <source>Serial number</source>
-      <translation>序列号</translation>
-    </message>
-    <message>
       <source>Shifts begin at</source>
       <translation>班次开始于</translation>
     </message>
@@ -12328,10 +13008,6 @@ The first run of this part counts.</source>
     <message>
       <source>The rig settles</source>
       <translation>测量系统正在稳定</translation>
-    </message>
-    <message>
-      <source>The settings</source>
-      <translation>设置</translation>
     </message>
     <message>
       <source>The two PINs differ.</source>
@@ -13043,10 +13719,6 @@ The first run of this part counts.</source>
     <message>
       <source>report templates</source>
       <translation>报告模板</translation>
-    </message>
-    <message>
-      <source>the header</source>
-      <translation>抬头</translation>
     </message>
     <message>
       <source>x from</source>
@@ -15031,10 +15703,6 @@ in danger use the emergency stop.</source>
     <message>
       <source>Undo the change of the plan</source>
       <translation>撤销计划更改</translation>
-    </message>
-    <message>
-      <source>Virtual rig</source>
-      <translation>虚拟测量系统</translation>
     </message>
     <message>
       <source>Welcome to MeasureApp</source>

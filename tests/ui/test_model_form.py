@@ -116,7 +116,7 @@ def test_boxes_and_park_pose_survive_the_form(qtbot):
     ("field", "entered", "words"),
     [
         ("ratio", "half", "Ratio: Enter a number."),
-        ("ratio", "0", "Ratio: Must be greater than 0.0."),
+        ("ratio", "0", "Ratio: Must be greater than 0."),
         ("count", "2.5", "Count: Enter a whole number."),
         ("count", "", "Count: Enter a whole number."),
         ("ratio", "nan", "Ratio: Enter a finite number."),
@@ -147,7 +147,7 @@ def test_a_problem_inside_a_folded_group_unfolds_it(qtbot):
     form.editors["park"].box.setChecked(True)
     line = form.editors["park"].inner.rows.editors["position_mm"].lines[1]
     assert line.isVisible()
-    assert form.problem() == "Park pose, position: Enter a number."
+    assert form.problem() == "Park pose, position (x, y, z): Enter a number."
 
 
 def test_a_box_without_a_volume_is_refused_in_words(qtbot):
@@ -169,6 +169,7 @@ def test_settings_without_a_model_are_lines_of_toml(qtbot):
 
 def test_names_are_words_with_units():
     assert field_words("speed_mm_per_s") == ("Speed", "mm/s")
+    assert field_words("speed_mm_s") == ("Speed", "mm/s") and field_words("acceleration_mm_s2") == ("Acceleration", "mm/s²")
     assert field_words("exposures_us") == ("Exposures", "µs")
     assert field_words("certificate_sha256") == ("Certificate SHA-256", "")
     assert place_words(("keep_out", 1, "low_mm", 0)) == "Keep-out boxes 2, lower corner"

@@ -6,6 +6,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from pydantic import ValidationError
 from PySide6.QtCore import QObject, Signal, Slot
 from PySide6.QtGui import QUndoCommand, QUndoStack
 
@@ -14,6 +15,7 @@ from ui.controllers.jobs import JobRunner
 from ui.controllers.plan_generation import Wanted, generate, order
 from ui.controllers.plan_part import PlanPart
 from ui.controllers.plan_prediction import PlanPrediction
+from ui.look.field_words import PROBLEMS, problem_sentence
 from ui.look.language.words import tr
 from ui.look.wording import percent, several
 from ui.messages import SHOW_RIG
@@ -112,7 +114,12 @@ class PlanningController(QObject):
 
     def refuse(self, error: MeasureError) -> None:
         """Tell why an entry cannot be taken over; editors show the former value again."""
-        self._session.tell(error.message, error.hint, "warning")
+        cause = error.__cause__
+        if isinstance(cause, ValidationError) and cause.errors()[0]["type"] in PROBLEMS:  # the core names the field as files do
+            words = tr("This is impossible: {problem}", problem=problem_sentence(cause.errors(include_url=False)[0]))
+            self._session.tell(words, error.hint, "warning")
+        else:
+            self._session.tell(error.message, error.hint, "warning")
         self.changed.emit()
 
     def duplicate(self, names: Sequence[str]) -> None:

@@ -6,7 +6,7 @@ import re
 from collections.abc import Mapping
 from typing import Any
 
-from ui.look.language.words import tr
+from ui.look.language.words import later, tr
 from ui.look.wording import sentence
 
 UNITS = {
@@ -15,6 +15,10 @@ UNITS = {
     "deg_per_s": "°/s",
     "mbit_per_s": "Mbit/s",
     "per_k": "1/K",
+    "mm_s2": "mm/s²",
+    "deg_s2": "°/s²",
+    "mm_s": "mm/s",
+    "deg_s": "°/s",
     "mm": "mm",
     "um": "µm",
     "us": "µs",
@@ -23,12 +27,13 @@ UNITS = {
     "deg": "°",
     "arcsec": "″",
     "px": "px",
-    "days": "days",
-    "bytes": "bytes",
+    "days": later("days"),
+    "bytes": later("bytes"),
     "ppm": "ppm",
     "k": "K",
     "c": "°C",
     "e": "e⁻",
+    "percent": "%",
 }
 """Endings of names and the units they stand for, the longest first."""
 PROPER = {"usb": "USB", "tcp": "TCP", "udp": "UDP", "id": "ID", "led": "LED", "egm": "EGM", "sha256": "SHA-256", "io": "I/O"}
@@ -54,13 +59,76 @@ LABELS = {
     "packet_bytes": "Packet size",
     "inter_packet_delay": "Delay between packets",
     "baudrate": "Baud rate",
-    "valid_days": "Validity",
+    "valid_days": "Valid for",
     "certified_mm": "Certified length at 20 °C",
     "uncertainty_mm": "Uncertainty (k = 2)",
     "number": "Number of the certificate",
     "scale_ppm": "Uncertainty of the scale",
     "head_expansion_per_k": "Thermal expansion of the head",
     "full_well_e": "Full well",
+    "position_mm": "Position (x, y, z)",
+    "rotation_deg": "Rotation (x, y, z)",
+    "serial": "Serial number",
+    "usb_serial": "Serial number of the USB adapter",
+    "width_px": "Image width",
+    "height_px": "Image height",
+    "pixel_um": "Size of a pixel",
+    "focal_mm": "Focal length",
+    "focal_px": "Focal length",
+    "model_file": "Kinematic model",
+    "shoulder_mm": "Position of the shoulder",
+    "min_reach_mm": "Least reach",
+    "max_reach_mm": "Largest reach",
+    "limits_mm": "Range of travel",
+    "limits_deg": "Range of rotation",
+    "absolute_accuracy_mm": "Accuracy of the position",
+    "absolute_accuracy_deg": "Accuracy of the orientation",
+    "joint_speeds_deg_s": "Speeds of the joints",
+    "speed_share": "Share of the joint speeds",
+    "speed_deg_s": "Speed of rotation",
+    "speed_deg_per_s": "Speed of rotation",
+    "acceleration_deg_s2": "Angular acceleration",
+    "ramp_s": "Time to accelerate",
+    "radial_error_mm": "Radial error motion",
+    "axial_error_mm": "Axial error motion",
+    "tilt_error_arcsec": "Tilt error motion",
+    "centre_in_guide_mm": "Centre in the guide frame",
+    "largest_temperature_change_k": "Largest change of temperature",
+    "when_exceeded": "When a limit is exceeded",
+    "move_timeout_s": "Longest duration of a move",
+    "sequence": "Triggered by",
+    "on_table": "Stands on the table",
+    "settled_s": "Interval of reads at rest",
+    "reads_apart_s": "Interval of reads at rest",
+    "poll_s": "Interval of reads in motion",
+    "loss_s": "Lost after",
+    "answer_s": "Lost after",
+    "rest_mm": "Tolerance at rest, position",
+    "rest_deg": "Tolerance at rest, angle",
+    "goal_mm": "Tolerance at the goal, position",
+    "goal_deg": "Tolerance at the goal, angle",
+    "model_mm": "Deviation from the kinematic model",
+    "tolerance": "Tolerance of the position",
+    "zero_counts": "Counts at zero",
+    "sense": "Sense of counting",
+    "order": "Order of the images",
+    "row_us": "Read-out of a row",
+    "readout_ms": "Read-out time",
+    "readout_s": "Read-out time",
+    "open_retry_s": "Longest wait for access",
+    "control_wait_s": "Longest wait for access",
+    "wake_timeout_s": "Longest wait for wake-up",
+    "start_timeout_s": "Longest wait for the start",
+    "reply_timeout_s": "Longest wait for a reply",
+    "login_patience_s": "Longest wait for a login",
+    "frame_us": "Duration of a frame",
+    "hold_cycle_us": "Cycle of a held pattern",
+    "exposure_in_name": "Exposure in the name",
+    "at_end": "After the last image",
+    "at_arm": "At a new sequence",
+    "part_turn_deg": "Rotation of the part",
+    "follows": "Follows the cell at",
+    "debounce_us": "Shortest trigger pulse",
 }
 """Labels of fields whose name says too little."""
 PROBLEMS = {
@@ -84,8 +152,8 @@ PROBLEMS = {
 def field_words(name: str) -> tuple[str, str]:
     """Return the label and the unit of a field.
 
-    >>> field_words("reply_timeout_s"), field_words("usb_serial")
-    (('Reply timeout', 's'), ('USB serial', ''))
+    >>> field_words("angle_tolerance_deg"), field_words("led_current")
+    (('Angle tolerance', '°'), ('LED current', ''))
     """
     ending = next((ending for ending in UNITS if name.endswith(f"_{ending}")), "")
     words = name.removesuffix(f"_{ending}").split("_") if ending else name.split("_")
@@ -102,7 +170,8 @@ def problem_words(problem: Mapping[str, Any]) -> str:
         return tr("Give at least {limits}.", limits=limits["min_length"])
     known = PROBLEMS.get(kind)
     if known:
-        return sentence(tr(known, **limits))
+        plain = {name: f"{value:g}" if isinstance(value, float) else value for name, value in limits.items()}
+        return tr("{problem}.", problem=tr(known, **plain))
     return sentence(NAME.sub(lambda name: field_words(name.group())[0].lower(), str(problem["msg"]).removeprefix("Value error, ")))
 
 
@@ -116,7 +185,13 @@ def place_words(place: tuple[int | str, ...]) -> str:
     for step in place:
         if isinstance(step, str):
             label = field_words(step)[0]
-            parts.append(label if not parts else label[:1].lower() + label[1:])
+            parts.append(tr("{label:lower}", label=label) if parts else label)
         elif parts and step is not place[-1]:
-            parts[-1] += f" {step + 1}"
+            parts[-1] = tr("{label} {number}", label=parts[-1], number=step + 1)
     return ", ".join(parts)
+
+
+def problem_sentence(problem: Mapping[str, Any]) -> str:
+    """Return a validation problem with the field that it concerns."""
+    where = place_words(problem["loc"])
+    return tr("{where}: {problem}", where=where, problem=problem_words(problem)) if where else problem_words(problem)

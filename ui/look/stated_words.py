@@ -39,6 +39,8 @@ STAGES = (
     "Scan with storing and clouds",
     later("Clouds"),
     later("Stitching"),
+    later("Surroundings"),
+    later("Storing"),
     later("Checks"),
     later("Inspection"),
     later("Surface"),
@@ -51,4 +53,19 @@ REASONS = (later("Unmatched"), later("Ambiguous"), later("Contradicted"), later(
 CONTRIBUTIONS = (later("Systematic"),)
 CHECKS = (later("brightness"), later("time"))  # of the error model, whose other names are several words
 NEEDED = ("one feature", "two features", "is not a blade_section", "is a blade_section", "or nothing for no verdict")
+DRIVERS = (  # as they name themselves
+    "Axes on Modbus: TOYO, IAI, Oriental Motor, SMC",
+    "Basler camera (pylon)",
+    "Camera of recorded images",
+    "GenICam camera (GigE Vision, USB3 Vision)",
+    "TI LightCrafter 4500 (DLPC350)",
+    "Projector as a second screen",
+    "ABB robot (Robot Web Services)",
+    "Robot with the MeasureApp line protocol",
+    "Rotary tables on a serial line: Newport, OWIS, Sigma-Koki",
+    "Virtual rig",
+)
+FIXED = (later("location"), later("orientation"))  # by datums, in sentences about those that do not
+LISTED = ("{n} rejected",)  # after the number of points of each feature of a value
+TEMPLATE = later("built-in")  # name of the shipped template of reports
 SUBJECTS = ("the program", "the alignment", "the alignment {name}", "dimension {name}")  # of refused changes

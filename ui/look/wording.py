@@ -78,6 +78,11 @@ def several(value: int, one: str, many: str = "") -> str:
     return tr("{count} {noun}", count=counted(value), noun=one if value == 1 else many or one + "s")
 
 
+def with_hint(text: str, hint: str) -> str:
+    """Return a message with its hint; both follow the language, which a text that was merely joined would not do."""
+    return tr("{text} {hint}", text=translated(text), hint=translated(hint)) if text and hint else translated(text or hint)
+
+
 def duration(seconds: float) -> str:
     """Format a duration: ``45 s``, ``2 min 10 s``, ``1 h 05 min``."""
     whole = max(0, round(seconds))

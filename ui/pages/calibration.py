@@ -111,7 +111,7 @@ class CalibrationPage(Page):
 
         if not self._offers:
             for kind in KINDS.values():
-                action = self.calibrate.menu().addAction(f"{kind.words.action}…", partial(self.open_wizard, kind.name))
+                action = self.calibrate.menu().addAction(translated(f"{kind.words.action}…"), partial(self.open_wizard, kind.name))
                 action.setToolTip(translated(kind.words.tip))
                 self._offers[kind.name] = action
         there = {"": True, "cameras": self.session.cameras is not None, "rig": self.session.calibration is not None}

@@ -11,11 +11,12 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QDialog, QFrame, QLineEdit, QScrollArea, QWidget
 
 from measureapp.data.identification import FIELDS, LABELS, LONGEST_LINE, LONGEST_TEXT, Identification
-from measureapp.data.model import first_problem
 from measureapp.errors import MeasureError
 from ui.controllers.report_header import ReportHeader, TemplateChoice, read_choice
+from ui.look.field_words import problem_words
 from ui.look.language.words import tr, translated
 from ui.look.look import Look
+from ui.look.wording import with_hint
 from ui.settings.dialogs import choose_folder
 from ui.widgets.basic import Button, CalmComboBox, Form, column, label, row
 from ui.widgets.path_field import PathField
@@ -85,7 +86,7 @@ class HeaderDialog(QDialog):
         self.template.clear()
         for one in templates:
             self.template.addItem(one.words, one)
-        self.template.addItem(ANOTHER)
+        self.template.addItem(translated(ANOTHER))
         self.template.setCurrentIndex(templates.index(chosen))
         self._chosen = chosen
         own = chosen.source is None and not chosen.of_project
@@ -109,7 +110,7 @@ class HeaderDialog(QDialog):
         try:
             found = read_choice(folder)
         except MeasureError as error:
-            self._refuse(f"{error.message} {error.hint}")
+            self._refuse(with_hint(error.message, error.hint))
             return None
         self.problem.hide()
         return found
@@ -122,7 +123,8 @@ class HeaderDialog(QDialog):
         try:
             identification = self.value()
         except ValidationError as error:
-            self._refuse(first_problem(error, "the header"))
+            problem = error.errors(include_url=False)[0]
+            self._refuse(tr("{field}: {problem}", field=LABELS[str(problem["loc"][0])], problem=problem_words(problem)))
             return
         logo = self.logo.value()
         if logo is not None and not logo.is_file():

@@ -67,7 +67,8 @@ class ProjectMenu(QObject):
             if action is None:
                 menu.addSeparator()
                 continue
-            entry = menu.addAction(f"{action.text}\t{QKeySequence(action.shortcut).toString()}" if action.shortcut else action.text)
+            words = translated(action.text)
+            entry = menu.addAction(f"{words}\t{QKeySequence(action.shortcut).toString()}" if action.shortcut else words)
             reason = actions.reason(action)
             entry.setEnabled(not reason)
             entry.setToolTip(translated(reason))
@@ -88,7 +89,7 @@ class ProjectMenu(QObject):
 
     def _offer_samples(self, menu: QMenu, actions: Actions) -> None:
         for name, words in SAMPLES.items():
-            entry = menu.addAction(sentence_case(words))
+            entry = menu.addAction(translated(sentence_case(words)))
             entry.setEnabled(not self._session.busy_with)
             entry.triggered.connect(lambda _=False, chosen=f"sample.{name}": actions.perform(chosen))
 

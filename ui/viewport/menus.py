@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QLocale, QPoint, Qt
 from PySide6.QtWidgets import QLineEdit, QMenu, QWidget
 
-from ui.look.language.words import tr
+from ui.look.language.words import tr, translated
 from ui.look.wording import MINUS
 from ui.viewport.overlay.legend import Legend
 from ui.viewport.overlay.legend_edits import STEP_CHOICES, Handle, reset, swapped, symmetric, value_of, with_value
@@ -83,13 +83,13 @@ def legend_menu(parent: QWidget, legend: Legend, edit: Callable[[Legend], None])
 
 
 def _add(menu: QMenu, words: str, action: Callable[[], object], key: str = "") -> object:
-    made = menu.addAction(f"{words}\t{key}" if key else words)
+    made = menu.addAction(f"{translated(words)}\t{key}" if key else translated(words))
     made.triggered.connect(lambda _checked=False: action())
     return made
 
 
 def _check(menu: QMenu, words: str, checked: bool, action: Callable[[], object], key: str = "") -> object:
-    made = menu.addAction(f"{words}\t{key}" if key else words)
+    made = menu.addAction(f"{translated(words)}\t{key}" if key else translated(words))
     made.setCheckable(True)
     made.setChecked(checked)
     made.triggered.connect(lambda _checked=False: action())

@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QFrame, QLabel, QProgressBar, QSizePolicy, QWidget
 
 from ui.look.language.words import tr, translated
 from ui.look.look import Look
-from ui.look.wording import duration
+from ui.look.wording import duration, with_hint
 from ui.widgets.basic import Button, column, label, row
 
 LEVEL_ICONS = {"info": ("info", "soft"), "done": ("pass", "verdict_pass"), "warning": ("warning", "verdict_not_proven")}
@@ -60,6 +60,7 @@ class JobStrip(QFrame):
         self.show_job("")
         self.show_open(0)
         look.changed.connect(self._redraw)
+        look.changed.connect(self._fit_message)  # an elided text does not follow the language
 
     def _job_area(self) -> QWidget:
         area = QWidget()
@@ -96,7 +97,7 @@ class JobStrip(QFrame):
     def show_message(self, text: str, hint: str, level: str) -> None:
         """Show one message with its hint; empty: none."""
         self._level = level
-        self.words = f"{text} {hint}".strip()
+        self.words = with_hint(text, hint)
         self.message.setToolTip(tr("{words}\nClick to see all messages.", words=self.words) if self.words else tr("Show all messages"))
         self.message.setAccessibleName(translated(self.words))
         self._fit_message()
@@ -116,7 +117,7 @@ class JobStrip(QFrame):
 
     def _fit_message(self) -> None:
         room = max(80, self.message.width() - 24)
-        self.message.setText(translated(self.message.fontMetrics().elidedText(self.words, Qt.TextElideMode.ElideRight, room)))
+        self.message.setText(self.message.fontMetrics().elidedText(translated(self.words), Qt.TextElideMode.ElideRight, room))
 
     def _on_cancel(self) -> None:
         self.cancel.setEnabled(False)

@@ -13,7 +13,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QAbstractButton, QLabel, QPushButton, QWidget
 
 from measureapp.data.model import Model
-from ui.look.field_words import field_words, place_words, problem_words
+from ui.look.field_words import field_words, place_words, problem_sentence, problem_words
 from ui.look.language.words import tr, translated
 from ui.widgets.basic import Form, clear, column, label, row
 from ui.widgets.field_editors import (
@@ -62,7 +62,7 @@ class FieldRows(FieldEditor):
         for inner in (editor, *editor.findChildren(QWidget)):
             if inner is editor or (inner.focusPolicy() != Qt.FocusPolicy.NoFocus and not inner.accessibleName()):
                 own = inner.text() if isinstance(inner, QAbstractButton) else ""
-                inner.setAccessibleName(f"{words}: {own}" if own else translated(words))
+                inner.setAccessibleName(translated(f"{words}: {own}" if own else words))
         self.editors[name], self._notes[name] = editor, note
         cell = QWidget()
         cell.setLayout(column(editor, note, spacing=2))
@@ -87,7 +87,7 @@ class FieldRows(FieldEditor):
         """Show a problem below the field at ``place``, else below all fields."""
         name = str(place[0]) if place else ""
         if name not in self.editors:
-            self.note.setText(translated(words) if not name else f"{place_words(place)}: {words}")
+            self.note.setText(translated(f"{place_words(place)}: {words}" if name else words))
             self.note.show()
         elif not self.editors[name].place_problem(place[1:], words):
             self._notes[name].setText(translated(words))
@@ -314,12 +314,6 @@ def start_value(field: FieldInfo) -> Any:
     if not field.is_required():
         return field.get_default(call_default_factory=True)
     return {} if _is_model(field.annotation) else None
-
-
-def problem_sentence(problem: Mapping[str, Any]) -> str:
-    """Return a validation problem with the field that it concerns."""
-    where = place_words(problem["loc"])
-    return f"{where}: {problem_words(problem)}" if where else problem_words(problem)
 
 
 def _by_field(value: Any) -> Mapping[str, Any]:

@@ -7,7 +7,7 @@ from PySide6.QtWidgets import QFrame, QLabel, QProgressBar, QPushButton, QWidget
 
 from ui.look.language.words import translated
 from ui.look.look import Look
-from ui.look.wording import sentence_case
+from ui.look.wording import sentence_case, with_hint
 from ui.widgets.basic import Button, column, label, row
 from ui.widgets.job_strip import LEVEL_ICONS
 
@@ -32,7 +32,7 @@ class MessageLine(QFrame):
     def show_message(self, text: str, hint: str = "", level: str = "info") -> None:
         """Show a message; an empty text clears the line."""
         self._level = level
-        self.words.setText(f"{text} {hint}".strip())
+        self.words.setText(with_hint(text, hint))
         self._redraw()
 
     def _redraw(self) -> None:

@@ -46,11 +46,12 @@ class Catalogue:
             for pattern, source in self._patterns.get(word, ()):
                 match = pattern.fullmatch(text)
                 fixed = len(PLACEHOLDER.sub("", source))
-                if match is not None and (best is None or fixed > best[0]):
+                if match is not None and (best is None or fixed > best[0]) and not _repeated(source, match):
                     best = fixed, source, match.groupdict()
         return None if best is None else best[1:]
 
 
+LETTER = re.compile(r"[A-Za-z]")
 WORD = re.compile(r"[A-Za-z]{3,}")
 PLACEHOLDER = re.compile(r"(?<!\{)\{(\w+)[^{}]*\}(?!\})")
 
@@ -114,6 +115,12 @@ def _names(text: str) -> list[str] | None:
         return None
 
 
+def _repeated(source: str, match: re.Match[str]) -> bool:
+    """Whether a value contains a fixed piece of its template again: the text lists several, which are translated one by one."""
+    piece = max(PLACEHOLDER.split(source)[::2], key=len)
+    return WORD.search(piece) is not None and any(piece in value for value in match.groups())
+
+
 def _patterns(entries: Iterable[Entry]) -> dict[str, list[tuple[re.Pattern[str], str]]]:
     """Return patterns of the translated templates by a fixed word that a text must contain to match."""
     found: dict[str, list[tuple[re.Pattern[str], str]]] = defaultdict(list)
@@ -122,7 +129,7 @@ def _patterns(entries: Iterable[Entry]) -> dict[str, list[tuple[re.Pattern[str],
             continue
         pieces = PLACEHOLDER.split(entry.source)
         words = [word for piece in pieces[::2] for word in WORD.findall(piece)]
-        if sum(map(len, words)) < LEAST_LETTERS:
+        if not words or len(LETTER.findall("".join(pieces[::2]))) < LEAST_LETTERS:
             continue  # such as "{a} of {b}": it would match too much
         seen: set[str] = set()
         text = ""

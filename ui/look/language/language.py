@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cache
+
 from PySide6.QtCore import QLibraryInfo, QLocale, QObject, QTranslator, Signal
 from PySide6.QtGui import QFontDatabase
 from PySide6.QtWidgets import QApplication
@@ -20,6 +22,13 @@ def system_language() -> str:
     """Return the language of the operating system if the window has it, else English."""
     name = QLocale.system().name()
     return next((one for one in LANGUAGES if name.startswith(one.split("_")[0]) and one != "en"), "en")
+
+
+@cache
+def load_fonts(name: str) -> None:
+    """Load the fonts of a language: Qt takes letters from them that the window's font lacks."""
+    for font in FONTS.get(name, ()):
+        QFontDatabase.addApplicationFont(str(resource(f"fonts/{font}")))
 
 
 class Language(QObject):
@@ -55,5 +64,4 @@ class Language(QObject):
             return
         if self._translator.load(f"qtbase_{self.name}", QLibraryInfo.path(QLibraryInfo.LibraryPath.TranslationsPath)):
             application.installTranslator(self._translator)
-        for font in FONTS.get(self.name, ()):  # Qt takes letters that the window's font lacks from them
-            QFontDatabase.addApplicationFont(str(resource(f"fonts/{font}")))
+        load_fonts(self.name)

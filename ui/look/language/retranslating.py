@@ -13,11 +13,13 @@ from PySide6.QtWidgets import (
     QAbstractItemView,
     QApplication,
     QComboBox,
+    QDoubleSpinBox,
     QGroupBox,
     QLabel,
     QLineEdit,
     QMenu,
     QPlainTextEdit,
+    QSpinBox,
     QTabBar,
     QWidget,
 )
@@ -123,6 +125,8 @@ def _texts(one: QObject) -> Iterator[tuple[Getter, Setter]]:
         yield one.text, one.setText
     elif isinstance(one, QLineEdit | QPlainTextEdit):
         yield one.placeholderText, one.setPlaceholderText
+    elif isinstance(one, QSpinBox | QDoubleSpinBox):
+        yield one.suffix, one.setSuffix
     elif isinstance(one, QGroupBox | QMenu):
         yield one.title, one.setTitle
     elif isinstance(one, QTabBar):

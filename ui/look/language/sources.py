@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from measureapp.resources import resource
+from ui.look.field_words import field_words
 
 ROOT = resource("languages").parent.parent
 WORDS = re.compile(r"[A-Za-z]{2}")
@@ -35,6 +36,7 @@ TOLD = {
     ("data", "consistency.py"),
     ("data", "surroundings.py"),
     ("data", "axis_motions.py"),
+    ("data", "identification.py"),
     ("fringe", "patterns", "check.py"),
     ("planning", "collision"),
     ("planning", "reach.py"),
@@ -51,9 +53,12 @@ REFUSING = {
     ("data", "dimension_program.py"),
     ("data", "feature_program.py"),
     ("data", "inspection_program.py"),
+    ("data", "part_temperature.py"),
     ("data", "standard_tolerances.py"),
     ("data", "tolerance_text.py"),
 }  # files whose `ValueError` says why what was entered cannot be used
+FORMS = ("measureapp/data/rig.py", "measureapp/data/cell.py", "measureapp/data/length_certificate.py", "plugins/*/settings.py")
+"""Files of models whose fields the window shows as forms, labelled after their names."""
 UNTRANSLATED = {
     "TypeVar",
     "setObjectName",
@@ -78,7 +83,19 @@ def window_texts() -> dict[str, str]:
             continue
         for text in _texts(ast.parse(path.read_text(encoding="utf-8"))):
             found.setdefault(text, place[1] if place[0] in ("pages", "wizards") and len(place) > 2 else place[0].removesuffix(".py"))
+    for label in _field_labels():
+        found.setdefault(label, "look")
     return found
+
+
+def _field_labels() -> Iterator[str]:
+    """Yield the labels of the fields of all models that forms are made of."""
+    for path in sorted(path for pattern in FORMS for path in ROOT.glob(pattern)):
+        for one in ast.parse(path.read_text(encoding="utf-8")).body:
+            if isinstance(one, ast.ClassDef) and one.bases:
+                for field in one.body:
+                    if isinstance(field, ast.AnnAssign) and isinstance(field.target, ast.Name):
+                        yield field_words(field.target.id)[0]
 
 
 def core_texts() -> dict[str, str]:

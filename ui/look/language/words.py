@@ -101,13 +101,19 @@ class Translator:
         constant = text.replace("{", "{{").replace("}", "}}")  # as a template without values
         if catalogue.translation(constant) is not None:
             return self.translate(constant, {})
-        found = catalogue.find_template(text)
+        found = None if self._is_list(catalogue, text) else catalogue.find_template(text)
         if found is not None:
             return self.translate(*found)
         if text[-1] == "." and (catalogue.translation(text[:-1]) is not None or catalogue.find_template(text[:-1]) is not None):
             return self.translate("{words}.", {"words": text[:-1]})  # a reason as a sentence of its own
         made = self._in_pieces(text)
         return self._begun_otherwise(text) if made == text else made
+
+    @staticmethod
+    def _is_list(catalogue: Catalogue, text: str) -> bool:
+        """Whether a text lists constants, such as motions; a template that ends in a value would take the rest of the list for it."""
+        items = text.split(", ")
+        return len(items) > 1 and all(catalogue.translation(item) is not None for item in items)
 
     def _begun_otherwise(self, text: str) -> str:
         """Translate a text that is known with another case of its first letter, as where it became part of a sentence; names are one word."""

@@ -129,7 +129,7 @@ class AlignmentPanel(QFrame):
             tr("{name}: residual {off}.", name=sentence_case(name), off=millimetres(off)) for name, off in alignment.residuals_mm.items()
         ]
         words += [sentence(tr("not determined: {motion}", motion=motion)) for motion in alignment.undetermined]
-        self.result.setText(" ".join((*words, *alignment.notes)))
+        self.result.setText(translated(" ".join((*words, *alignment.notes))))
 
     def _reset(self) -> None:
         from measureapp.data.alignment_program import alignment_features

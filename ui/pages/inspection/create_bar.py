@@ -94,7 +94,7 @@ class CreateBar(QFrame):
         shapes = self._creating.constructions(names)
         self.menu.clear()
         for shape in shapes:
-            self.menu.addAction(CONSTRUCTIONS[shape], lambda shape=shape: self._construct(shape)).setData(shape)
+            self.menu.addAction(translated(CONSTRUCTIONS[shape]), lambda shape=shape: self._construct(shape)).setData(shape)
         self.construct.setVisible(bool(shapes))
         for widget in (self.distance_words, self.distance):
             widget.setVisible(not set(WITH_DISTANCE).isdisjoint(shapes))
@@ -141,4 +141,4 @@ def proposal_words(proposal: Proposal) -> str:
     if "nominal" not in entry:
         return tr("{kind}, width {millimetres}", kind=kind, millimetres=millimetres(float(entry.get("upper_tolerance", 0.1))))
     unit = "°" if proposal.kind in ("angle", "cone_angle") else "mm"
-    return f"{kind} {quantity(float(entry['nominal']), unit)}"
+    return tr("{kind} {nominal}", kind=kind, nominal=quantity(float(entry["nominal"]), unit))

@@ -79,7 +79,7 @@ class DimensionBar(QWidget):
             self.kind.addItem(translated(kind.words), name)
         for box, words in ((self.kind, "Kind of dimension"), (self.first, "First feature"), (self.second, "Second feature")):
             box.setAccessibleName(translated(words))
-            box.setToolTip(f"{words}. {HOW}." if box is not self.kind else translated(words))
+            box.setToolTip(translated(f"{words}. {HOW}." if box is not self.kind else words))
             box.setMinimumContentsLength(5)
             box.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon)
         self.joined = label("to", "soft")

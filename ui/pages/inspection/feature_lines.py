@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ui.look.language.words import tr
+from ui.look.language.words import tr, translated
 from ui.look.theme import Theme
 from ui.look.wording import quantity
 from ui.pages.inspection.dimension_rows import dimension_words, features_of, unit_of
@@ -15,6 +15,7 @@ from ui.pages.inspection.outlines import outline
 from ui.pages.inspection.section_lines import Whiskers, blade_layers
 from ui.pages.layers import rgb
 from ui.viewport.layers import Label, LineLayer
+from ui.widgets.data_table import VERDICT_WORDS
 
 if TYPE_CHECKING:
     from measureapp.data.dimension import Dimension
@@ -69,7 +70,8 @@ def dimension_labels(
         mine = [feature for name, feature in features_of(dimension, known) if feature is not None and name in dimension.features]
         if not mine:
             continue
-        words = f"{dimension_words(dimension.name)} {quantity(dimension.measured, unit_of(dimension), 3)}   {dimension.verdict}"
+        measured, verdict = quantity(dimension.measured, unit_of(dimension), 3), VERDICT_WORDS.get(dimension.verdict, dimension.verdict)
+        words = f"{dimension_words(dimension.name)} {measured}   {translated(verdict)}"
         if sections is not None and dimension.name in sections.profiles:
             words += tr("   magnified x {gain}", gain=Whiskers.of(sections.profiles[dimension.name]).gain)
         place = np.array([feature.point_mm for feature in (mine[:1] if len(mine) > 2 else mine)]).mean(axis=0)

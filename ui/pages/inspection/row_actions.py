@@ -12,7 +12,7 @@ from PySide6.QtWidgets import QMenu
 from measureapp.data.control_frame import CHARACTERISTICS
 from ui.controllers.program_rows import DimensionRow
 from ui.controllers.programming import ProgrammingController
-from ui.look.language.words import tr
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.look.wording import several
 from ui.pages.inspection.cell_edits import apply_edit, one_after_the_other
@@ -151,7 +151,7 @@ class RowActions(QObject):
             if act is None:
                 menu.addSeparator()
                 continue
-            action = menu.addAction(words, act)
+            action = menu.addAction(translated(words), act)
             action.setShortcut(QKeySequence(key))
             action.setEnabled(can)
             if act == self.edit_frame:

@@ -96,5 +96,5 @@ class LoadScreen(QWidget):
         why = self._controller.why_not()
         self.confirm.setText(translated(CONFIRMED) if self.confirm.done else translated(CONFIRM))
         self.start.setEnabled(not why and self.confirm.done)
-        self.why.setText("\n".join(why))
+        self.why.setText(translated("\n".join(why)))
         self.why.setVisible(bool(why))

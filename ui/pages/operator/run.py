@@ -10,7 +10,7 @@ from ui.controllers.controllers import Controllers
 from ui.controllers.operator_nouns import Fault
 from ui.look.language.words import tr, translated
 from ui.look.look import Look
-from ui.look.wording import duration, rough_duration
+from ui.look.wording import duration, rough_duration, with_hint
 from ui.pages.layers import PlacedClouds, placements_of, view_layer
 from ui.pages.operator.big import BigButton, HoldButton, big_card, big_label
 from ui.pages.operator.part_view import PartView
@@ -154,7 +154,7 @@ class RunScreen(QWidget):
         self.pause.setVisible(not paused)
         self.pause.setEnabled(run.state == "running")
         self.go_on.setVisible(paused)
-        self.paused.setText(f"{run.cause} {run.remedy}".strip() if paused else "")
+        self.paused.setText(with_hint(run.cause, run.remedy) if paused else "")
         if fault is not None:
             self._show_fault(fault)
         self._show_progress()

@@ -5,13 +5,14 @@ from __future__ import annotations
 from pydantic import ValidationError
 from PySide6.QtWidgets import QDialog, QLineEdit, QWidget
 
-from measureapp.data.model import first_problem
 from measureapp.errors import MeasureError
 from measureapp.project.operator_settings import OperatorSettings, operator_file, read_operator_settings
 from ui.controllers.operator import OperatorController
 from ui.controllers.operator_roles import RoleController
+from ui.look.field_words import problem_sentence
 from ui.look.language.words import tr, translated
 from ui.look.look import Look
+from ui.look.wording import with_hint
 from ui.pages.operator.releases import Releases
 from ui.widgets.basic import Button, Form, column, label, row
 from ui.widgets.number_field import NumberField
@@ -73,7 +74,7 @@ class OperatorSetupDialog(QDialog):
         try:
             self._settings = read_operator_settings(operator_file())
         except MeasureError as error:
-            self.problem.setText(f"{error.message} {error.hint}")
+            self.problem.setText(with_hint(error.message, error.hint))
         self.programs.setValue(self._settings.programs_folder)
         self.parts.setValue(self._settings.parts_folder)
         self.shifts.setText(", ".join(self._settings.shift_starts))
@@ -100,7 +101,7 @@ class OperatorSetupDialog(QDialog):
         try:
             settings = self.value()
         except ValidationError as error:
-            self.problem.setText(f"{first_problem(error, 'The settings')}.")
+            self.problem.setText(translated(problem_sentence(error.errors(include_url=False)[0])))
             return
         pin = self.pin.text()
         if pin != self.again.text():

@@ -164,7 +164,7 @@ class VerdictScreen(QWidget):
         filed = self._operator.filed
         problems = [DRIFTED] if self._drifted else []
         problems += [filed.problem] if filed is not None and filed.problem else []
-        self.problem.setText("\n".join(problems))
+        self.problem.setText(translated("\n".join(problems)))
         self.problem.setVisible(bool(problems))
         words = "The result is being filed…"
         if filed is not None:

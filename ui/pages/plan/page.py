@@ -191,11 +191,12 @@ class PlanPage(ViewportPage):
         if plan is None:
             self.state.setText(tr("No scan plan."))
             return
-        words = [several(len(plan), "viewpoint")]
+        viewpoints = several(len(plan), "viewpoint")
         if found is not None and found.plan is plan:
             count = len(found.check.sentences())
-            words.append(tr("about {time_s}, {bytes}", time_s=duration(found.check.time_s), bytes=storage(found.check.bytes)))
-            words.append(f"{several(count, 'problem')}" if count else "nothing prevents the scan")
+            size = tr("about {time_s}, {bytes}", time_s=duration(found.check.time_s), bytes=storage(found.check.bytes))
+            verdict = several(count, "problem") if count else "nothing prevents the scan"
+            said = tr("{viewpoints}, {size} · {verdict}.", viewpoints=viewpoints, size=size, verdict=translated(verdict))
             sentences = found.check.sentences()
             self.tree.show_states(
                 {
@@ -204,10 +205,9 @@ class PlanPage(ViewportPage):
                 }
             )
         else:
-            words.append("being checked…")
+            said = tr("{viewpoints}, {verdict}", viewpoints=viewpoints, verdict=tr("being checked…"))
             self.tree.show_states({})
-        said = ", ".join(translated(one) for one in words[:2]) + "".join(f" · {translated(part)}" for part in words[2:])
-        self.state.setText(said if said.endswith("…") else f"{said}.")
+        self.state.setText(said)
 
     def _show_problem(self) -> None:
         """Say below the picture why the selected viewpoint, or the whole plan, cannot be scanned."""
@@ -217,7 +217,7 @@ class PlanPage(ViewportPage):
             *sentences.get("", []),
             *([] if viewpoint is None else [f"{viewpoint.id}: {one}" for one in sentences.get(viewpoint.id, [])]),
         ]
-        self.problem.setText("\n".join(words))
+        self.problem.setText(translated("\n".join(words)))
         self.problem.setVisible(bool(words))
 
     @Slot()

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QCheckBox, QDialog, QListWidget, QListWidgetItem, 
 from ui.controllers.repeats import RepeatsController
 from ui.look.language.words import tr, translated
 from ui.look.look import Look
-from ui.look.wording import several
+from ui.look.wording import several, with_hint
 from ui.pages.repeats.rows import HEADERS, NUMERIC, rows_of
 from ui.session import Session
 from ui.settings.dialogs import choose_folder
@@ -171,7 +171,7 @@ class RepeatsDialog(QDialog):
     def _show_refusal(self, error: MeasureError) -> None:
         self.study = None
         self.table.set_rows([])
-        self.words.setText(f"{error.message} {error.hint}")
+        self.words.setText(with_hint(error.message, error.hint))
         self._show()
 
     @Slot()

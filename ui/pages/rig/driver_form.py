@@ -11,6 +11,7 @@ from PySide6.QtGui import QStandardItem, QStandardItemModel
 from measureapp.data.rig import RECORDED
 from measureapp.devices.plugin_loader import PluginKind, PluginOffer
 from ui.look.language.words import tr, translated
+from ui.look.wording import with_hint
 from ui.pages.rig.rig_draft import loaded
 from ui.widgets.basic import CalmComboBox, Form, clear, column, label
 from ui.widgets.field_editors import FieldEditor, TableEditor
@@ -74,7 +75,7 @@ class DriverForm(FieldEditor):
         items = self.box.model()
         assert isinstance(items, QStandardItemModel)
         for name, (words, problem) in entries.items():
-            item = QStandardItem(tr("{words} – not loaded", words=words) if problem else words)
+            item = QStandardItem(tr("{words} – not loaded", words=words) if problem else translated(words))
             item.setData(name, Qt.ItemDataRole.UserRole)
             item.setToolTip(translated(problem))
             item.setEnabled(not problem or name == chosen)
@@ -97,10 +98,10 @@ class DriverForm(FieldEditor):
 
     def _settings_editor(self) -> FieldEditor | None:
         row = next((offer.row for offer in self._offers if offer.row.id == self.driver), None)
-        problem = "" if row is None else f"{row.problem} {row.hint}".strip()
+        problem = "" if row is None else with_hint(row.problem, row.hint)
         known = loaded(self._offers, self.driver, self._drives)
         values = self._remembered.get(self.driver, {})
-        self.note.setText(f"{problem} {NO_MODEL}".strip() if known is None else "")
+        self.note.setText(with_hint(problem, NO_MODEL) if known is None else "")
         self._problem.hide()
         if known is not None:
             self.note.setText(translated(_unknown(values, known.settings.model_fields)))

@@ -33,7 +33,7 @@ class Problem:
     def sentence(self) -> str:
         """The problem with its field."""
         where = place_words(self.place)
-        return f"{where}: {self.words}" if where else self.words
+        return tr("{where}: {problem}", where=where, problem=self.words) if where else self.words
 
 
 def kind_of(device: str) -> PluginKind:

@@ -283,7 +283,9 @@ class RigEditor(QDialog):
                 part.clear_problems()
         if isinstance(found, Problem) and found.part in self.parts.get(found.section, {}):
             self.parts[found.section][found.part].place_problem(found.place, found.words)
-        self.problem_words.setText(f"{self._title(found.section)}: {found.sentence}" if isinstance(found, Problem) else "")
+        self.problem_words.setText(
+            tr("{section}: {problem}", section=self._title(found.section), problem=found.sentence) if isinstance(found, Problem) else ""
+        )
         for button in (self.save, self.save_as):
             button.setEnabled(not isinstance(found, Problem))
         for place, name in enumerate(self.sections):

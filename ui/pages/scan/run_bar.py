@@ -7,6 +7,7 @@ from PySide6.QtWidgets import QWidget
 
 from ui.look.language.words import translated
 from ui.look.look import Look
+from ui.look.wording import with_hint
 from ui.session import RunNow
 from ui.widgets.basic import Button, label, row
 
@@ -47,7 +48,7 @@ class RunBar(QWidget):
         self.resume.setVisible(run.state == "paused")
         self.skip.setVisible(running)
         self.retake.setVisible(can_retake)
-        paused = f"{run.cause} {run.remedy}".strip() or "Paused."
+        paused = with_hint(run.cause, run.remedy) or "Paused."
         pausing = run.cause or "Pausing: the rig comes to a safe stop…"
         self.words.setText(
             translated(pausing) if run.state == "pausing" else translated(paused) if run.state == "paused" else translated(words)

@@ -12,6 +12,7 @@ from ui.controllers.series import ReadSeries, SeriesController
 from ui.look.language.retranslating import GIVEN
 from ui.look.language.words import tr, translated
 from ui.look.look import Look
+from ui.look.wording import with_hint
 from ui.pages.series.rows import HEADERS, NUMERIC, rows_of, summary
 from ui.session import Session
 from ui.settings.dialogs import choose_folder
@@ -101,7 +102,7 @@ class SeriesDialog(QDialog):
 
     @Slot(object)
     def _show_refusal(self, error: MeasureError) -> None:
-        self.words.setText(f"{error.message} {error.hint}")
+        self.words.setText(with_hint(error.message, error.hint))
 
     def _show_chart(self, place: int) -> None:
         known = self.found is not None and 0 <= place < len(self.found.trends)

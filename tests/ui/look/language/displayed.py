@@ -7,7 +7,19 @@ from collections.abc import Iterator
 import pytest
 from PySide6.QtCore import QAbstractItemModel, QAbstractListModel, QAbstractTableModel, QModelIndex, QObject, Qt
 from PySide6.QtGui import QAction, QPainter
-from PySide6.QtWidgets import QAbstractButton, QAbstractItemView, QComboBox, QGroupBox, QHeaderView, QLabel, QLineEdit, QTabBar, QWidget
+from PySide6.QtWidgets import (
+    QAbstractButton,
+    QAbstractItemView,
+    QComboBox,
+    QDoubleSpinBox,
+    QGroupBox,
+    QHeaderView,
+    QLabel,
+    QLineEdit,
+    QSpinBox,
+    QTabBar,
+    QWidget,
+)
 
 MOST_ROWS = 30
 
@@ -24,6 +36,8 @@ def displayed_texts(top: QWidget) -> Iterator[tuple[str, str]]:
             yield kind, getattr(widget, "words", "") if hasattr(widget, "set_words") else widget.text()
         elif isinstance(widget, QLineEdit):
             yield f"{kind}.placeholder", widget.placeholderText()
+        elif isinstance(widget, QSpinBox | QDoubleSpinBox):
+            yield f"{kind}.suffix", widget.suffix()
         elif isinstance(widget, QGroupBox):
             yield kind, widget.title()
         elif isinstance(widget, QTabBar):

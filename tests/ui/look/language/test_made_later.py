@@ -1,0 +1,196 @@
+"""What is made after a language was chosen is in it: menus, dialogs, forms of fields, problems of what was entered, sentences of the core."""
+
+from __future__ import annotations
+
+import ast
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from PySide6.QtGui import QFontDatabase
+from PySide6.QtWidgets import QMenu, QWidget
+
+from measureapp.data.identification import LABELS, Identification
+from measureapp.devices.plugin_loader import load_all
+from measureapp.inspection.programming.proposals import Proposal
+from tests.ui.look.language.displayed import displayed_texts
+from ui.controllers.report_header import ReportHeader, TemplateChoice
+from ui.look.language.catalogue import read_catalogue
+from ui.look.language.language import load_fonts
+from ui.look.language.sources import ROOT, catalogue_file
+from ui.look.language.words import Translator
+from ui.pages.inspection.create_bar import CONSTRUCTIONS, CreateBar, proposal_words
+from ui.pages.plan.generate_dialog import GenerateDialog
+from ui.pages.report_header import HeaderDialog
+from ui.pages.rig.rig_editor import RigEditor
+from ui.widgets.model_form import FieldRows
+from ui.widgets.settings_dialog import SettingsDialog
+
+SETTERS = {  # of Qt, which display what they get as it is
+    *("addAction", "addMenu", "addItem", "setText", "setToolTip", "setWindowTitle", "setSuffix", "setPrefix", "setTitle"),
+    *("setPlaceholderText", "setAccessibleName", "setAccessibleDescription", "setSpecialValueText"),
+}
+WORD = re.compile(r"[A-Za-z]{3}")
+SHOWN_ELSEWHERE = {"second_screen"}  # a window of another program, on the projector
+UNITS = {"min"}
+
+
+def untranslated(node: ast.expr) -> bool:
+    """Whether an argument is English for certain: a constant, or a message of an error."""
+    if isinstance(node, ast.Constant):
+        return isinstance(node.value, str) and WORD.search(node.value) is not None and node.value.strip() not in UNITS
+    if isinstance(node, ast.Name):
+        return node.id.isupper() and len(node.id) > 1
+    if isinstance(node, ast.Subscript):
+        return untranslated(node.value)
+    if isinstance(node, ast.IfExp):
+        return untranslated(node.body) or untranslated(node.orelse)
+    if isinstance(node, ast.JoinedStr):
+        return any(untranslated(piece.value if isinstance(piece, ast.FormattedValue) else piece) for piece in node.values)
+    return isinstance(node, ast.Attribute) and node.attr in ("message", "hint", "verdict")
+
+
+def english_setters() -> Iterator[str]:
+    for path in sorted((ROOT / "ui").rglob("*.py")):
+        if SHOWN_ELSEWHERE & set(path.relative_to(ROOT / "ui").parts):
+            continue
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            setter = isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr in SETTERS
+            if setter and node.args and untranslated(node.args[0]):
+                yield f"{path.relative_to(ROOT)}:{node.lineno} {ast.unparse(node)}"
+
+
+def test_no_setter_of_qt_gets_an_english_constant():
+    assert "\n".join(english_setters()) == ""
+
+
+@pytest.fixture
+def chinese(application) -> Iterator[Translator]:
+    made = Translator()
+    made.use(read_catalogue(catalogue_file("zh_CN")))
+    return made
+
+
+def test_menus_of_a_page_are_in_the_language_that_was_chosen_before(filled, speaking, english_left):
+    speaking("zh_CN")
+    menu = QMenu(filled)
+    filled.pages["inspection"].side.actions._fill(menu)
+    assert len(menu.actions()) > 10 and not english_left(displayed_texts(menu))
+    offers = filled.pages["calibration"].offers
+    assert offers and not english_left(("menu", action.text()) for action in offers.values())
+
+
+def test_constructions_and_proposals_are_in_the_language(application, window, speaking, english_left, monkeypatch):
+    speaking("zh_CN")
+    bar = window.pages["inspection"].findChild(CreateBar)
+    monkeypatch.setattr(bar._creating, "constructions", lambda _names: tuple(CONSTRUCTIONS))
+    bar.show_proposals()
+    assert len(bar.menu.actions()) == len(CONSTRUCTIONS) and not english_left(displayed_texts(bar.menu))
+    said = [proposal_words(Proposal(kind, (), ({"nominal": 3.0},))) for kind in ("diameter", "pitch_circle", "angle", "cone_angle")]
+    assert not english_left(("proposal", words.replace("mm", "")) for words in said)
+
+
+def test_every_field_of_a_rig_and_of_its_drivers_has_a_label_in_the_language(application, rig, qtbot, speaking, english_left):
+    speaking("zh_CN")
+    editor = RigEditor(application.look, rig, None, load_all())
+    qtbot.addWidget(editor)
+    for name in editor.sections:
+        editor.show_section(name)
+    forms = [editor, *(form_of(model, qtbot) for model in setting_models())]
+    left = [text for form in forms for text in english_left(label_texts(form))]
+    assert len(forms) > 8 and not left
+
+
+def test_the_names_of_drivers_are_translated(chinese):
+    for offer in load_all():
+        assert chinese.renewed(offer.row.name) != offer.row.name
+
+
+def setting_models() -> list[type]:
+    """Return the settings of all drivers that are shipped, and of their links."""
+    models: list[type] = []
+    for row in load_all():
+        for driver in getattr(row, "drivers", {}).values():
+            models += [one for one in (driver.settings, driver.link) if one is not None]
+    return models
+
+
+def form_of(model: type, qtbot) -> FieldRows:
+    made = FieldRows(model)
+    qtbot.addWidget(made)
+    return made
+
+
+def label_texts(form: QWidget) -> Iterator[tuple[str, str]]:
+    """Yield the labels of fields."""
+    for rows in (form, *form.findChildren(FieldRows)):
+        if isinstance(rows, FieldRows):
+            for editor in rows.editors.values():
+                yield "accessible name", editor.accessibleName()
+
+
+def test_the_header_of_a_report_is_in_the_language(application, qtbot, speaking, english_left, chinese):
+    speaking("zh_CN")
+    own = TemplateChoice("")
+    dialog = HeaderDialog(application.look, ReportHeader(Identification(), "", None, own, (own,)))
+    qtbot.addWidget(dialog)
+    assert not english_left(displayed_texts(dialog))
+    for name, entered in (("temperature_c", "warm"), ("humidity_percent", "120"), ("part_temperature", "cold")):
+        dialog.fields[name].setText(entered)
+        dialog.accept_button.click()
+        assert f"⟦{LABELS[name]}⟧" in dialog.problem.text() and not english_left([("problem", dialog.problem.text())])
+        dialog.fields[name].clear()
+    assert chinese.renewed("Temperature (°C): Enter a number.") == "温度 (°C): 请输入数字。"
+
+
+def test_the_suffix_of_a_number_follows_the_language(application, window, qtbot, speaking, english_left):
+    dialog = GenerateDialog(application.look, application.controllers.planning)
+    qtbot.addWidget(dialog)
+    speaking("zh_CN")
+    assert not english_left(displayed_texts(dialog))
+    speaking("en")
+    assert dialog.count.suffix() == " viewpoints"
+
+
+def test_an_impossible_waiting_time_is_refused_in_words(application, filled, speaking):
+    from measureapp.planning import edit
+
+    planning = application.controllers.planning
+    planning.edit("Set the waiting time", lambda plan: edit.set_settle(plan, [next(iter(plan)).id], 100.0))
+    assert application.session.messages[-1].text == "This is impossible: Settling time: Must be at most 60."
+
+
+def test_the_state_of_a_plan_follows_the_language(application, filled, qtbot, speaking, english_left):
+    page = filled.pages["plan"]
+    filled.show_page("plan")
+    qtbot.waitUntil(lambda: " · " in page.state.text(), timeout=30_000)
+    before = page.state.text()
+    speaking("zh_CN")
+    assert not english_left([("state", page.state.text())])
+    speaking("en")
+    assert page.state.text() == before
+
+
+@pytest.mark.parametrize(
+    ("english", "words"),
+    [
+        ("view04: image 7 at 40 ms", "view04：图像 7，40 ms"),
+        ("Plate top: 22851 points, 377 rejected, blade tops: 4181 points, 12 rejected", ""),
+        ("The datums plate top do not fix the location of bore: free are translation along z, rotation about x", ""),
+        ("Surroundings", "周围物体"),
+    ],
+)
+def test_sentences_of_the_core_are_not_mixed(chinese, english, words):
+    said = chinese.renewed(english)
+    assert words in said
+    assert not re.findall(r"\b(?:image|points|rejected|location|free|translation|rotation|Surroundings)\b", said), said
+
+
+def test_the_name_of_a_language_can_be_read_before_it_is_chosen(application, monkeypatch):
+    loaded: list[str] = []
+    load_fonts.cache_clear()
+    monkeypatch.setattr(QFontDatabase, "addApplicationFont", loaded.append)
+    SettingsDialog(application.look, application.settings).deleteLater()
+    load_fonts.cache_clear()
+    assert any("CJK" in Path(font).name for font in loaded)
