@@ -3919,7 +3919,7 @@
     </message>
     <message>
       <source>`tolerance` is a text, such as "±0.05", "+0.1/-0.05", "max 0.05" or "H7"</source>
-      <translation type="unfinished" />
+      <translation>`tolerance` 是文本，例如 "±0.05"、"+0.1/-0.05"、"max 0.05" 或 "H7"</translation>
     </message>
     <message>
       <source>`tolerance` {v1} gives {v2} = {v3}, but {v4} is stated: remove one of them</source>
@@ -7308,7 +7308,7 @@
     </message>
     <message>
       <source>Choose another path.</source>
-      <translation type="unfinished" />
+      <translation>请选择其他路径。</translation>
     </message>
     <message>
       <source>Choose one of its features or dimensions.</source>
@@ -7544,7 +7544,7 @@
     </message>
     <message>
       <source>Give the path of the file to be written.</source>
-      <translation type="unfinished" />
+      <translation>请给出要写入的文件的路径。</translation>
     </message>
     <message>
       <source>Give the picture of the part as PNG.</source>
@@ -8052,7 +8052,7 @@
     </message>
     <message>
       <source>{v1} cannot be written: there is a file in the place of a folder, or a folder in that of a file.</source>
-      <translation type="unfinished" />
+      <translation>无法写入 {v1}：文件夹的位置上有文件，或文件的位置上有文件夹。</translation>
     </message>
     <message>
       <source>{v1} cannot hold a mesh.</source>
@@ -8280,7 +8280,7 @@
     </message>
     <message>
       <source>{v1} is a folder.</source>
-      <translation type="unfinished" />
+      <translation>{v1} 是文件夹。</translation>
     </message>
     <message>
       <source>{v1} is a plan of version {v2}; this version of MeasureApp reads versions up to {v3}.</source>

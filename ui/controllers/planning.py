@@ -6,7 +6,6 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from pydantic import ValidationError
 from PySide6.QtCore import QObject, Signal, Slot
 from PySide6.QtGui import QUndoCommand, QUndoStack
 
@@ -114,6 +113,8 @@ class PlanningController(QObject):
 
     def refuse(self, error: MeasureError) -> None:
         """Tell why an entry cannot be taken over; editors show the former value again."""
+        from pydantic import ValidationError
+
         cause = error.__cause__
         if isinstance(cause, ValidationError) and cause.errors()[0]["type"] in PROBLEMS:  # the core names the field as files do
             words = tr("This is impossible: {problem}", problem=problem_sentence(cause.errors(include_url=False)[0]))
