@@ -8,14 +8,13 @@ from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtGui import QAction, QShortcut
 from PySide6.QtWidgets import QFrame, QMenu
 
-from measureapp.data.feature_program import WITH_DISTANCE
 from ui.controllers.creating import CreatingController
 from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.look.wording import millimetres, quantity, sentence_case
 from ui.pages.inspection.feature_table import FeatureTable
 from ui.widgets.basic import Button, CalmComboBox, column, label, row
-from ui.widgets.number_fields import NumberFields
+from ui.widgets.number_field import NumberField
 
 if TYPE_CHECKING:
     from measureapp.inspection.programming.proposals import Proposal
@@ -23,7 +22,8 @@ if TYPE_CHECKING:
 HOW = "Select features in the list, or pick faces of the CAD model in the picture. Fitting dimensions are then proposed."
 NONE_FITS = "No dimension fits these features together."
 NONE_FITS_ONE = "No dimension fits this feature alone."
-START_MM = 10.0  # distance of an offset plane or a point on an axis, until another one is entered
+WITH_DISTANCE = ("offset", "point_on_axis")
+START_MM, LARGEST_MM = 10.0, 10_000.0  # distance of an offset plane or a point on an axis, until another one is entered
 CONSTRUCTIONS = {
     "midpoint": "Midpoint",
     "midplane": "Mid-plane",
@@ -64,8 +64,14 @@ class CreateBar(QFrame):
         self.tolerance = Button(
             "Tolerance…", look, "", "quiet", "Define a geometrical tolerance of the first selected feature, the others as its datums"
         )
-        self.distance = NumberFields(["Distance of an offset plane or a point on the axis"], "mm", 3)
-        self.distance.setValue([START_MM])
+        self.distance = NumberField()
+        self.distance.setAccessibleName(tr("Distance of an offset plane or a point on the axis"))
+        self.distance.setToolTip(tr("Distance of an offset plane or a point on the axis"))
+        self.distance.setDecimals(3)
+        self.distance.setRange(-LARGEST_MM, LARGEST_MM)
+        self.distance.setSuffix(" mm")
+        self.distance.setProperty("plain", True)
+        self.distance.setValue(START_MM)
         self.distance_words = label("Distance", "soft")
         self.menu.hovered.connect(self._preview)
         self.menu.aboutToHide.connect(lambda: self.previewed.emit(None))
@@ -116,22 +122,16 @@ class CreateBar(QFrame):
     @Slot(QAction)
     def _preview(self, action: QAction) -> None:
         shape = str(action.data())
-        distance = self._distance_of(shape)
-        self.previewed.emit(None if distance is None else self._creating.preview(shape, self._features.names(), distance))
+        self.previewed.emit(self._creating.preview(shape, self._features.names(), self._distance_of(shape)))
 
     def _construct(self, shape: str) -> None:
-        distance = self._distance_of(shape)
-        if distance is None:  # the field says that this is not a number
-            self.distance.lines[0].setFocus()
-            return
-        name = self._creating.construct(shape, self._features.names(), distance)
+        name = self._creating.construct(shape, self._features.names(), self._distance_of(shape))
         if name:
             self._features.select_names([name])
 
-    def _distance_of(self, shape: str) -> float | None:
-        """Return the distance at which a shape is constructed, 0 where it has none; None: no number is entered."""
-        entered = self.distance.value()
-        return 0.0 if shape not in WITH_DISTANCE else entered[0] if entered else None
+    def _distance_of(self, shape: str) -> float:
+        """Return the distance at which a shape is constructed, 0 where it has none."""
+        return self.distance.value() if shape in WITH_DISTANCE else 0.0
 
 
 def proposal_words(proposal: Proposal) -> str:
