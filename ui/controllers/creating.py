@@ -95,6 +95,12 @@ class CreatingController(QObject):
         features = self._features(program)
         return tuple(shape for shape in (*PARENTS, *WITH_DISTANCE, *THROUGH_POINTS) if _is_possible(shape, names, features))
 
+    def has_distance(self, shape: str) -> bool:
+        """Return whether a constructed shape has a distance from what it is constructed from."""
+        from measureapp.data.feature_program import WITH_DISTANCE
+
+        return shape in WITH_DISTANCE
+
     def preview(self, shape: str, names: Sequence[str], distance_mm: float) -> Feature | None:
         """Return what would be constructed from features, as they are measured now; None where one of them is not.
 

@@ -22,7 +22,6 @@ if TYPE_CHECKING:
 HOW = "Select features in the list, or pick faces of the CAD model in the picture. Fitting dimensions are then proposed."
 NONE_FITS = "No dimension fits these features together."
 NONE_FITS_ONE = "No dimension fits this feature alone."
-WITH_DISTANCE = ("offset", "point_on_axis")
 START_MM, LARGEST_MM = 10.0, 10_000.0  # distance of an offset plane or a point on an axis, until another one is entered
 CONSTRUCTIONS = {
     "midpoint": "Midpoint",
@@ -103,7 +102,7 @@ class CreateBar(QFrame):
             self.menu.addAction(translated(CONSTRUCTIONS[shape]), lambda shape=shape: self._construct(shape)).setData(shape)
         self.construct.setVisible(bool(shapes))
         for widget in (self.distance_words, self.distance):
-            widget.setVisible(not set(WITH_DISTANCE).isdisjoint(shapes))
+            widget.setVisible(any(map(self._creating.has_distance, shapes)))
 
     @Slot()
     def accept(self) -> None:
@@ -131,7 +130,7 @@ class CreateBar(QFrame):
 
     def _distance_of(self, shape: str) -> float:
         """Return the distance at which a shape is constructed, 0 where it has none."""
-        return self.distance.value() if shape in WITH_DISTANCE else 0.0
+        return self.distance.value() if self._creating.has_distance(shape) else 0.0
 
 
 def proposal_words(proposal: Proposal) -> str:
