@@ -116,8 +116,9 @@ class PlanningController(QObject):
         from pydantic import ValidationError
 
         cause = error.__cause__
-        if isinstance(cause, ValidationError) and cause.errors()[0]["type"] in PROBLEMS:  # the core names the field as files do
-            words = tr("This is impossible: {problem}", problem=problem_sentence(cause.errors(include_url=False)[0]))
+        problem = cause.errors(include_url=False)[0] if isinstance(cause, ValidationError) else None
+        if problem is not None and problem["type"] in PROBLEMS and str(problem["msg"]) in error.message:  # it names the field as files do
+            words = tr("This is impossible: {problem}", problem=problem_sentence(problem))
             self._session.tell(words, error.hint, "warning")
         else:
             self._session.tell(error.message, error.hint, "warning")
