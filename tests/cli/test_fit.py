@@ -80,6 +80,7 @@ def test_any_ending_may_hold_points(tmp_path: Path, capsys: pytest.CaptureFixtur
 
 @pytest.mark.parametrize("separator", [";", "\t", " "])
 def test_decimal_commas_are_read_as_spreadsheets_write_them(cone: Path, capsys: pytest.CaptureFixture[str], separator: str) -> None:
+    cone.write_text("0 0 0\n" + cone.read_text(), encoding="utf-8")
     assert main(["fit", "cone", str(cone), "--json"]) == 0
     expected = json.loads(capsys.readouterr().out)
     written = cone.with_name("commas.csv")

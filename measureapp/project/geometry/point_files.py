@@ -48,11 +48,11 @@ def read_table(path: Path, least_columns: int = 3) -> FloatArray:
 
 
 def _has_decimal_commas(text: str) -> bool:
-    """Return whether the first line of numbers has a comma within a number, and another separator between numbers."""
-    for line in text.splitlines():
+    """Return whether the first line of numbers with a comma has it within a number, and another separator between numbers."""
+    for line in text.splitlines() if "," in text else ():
         words = [word for word in SEPARATORS.split(line.strip()) if word]
-        if len(words) > 1 and all(NUMBER.fullmatch(word) for word in words):
-            return any("," in word for word in words)
+        if "," in line and all(NUMBER.fullmatch(part) for word in words for part in word.split(",") if part):
+            return len(words) > 1 and all(NUMBER.fullmatch(word) for word in words)
     return False
 
 
