@@ -23,12 +23,11 @@ from measureapp.fringe.kernels.structures import (
     round_up_to_chunks,
 )
 from measureapp.fringe.noise.model import CameraNoise
-from measureapp.fringe.unwrap import SURE, HeterodynePlan, extent_px, plan_heterodyne
+from measureapp.fringe.unwrap import PLURALITY, SURE, HeterodynePlan, extent_px, plan_heterodyne
 
 RANGE_MARGIN_PX = 2.0
 GRAY_GATE_CYCLES = 0.5
 LUT_LENGTH = 1024
-PLURALITY = 0.7  # standard deviations that half a period must be worth for a vote: about half of the neighbours then have the right order
 NORMAL_QUANTILE = 3.09  # one pixel in a thousand without fringes passes for one with fringes
 
 

@@ -17,6 +17,7 @@ BEAT_TOLERANCE = 1e-6
 LEAST_GUARD = 1 / 64  # of the projector, by which the coarsest period should exceed it, so that noise does not turn one edge into the other
 PRICE_OF_GUARD = 1.25  # how much noisier the worst decision may become for it
 SURE = 4.5  # standard deviations that half a period must be worth
+PLURALITY = 0.7  # standard deviations that half a period must be worth for a vote: about half of the neighbours then have the right order
 MOST_PITCHES = 24
 MOST_STATIONS = 1000
 
@@ -38,6 +39,10 @@ class HeterodynePlan:
     def sure_sigma_rad(self) -> float:
         """Noise of a wrapped phase up to which an order is wrong less than once in a hundred thousand pixels, by P = erfc(4.5 / √2)."""
         return pi / (SURE * self.amplification)
+
+    def settled_sigma_rad(self, *, votes: bool) -> float:
+        """Noise of a wrapped phase up to which an order is sure, or most neighbours have the right one, so that their vote settles it."""
+        return pi / (PLURALITY * self.amplification) if votes else self.sure_sigma_rad
 
     @property
     def worst(self) -> int:

@@ -145,9 +145,11 @@ class ExplainedView:
         taken = int(phase_map.exposure_index[row, column])
         if taken >= 0:
             numbers.append(Number("exposure", float(self.exposures_us[taken]), "µs"))
-        least = settings.min_modulation_grey(phase_map.saturation)
+        faintest, least = settings.faint_modulation_grey(phase_map.saturation), settings.min_modulation_grey(phase_map.saturation)
         modulation, has_phase = float(phase_map.modulation[row, column]), phase_map.state[row, column] == PixelState.VALID
-        limit = None if has_phase and modulation < least else least  # several exposures can compensate for a weak modulation
+        # below the least neighbours or several exposures may settle the order; below the faintest only several exposures compensate
+        limit = faintest if modulation < faintest else least
+        limit = None if has_phase and modulation < limit else limit
         numbers.append(Number("modulation", modulation, "grey levels", least=limit))
         for seen in (phase_map, phase_map.orthogonal):
             if seen is not None and seen.state[row, column] == PixelState.VALID:

@@ -79,8 +79,8 @@ def propose_bracket(
 ) -> BracketProposal:
     """Choose exposures for a scene.
 
-    A pixel is decodable when an exposure leaves it unsaturated with enough modulation, or the combination of all that do is as exact as one
-    such image and leave no doubt about orders, and the noise of its phase over them,
+    A pixel is decodable when an exposure leaves it unsaturated with enough modulation, or all that do are together as exact as one image of
+    the faintest modulation and leave no order in doubt that neighbours could not decide about, and the noise of its phase over them,
     σφ² = (2/N) Σw²σ² / (ΣwB)² as `decode` weighs them, is below the limit; it counts with the probability
     that its order is right and its residual below the gate r, erf(2π r / (√2 a σφ)), with a the amplification of the set's
     most delicate order decision; repairs by the neighbourhood come on top.
@@ -193,7 +193,7 @@ class _Scene:
         gray = any(isinstance(group, GrayCodeGroup) for group in alone.groups)
         plan = None if gray else plan_heterodyne(alone)
         self._amplification = plan.amplification if plan else 0.0
-        self._sure_sigma = plan.sure_sigma_rad if plan and plan.amplification else np.inf
+        self._settled_sigma = plan.settled_sigma_rad(votes=settings.vote_radius > 0) if plan and plan.amplification else np.inf
         self._singles: dict[tuple[int, int], tuple[BoolArray, FloatArray, FloatArray]] = {}
         self._worths: dict[tuple[int, ...], float] = {}
 
@@ -264,7 +264,8 @@ class _Scene:
         if self._amplification > 0:
             allowed_rad = 2 * np.pi * self._settings.residual_gate
             right = erf(allowed_rad / (2.0**0.5 * self._amplification * np.maximum(sigma, 1e-12)))
-        combined = (swing**2 * alone >= least**2 * variance) & (sigma <= self._sure_sigma)
+        faintest = self._settings.faint_modulation_grey(camera.saturation)
+        combined = (swing**2 * alone >= faintest**2 * variance) & (sigma <= self._settled_sigma)
         sigma *= self._averaged
         decodable = ((strongest >= least) | combined) & (sigma <= self._settings.max_sigma_rad)
         return sigma, np.asarray(np.where(decodable, right, 0.0))

@@ -9,11 +9,12 @@ import numpy as np
 from pydantic import Field
 
 from measureapp.arrays import FloatArray, IntArray
-from measureapp.data.fringe import PatternSet, PhaseShiftGroup
+from measureapp.data.fringe import GrayCodeGroup, PatternSet, PhaseShiftGroup
 from measureapp.data.model import Model
 from measureapp.fringe.exposures.weights import exposure_weights
 from measureapp.fringe.noise.model import CameraNoise
 from measureapp.fringe.settings import DecodeSettings
+from measureapp.fringe.unwrap import plan_heterodyne
 
 CLIP_SIGMAS = 2.0  # noise above the brightest step of a pixel that must stay below saturation
 NOT_USED = -1
@@ -42,6 +43,7 @@ class PhaseNoise:
     sigma_rad: FloatArray  # (N,), of the absolute phase of the finest pitch; inf where every exposure saturates
     exposure: IntArray  # (N,), longest unsaturated exposure; `NOT_USED` where there is none
     modulation: FloatArray  # (N,), at that exposure, over saturation
+    of_all: FloatArray  # (N,), modulation of an image at that exposure that would be as exact as all exposures together, over saturation
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,7 +64,7 @@ class CameraExposures:
         shares = np.array(self.exposures_us, float) / self.longest_us
         least = DecodeSettings().min_modulation_grey(self.saturation)
         counts = np.array(exposure_weights(self.exposures_us, self.noise, self.saturation, least), float)
-        sigma, chosen = np.full(len(mean), np.inf), np.full(len(mean), NOT_USED)
+        sigma, chosen, of_all = np.full(len(mean), np.inf), np.full(len(mean), NOT_USED), np.zeros(len(mean))
         peak_grey = (mean + modulation) * self.saturation
         for first, share in enumerate(shares):
             peak = peak_grey * share
@@ -73,7 +75,16 @@ class CameraExposures:
             variance = (counts[first:] ** 2 * self.noise.variance(grey, self.saturation)).sum(axis=1)
             signal = modulation[rows] * self.saturation * float((counts[first:] * shares[first:]).sum())
             sigma[rows] = self._pitch_factor * np.sqrt(variance) / np.maximum(signal, 1e-9)
-        return PhaseNoise(sigma, chosen, np.where(chosen == NOT_USED, 0.0, modulation * shares[chosen]))
+            of_all[rows] = signal * np.sqrt(self.noise.variance(grey[:, 0], self.saturation) / variance) / self.saturation
+        return PhaseNoise(sigma, chosen, np.where(chosen == NOT_USED, 0.0, modulation * shares[chosen]), of_all)
+
+    def largest_sigma_rad(self, settings: DecodeSettings) -> float:
+        """Return the noise of the averaged phase above which decoding finds a pixel too weak: too inexact, or no vote settles its order."""
+        chain = None if any(isinstance(group, GrayCodeGroup) for group in self.patterns.groups) else plan_heterodyne(self.patterns)
+        if chain is None or chain.amplification == 0:
+            return settings.max_sigma_rad
+        scales = self.patterns.finest_pitch_px / np.array(self.patterns.pitches_px)
+        return min(settings.max_sigma_rad, chain.settled_sigma_rad(votes=settings.vote_radius > 0) / float(np.sqrt((scales**2).sum())))
 
     @property
     def _pitch_factor(self) -> float:

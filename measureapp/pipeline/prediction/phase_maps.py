@@ -56,7 +56,8 @@ def _predict_direction(
     mean, bent, modulation = _blur_fringes(seen, fringes + light.ambient, fringes * light.contrast, phase, taking)
     exposures = CameraExposures(alone, taking.exposures_us, taking.longest_us, settings.noise_of(taking.camera), taking.saturation)
     noise = exposures.phase_noise(mean, modulation)
-    state = _states(seen, noise.exposure == NOT_USED, noise.modulation * taking.saturation, noise.sigma_rad, taking, settings)
+    faint = noise.of_all * taking.saturation < settings.faint_modulation_grey(taking.saturation)
+    state = _states(seen, noise.exposure == NOT_USED, faint | (noise.sigma_rad > exposures.largest_sigma_rad(settings)))
     good = state == PixelState.VALID
     measured = bent + np.where(good, noise.sigma_rad, 0.0) * rng.standard_normal(len(bent))
     to_longest = taking.exposures_us[0] / taking.longest_us
@@ -114,10 +115,7 @@ def _blur_fringes(
     return blurred(mean), phase + bend, np.abs(waves)
 
 
-def _states(
-    seen: SeenPixels, saturated: BoolArray, modulation_grey: FloatArray, sigma_rad: FloatArray, taking: Taking, settings: DecodeSettings
-) -> np.ndarray:
-    weak = (modulation_grey < settings.min_modulation_grey(taking.saturation)) | (sigma_rad > settings.max_sigma_rad)
+def _states(seen: SeenPixels, saturated: BoolArray, weak: BoolArray) -> np.ndarray:
     reasons = [(~seen.lit, PixelState.SHADOW), (saturated, PixelState.SATURATED), (weak, PixelState.WEAK_MODULATION)]
     return np.select([mask for mask, _ in reasons], [int(state) for _, state in reasons], int(PixelState.VALID))
 
