@@ -16837,6 +16837,10 @@ in danger use the emergency stop.</source>
       <translation>没有正在运行的任务。</translation>
     </message>
     <message>
+      <source>No part has been measured.</source>
+      <translation>尚未测量工件。</translation>
+    </message>
+    <message>
       <source>Nominals and inspection programs (*.stl *.ply *.obj *.step *.stp *.toml)</source>
       <translation>名义模型和检测程序 (*.stl *.ply *.obj *.step *.stp *.toml)</translation>
     </message>
@@ -16949,6 +16953,10 @@ in danger use the emergency stop.</source>
       <translation>点云</translation>
     </message>
     <message>
+      <source>The measurement has nothing of this kind.</source>
+      <translation>测量结果中没有此类内容。</translation>
+    </message>
+    <message>
       <source>The project {name} is opened</source>
       <translation>项目 {name} 已打开</translation>
     </message>
@@ -17013,6 +17021,10 @@ in danger use the emergency stop.</source>
       <translation>示例 项目 学习</translation>
     </message>
     <message>
+      <source>export save file report document excel</source>
+      <translation>导出 保存 文件 报告 文档 表格 打印</translation>
+    </message>
+    <message>
       <source>first start introduction guide learn</source>
       <translation>首次启动 介绍 指南 学习</translation>
     </message>
@@ -17037,12 +17049,44 @@ in danger use the emergency stop.</source>
       <translation>键盘 按键 列表</translation>
     </message>
     <message>
+      <source>language theme preferences options</source>
+      <translation>语言 主题 首选项 选项 界面</translation>
+    </message>
+    <message>
       <source>manual documentation</source>
       <translation>手册 文档</translation>
     </message>
     <message>
       <source>mpart new</source>
       <translation>工件程序 新建</translation>
+    </message>
+    <message>
+      <source>page board lens hand-eye axis guide uncertainty</source>
+      <translation>页面 标定板 镜头 手眼 轴线 导轨 不确定度</translation>
+    </message>
+    <message>
+      <source>page devices drivers connect camera robot projector</source>
+      <translation>页面 设备 驱动 连接 相机 机器人 投影仪</translation>
+    </message>
+    <message>
+      <source>page dimension tolerance feature datum alignment deviation colour scale section delete nominal program</source>
+      <translation>页面 尺寸 公差 特征 基准 对齐 偏差 颜色 色标 比例 截面 删除 名义 程序</translation>
+    </message>
+    <message>
+      <source>page measure start run capture exposure</source>
+      <translation>页面 测量 开始 运行 采集 曝光</translation>
+    </message>
+    <message>
+      <source>page pdf export document print series repeats header template</source>
+      <translation>页面 PDF 导出 文档 打印 系列 重复测量 报告抬头 模板</translation>
+    </message>
+    <message>
+      <source>page viewpoints coverage path collision delete</source>
+      <translation>页面 视点 覆盖率 路径 碰撞 删除</translation>
+    </message>
+    <message>
+      <source>page views points stitch register mesh holes filter</source>
+      <translation>页面 视图 点云 拼接 配准 网格 孔洞 滤波</translation>
     </message>
     <message>
       <source>panel side</source>
@@ -17081,12 +17125,8 @@ in danger use the emergency stop.</source>
       <translation>支持 zip 版本</translation>
     </message>
     <message>
-      <source>theme night colours</source>
-      <translation>主题 夜间 颜色</translation>
-    </message>
-    <message>
-      <source>theme preferences options</source>
-      <translation>主题 首选项 选项</translation>
+      <source>theme night dark light colours appearance</source>
+      <translation>主题 夜间 深色 浅色 颜色 外观</translation>
     </message>
     <message>
       <source>virtual rig sample example</source>
@@ -17190,6 +17230,10 @@ in danger use the emergency stop.</source>
     <message>
       <source>Clipped</source>
       <translation>已裁剪</translation>
+    </message>
+    <message>
+      <source>Colour scale</source>
+      <translation>色标</translation>
     </message>
     <message>
       <source>Colour-blind-safe</source>

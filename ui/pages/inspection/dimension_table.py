@@ -249,12 +249,18 @@ class DimensionTable(QTableView):
 
     def contextMenuEvent(self, event: Any) -> None:
         """Open the menu of a row."""
+        menu = self.offered_menu()
+        if menu is not None:
+            menu.popup(event.globalPos())
+
+    def offered_menu(self) -> QMenu | None:
+        """Return the menu of the current row; None without one."""
         if self.current_row() is None:
-            return
+            return None
         menu = QMenu(self)
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.menuAsked.emit(menu)
-        menu.popup(event.globalPos())
+        return menu
 
     def header_menu(self) -> QMenu:
         """Return the menu of the header: order and columns."""

@@ -16,11 +16,12 @@ from measureapp.data.rig import HeadRules
 from measureapp.devices.plugin_loader import load_all
 from measureapp.inspection.programming.proposals import Proposal
 from tests.ui.look.language.displayed import displayed_texts
+from ui.actions.actions import Action, Actions
 from ui.controllers.report_header import ReportHeader, TemplateChoice
 from ui.look.language.catalogue import read_catalogue
 from ui.look.language.language import load_fonts
 from ui.look.language.sources import ROOT, catalogue_file
-from ui.look.language.words import Translator
+from ui.look.language.words import Translator, translated
 from ui.pages.inspection.create_bar import CONSTRUCTIONS, CreateBar, proposal_words
 from ui.pages.plan.generate_dialog import GenerateDialog
 from ui.pages.report_header import HeaderDialog
@@ -91,6 +92,13 @@ def test_constructions_and_proposals_are_in_the_language(application, window, sp
     assert len(bar.menu.actions()) == len(CONSTRUCTIONS) and not english_left(displayed_texts(bar.menu))
     said = [proposal_words(Proposal(kind, (), ({"nominal": 3.0},))) for kind in ("diameter", "pitch_circle", "angle", "cone_angle")]
     assert not english_left(("proposal", words.replace("mm", "")) for words in said)
+
+
+def test_keywords_are_found_in_the_language_that_the_window_began_in(application, window, speaking):
+    speaking("zh_CN")
+    late = Actions(window)
+    late.register(Action("late", translated("Settings…"), list, window.actions_.action("settings").keywords))
+    assert [action.id for action in late.find("⟦language")] == ["late"]
 
 
 def test_every_field_of_a_rig_and_of_its_drivers_has_its_texts_in_the_language(application, rig, qtbot, speaking, english_left):
