@@ -18,6 +18,7 @@ from ui.controllers.operator_shelf import ShelfController
 from ui.controllers.rig_control import BY_BUTTON, RigControl
 from ui.controllers.scanning import ScanController
 from ui.look.language.words import tr
+from ui.look.wording import with_hint
 from ui.session import Session
 
 if TYPE_CHECKING:
@@ -220,7 +221,7 @@ class OperatorController(QObject):
 
     @Slot(object)
     def _show_check_failed(self, error: MeasureError) -> None:
-        self._show_obstacles((f"{error.message} {error.hint}".strip(),))
+        self._show_obstacles((with_hint(error.message, error.hint),))
 
     def why_not(self) -> tuple[str, ...]:
         """Return in sentences why a measurement cannot start now; empty: it can."""

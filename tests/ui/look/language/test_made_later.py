@@ -68,6 +68,17 @@ def test_no_setter_of_qt_gets_an_english_constant():
     assert "\n".join(english_setters()) == ""
 
 
+def test_no_message_is_merely_joined_with_its_hint():
+    """A joined text is of no template, so that it would stay in English: see `with_hint`."""
+    found = []
+    for path in sorted((ROOT / "ui").rglob("*.py")):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.JoinedStr):
+                names = {one.attr for one in ast.walk(node) if isinstance(one, ast.Attribute)}
+                found += [f"{path.relative_to(ROOT)}:{node.lineno}"] if {"message", "hint"} <= names else []
+    assert not found
+
+
 @pytest.fixture
 def chinese(application) -> Iterator[Translator]:
     made = Translator()
