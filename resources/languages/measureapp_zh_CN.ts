@@ -10775,8 +10775,20 @@
       <translation>相对偏差</translation>
     </message>
     <message>
-      <source>Remove from the program</source>
-      <translation>从程序中移除</translation>
+      <source>Remove dimension {name}</source>
+      <translation>移除尺寸 {name}</translation>
+    </message>
+    <message>
+      <source>Remove feature {name}</source>
+      <translation>移除特征 {name}</translation>
+    </message>
+    <message>
+      <source>Remove pattern {name}</source>
+      <translation>移除阵列 {name}</translation>
+    </message>
+    <message>
+      <source>Remove {entries}</source>
+      <translation>移除 {entries}</translation>
     </message>
     <message>
       <source>Remove {name}</source>
@@ -11157,10 +11169,6 @@
     <message>
       <source>{count} without tolerance</source>
       <translation>{count} 无公差</translation>
-    </message>
-    <message>
-      <source>{dimensions} deleted.</source>
-      <translation>已删除{dimensions}。</translation>
     </message>
     <message>
       <source>{dimensions} duplicated.</source>
@@ -14561,12 +14569,12 @@ The first run of this part counts.</source>
       <translation>公司</translation>
     </message>
     <message>
-      <source>Contribution to the kinematic position of a point (1 σ)</source>
-      <translation>对点的运动学位置的贡献 (1 σ)</translation>
+      <source>Contribution to the kinematic position of a point (k = 2)</source>
+      <translation>对点的运动学位置的贡献 (k = 2)</translation>
     </message>
     <message>
-      <source>Contribution, 1 σ</source>
-      <translation>贡献，1 σ</translation>
+      <source>Contribution, k = 2</source>
+      <translation>贡献，k = 2</translation>
     </message>
     <message>
       <source>Deviation from the nominal</source>
