@@ -1368,6 +1368,10 @@
       <translation>点云已计算并拼接。</translation>
     </message>
     <message>
+      <source>The code belongs to this part.</source>
+      <translation>此条码属于该工件。</translation>
+    </message>
+    <message>
       <source>The code {shown} belongs to no part program. Choose the part by its card, or call the engineer.</source>
       <translation>代码 {shown} 不属于任何工件程序。请按卡片选择工件，或呼叫工程师。</translation>
     </message>
@@ -1378,6 +1382,10 @@
     <message>
       <source>The code {shown} is not one of part {value}. Nothing was entered.</source>
       <translation>代码 {shown} 不是工件 {value} 的。未输入任何内容。</translation>
+    </message>
+    <message>
+      <source>The code {shown} was not entered. Press Back to identify another part.</source>
+      <translation>未输入条码 {shown}。要测量其他工件，请按“返回”。</translation>
     </message>
     <message>
       <source>The coverage is being predicted…</source>
