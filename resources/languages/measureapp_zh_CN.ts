@@ -4476,6 +4476,10 @@
       <translation>请添加格雷平面（最高位在前），或更粗的间距。</translation>
     </message>
     <message>
+      <source>Add `complementary = true` to the group of the Gray code.</source>
+      <translation>请在格雷码组中添加 `complementary = true`。</translation>
+    </message>
+    <message>
       <source>Add a phase-shift group of at least three images.</source>
       <translation>请添加至少三幅图像的相移组。</translation>
     </message>
@@ -4608,6 +4612,10 @@
       <translation>请至少五个电平各给出一次。</translation>
     </message>
     <message>
+      <source>Give the first {v1} images of the Gray code only.</source>
+      <translation>请只给出格雷码的前 {v1} 幅图像。</translation>
+    </message>
+    <message>
       <source>Image {v1} of camera {v2} at {v3} µs contradicts the other exposures {v4}.</source>
       <translation>相机 {v2} 在 {v3} µs 的图像 {v1} 与其他曝光矛盾{v4}。</translation>
     </message>
@@ -4690,6 +4698,10 @@
     <message>
       <source>Record six or more steps; twelve are good.</source>
       <translation>请录制六步以上；十二步为佳。</translation>
+    </message>
+    <message>
+      <source>Remove `complementary = true` from the group of the Gray code, or add the shifted last plane.</source>
+      <translation>请从格雷码组中删除 `complementary = true`，或添加移位的最后一个平面。</translation>
     </message>
     <message>
       <source>Remove exposures from the bracket.</source>
@@ -4864,6 +4876,14 @@
       <translation>{v1} 位</translation>
     </message>
     <message>
+      <source>{v1} changes in the middle of the periods that the other Gray code planes number: the code is complementary, and its description does not state it.</source>
+      <translation>{v1} 在其他格雷码平面所编号周期的中间变化：该码为互补格雷码，而其描述未说明这一点。</translation>
+    </message>
+    <message>
+      <source>{v1} changes where the other Gray code planes do: the code is plain, and its description states a complementary one.</source>
+      <translation>{v1} 与其他格雷码平面在相同位置变化：该码为普通格雷码，而其描述为互补格雷码。</translation>
+    </message>
+    <message>
       <source>{v1} does not fit the other steps of its group.</source>
       <translation>{v1} 与其组的其他步不符。</translation>
     </message>
@@ -4882,6 +4902,10 @@
     <message>
       <source>{v1} images of camera {v2} contradict the other exposures, in up to {v3} of their pixels, although they are as bright as predicted: the fringes moved during the images, by vibration, or because a part or axis had not settled.</source>
       <translation>相机 {v2} 的 {v1} 幅图像与其他曝光矛盾，最多达 {v3} 的像素，尽管亮度与预测一致：拍摄期间条纹发生了移动，原因是振动，或零件或轴尚未静止。</translation>
+    </message>
+    <message>
+      <source>{v1} is the inverse of {v2}, and so are all that follow: inverse Gray code planes number no periods.</source>
+      <translation>{v1} 是 {v2} 的反相图像，其后各幅亦然：反相的格雷码平面不对周期编号。</translation>
     </message>
     <message>
       <source>{v1} is the same as {v2}.</source>
@@ -7439,6 +7463,14 @@
       <translation>请释放一些空间，或选择另一磁盘。</translation>
     </message>
     <message>
+      <source>Give --unit {v1}, or correct the names of the columns.</source>
+      <translation>请给出 --unit {v1}，或更正列名。</translation>
+    </message>
+    <message>
+      <source>Give --unit {v1}.</source>
+      <translation>请给出 --unit {v1}。</translation>
+    </message>
+    <message>
       <source>Give 4, 5, 8, 12 or 14 coefficients in OpenCV's order.</source>
       <translation>请按 OpenCV 的顺序给出 4、5、8、12 或 14 个系数。</translation>
     </message>
@@ -7547,8 +7579,8 @@
       <translation>请给出一台相机的图像。</translation>
     </message>
     <message>
-      <source>Give the path of a cameras.json.</source>
-      <translation>请给出 cameras.json 的路径。</translation>
+      <source>Give the path of a cameras.json: `measureapp calibrate cameras --out` writes it, `measureapp process` that of a project.</source>
+      <translation>请给出 cameras.json 的路径：由 `measureapp calibrate cameras --out` 写出，项目中的则由 `measureapp process` 写出。</translation>
     </message>
     <message>
       <source>Give the path of the file to be written.</source>
@@ -7689,6 +7721,10 @@
     <message>
       <source>Name project folders, or folders with projects in them.</source>
       <translation>请指定项目文件夹，或含项目的文件夹。</translation>
+    </message>
+    <message>
+      <source>Name the columns x, y, z with mm, inch, m, cm or um.</source>
+      <translation>请将列命名为 x、y、z，并注明 mm、inch、m、cm 或 um。</translation>
     </message>
     <message>
       <source>Name the link of the flange, one of: {v1}.</source>
@@ -7901,6 +7937,18 @@
     <message>
       <source>The cameras have different numbers of images ({v1}).</source>
       <translation>各相机的图像数量不同 ({v1})。</translation>
+    </message>
+    <message>
+      <source>The columns of {v1} are in {v2}</source>
+      <translation>{v1} 的各列以{v2}为单位</translation>
+    </message>
+    <message>
+      <source>The columns of {v1} are in {v2}, and would be read as millimetres.</source>
+      <translation>{v1} 的各列以{v2}为单位，却会按毫米读取。</translation>
+    </message>
+    <message>
+      <source>The columns of {v1} are in {v2}, not in {v3}.</source>
+      <translation>{v1} 的各列以{v2}为单位，而非{v3}。</translation>
     </message>
     <message>
       <source>The copy needs {v1} GB, and {v2} has {v3} GB left.</source>
@@ -8479,6 +8527,10 @@
       <translation>{v1} 对其视图的说明不是数字。</translation>
     </message>
     <message>
+      <source>{v1} states units that are not one unit of length: {v2}.</source>
+      <translation>{v1} 给出的单位不是同一长度单位：{v2}。</translation>
+    </message>
+    <message>
       <source>{v1} unpacks to more than {v2} GB.</source>
       <translation>{v1} 解压后超过 {v2} GB。</translation>
     </message>
@@ -8531,8 +8583,8 @@
       <translation>{v1}，第 {v2} 行：{v4} 列下有 {v3} 个值。</translation>
     </message>
     <message>
-      <source>{v1}, line {v2}: {v3} values where a point needs {v4}.</source>
-      <translation>{v1}，第 {v2} 行：{v3} 个值，而点需要 {v4} 个。</translation>
+      <source>{v1}, line {v2}: {v3} values where a point needs 3.</source>
+      <translation>{v1} 第 {v2} 行：有 {v3} 个值，而一个点需要 3 个。</translation>
     </message>
     <message>
       <source>{v1}, line {v2}: {v3} values where line {v4} has {v5}.</source>
@@ -11005,6 +11057,10 @@
     <message>
       <source>Traceability</source>
       <translation>溯源</translation>
+    </message>
+    <message>
+      <source>Type the position; the arrow keys move it by 1 mm, Page Up and Page Down by 10 mm</source>
+      <translation>输入位置；方向键每次移动 1 mm，Page Up 和 Page Down 每次移动 10 mm</translation>
     </message>
     <message>
       <source>Typed</source>

@@ -235,7 +235,7 @@ def file_finished(job: Job, folder: Path, measurement: Measurement, program: Par
     job.check()
     project = ProjectFolder.open(folder)
     try:
-        run = file_run(project, measurement, program=program.facts.name, version=program.facts.version, repeat_reason=reason)
+        run, _ = file_run(project, measurement, program=program.facts.name, version=program.facts.version, repeat_reason=reason)
     except MeasureError as error:
         return Filed(problem=with_hint(error.message, error.hint))
     serial = run.identification.serial_number or "without serial number"

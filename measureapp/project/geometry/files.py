@@ -87,10 +87,18 @@ def check_stated_unit(path: Path, stated: LengthUnit | None, unit: LengthUnit) -
     """Raise UnitQuestion where the columns of a file state another unit than millimetres, InputError where another than the one given."""
     if stated in (None, unit):
         return
-    finding = f"The columns of {path} are in {stated.words}"
+    words, given = stated.words, unit.words
     if unit is LengthUnit.MM:
-        raise UnitQuestion(f"{finding}, and they would be read as millimetres.", f"Give --unit {stated}.", "points", str(stated), finding)
-    raise InputError(f"{finding}, not in {unit.words}.", f"Give --unit {stated}, or correct the names of the columns.")
+        raise UnitQuestion(
+            f"The columns of {path} are in {words}, and would be read as millimetres.",
+            f"Give --unit {stated}.",
+            "points",
+            str(stated),
+            f"The columns of {path} are in {words}",
+        )
+    raise InputError(
+        f"The columns of {path} are in {words}, not in {given}.", f"Give --unit {stated}, or correct the names of the columns."
+    )
 
 
 def read_mesh(path: Path, frame: str = "nominal", unit: LengthUnit = LengthUnit.MM) -> Mesh:

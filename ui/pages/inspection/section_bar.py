@@ -1,4 +1,4 @@
-"""Interactive section: a plane normal to x, y or z, moved by a slider, with magnified deviations."""
+"""Interactive section: a plane normal to x, y or z, moved by a slider or to a typed position, with magnified deviations."""
 
 from __future__ import annotations
 
@@ -15,6 +15,7 @@ from ui.look.wording import millimetres
 from ui.pages.inspection.section_lines import Whiskers
 from ui.viewport.layers import LineLayer
 from ui.widgets.basic import Button, label, row
+from ui.widgets.number_field import NumberField
 from ui.widgets.segments import Segments
 
 if TYPE_CHECKING:
@@ -22,6 +23,7 @@ if TYPE_CHECKING:
     from ui.session import Comparison
 
 STEPS = 400
+DIGITS = 2
 HALF_WIDTH_MM = 0.5
 NOMINAL = (70, 82, 90)
 TIP = "Cut the part by a plane and show the deviations along the section"
@@ -47,31 +49,35 @@ class SectionBar(QWidget):
         self.button.setCheckable(True)
         self.button.toggled.connect(self._show)
         self.axis = Segments({"z": "z", "x": "x", "y": "y"}, name="Section normal to")
-        self.axis.valueChanged.connect(self._change)
+        self.axis.valueChanged.connect(self._follow_slider)
         self.slider = QSlider(Qt.Orientation.Horizontal)
         self.slider.setAccessibleName(tr("Position of the section along the axis"))
         self.slider.setToolTip(tr("Position of the section along the axis"))
         self.slider.setRange(0, STEPS)
         self.slider.setValue(STEPS // 2)
-        self.slider.valueChanged.connect(self._change)
+        self.slider.valueChanged.connect(self._follow_slider)
+        self.place = NumberField()
+        self.place.setAccessibleName(tr("Position of the section along the axis"))
+        self.place.setToolTip(tr("Type the position; the arrow keys move it by 1 mm, Page Up and Page Down by 10 mm"))
+        self.place.setSuffix(" mm")
+        self.place.setDecimals(DIGITS)
+        self.place.setKeyboardTracking(False)  # not at every digit typed
+        self.place.valueChanged.connect(self._follow_number)
         self.words = label("", "small")
         self._low, self._high = np.zeros(3), np.zeros(3)
-        self.setLayout(row(label("Normal to", "soft"), self.axis, self.slider, self.words, margin=8, spacing=12))
+        self.setLayout(row(label("Normal to", "soft"), self.axis, self.slider, self.place, self.words, margin=8, spacing=12))
         self._show()
 
     def value(self) -> CutPlane | None:
         """Return the chosen plane."""
         if not self.button.isChecked() or not (self._high > self._low).any():
             return None
-        place, share = AXES[self.axis.value()], self.slider.value() / STEPS
-        return CutPlane(self.axis.value(), float(self._low[place] + share * (self._high[place] - self._low[place])))
+        return CutPlane(self.axis.value(), self.place.value())
 
     def setValue(self, plane: CutPlane) -> None:
         """Show this section."""
-        place = AXES[plane.axis]
-        span = max(float(self._high[place] - self._low[place]), 1e-9)
         self.axis.setValue(plane.axis)
-        self.slider.setValue(round(STEPS * (plane.place_mm - float(self._low[place])) / span))
+        self.place.setValue(plane.place_mm)
         self.button.setChecked(True)
 
     def show_extent(self, surface: NominalSurface | None) -> None:
@@ -81,10 +87,31 @@ class SectionBar(QWidget):
             self.button.setChecked(False)
         else:
             self._low, self._high = np.asarray(surface.low_mm), np.asarray(surface.high_mm)
+            self._follow_slider()
 
     def say(self, words: str) -> None:
         """Show a text about the section beside the slider."""
         self.words.setText(translated(words))
+
+    @property
+    def _span(self) -> tuple[float, float]:
+        """Return the least and the greatest position along the axis."""
+        return float(self._low[AXES[self.axis.value()]]), float(self._high[AXES[self.axis.value()]])
+
+    def _follow_slider(self) -> None:
+        low, high = self._span
+        self.place.blockSignals(True)
+        self.place.setRange(low, high)
+        self.place.setValue(low + self.slider.value() / STEPS * (high - low))
+        self.place.blockSignals(False)
+        self._change()
+
+    def _follow_number(self, place_mm: float) -> None:
+        low, high = self._span
+        self.slider.blockSignals(True)
+        self.slider.setValue(round(STEPS * (place_mm - low) / max(high - low, 1e-9)))
+        self.slider.blockSignals(False)
+        self._change()
 
     def _show(self) -> None:
         self.setVisible(self.button.isChecked())
