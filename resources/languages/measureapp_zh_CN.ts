@@ -10643,6 +10643,10 @@
       <translation>未选择对齐：使用了最佳拟合，它会将缺陷分散到整个工件。</translation>
     </message>
     <message>
+      <source>No dimension fits the filter. Clear the search, or show all verdicts.</source>
+      <translation>没有符合筛选条件的尺寸。请清除搜索，或显示所有判定。</translation>
+    </message>
+    <message>
       <source>No dimension fits these features together.</source>
       <translation>没有尺寸适合这些特征的组合。</translation>
     </message>
@@ -10651,8 +10655,16 @@
       <translation>没有尺寸适合单独的这个特征。</translation>
     </message>
     <message>
+      <source>No dimensions yet. Select features in the list Features, or add one with Dimension above the picture.</source>
+      <translation>尚无尺寸。请在“特征”列表中选择特征，或用图像上方的“尺寸”添加。</translation>
+    </message>
+    <message>
       <source>No extreme that its neighbours confirm.</source>
       <translation>没有邻点证实的极值。</translation>
+    </message>
+    <message>
+      <source>No features yet. Press Pick faces or Feature and click the part, or write them with Program.</source>
+      <translation>尚无特征。请按“选取面”或“特征”后点击工件，或用“程序”编写。</translation>
     </message>
     <message>
       <source>No inspection yet.</source>
@@ -14140,6 +14152,10 @@ The first run of this part counts.</source>
     <message>
       <source>No part program has “{words}” in its name or numbers.</source>
       <translation>没有名称或编号包含“{words}”的工件程序。</translation>
+    </message>
+    <message>
+      <source>No part programs in the folder. Save one with Save as a template in the menu Project.</source>
+      <translation>文件夹中没有工件程序。请用“项目”菜单中的“保存为模板”保存一个。</translation>
     </message>
     <message>
       <source>No reason</source>
@@ -17857,6 +17873,10 @@ There is no page about “{name}”.</source>
     <message>
       <source>New, open, copy or close a project; settings; exit</source>
       <translation>新建、打开、复制或关闭项目；设置；退出</translation>
+    </message>
+    <message>
+      <source>No messages. What happens during a measurement is listed here.</source>
+      <translation>没有消息。测量过程中发生的情况将列在此处。</translation>
     </message>
     <message>
       <source>No project open</source>

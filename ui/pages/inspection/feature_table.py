@@ -15,6 +15,7 @@ from ui.look.look import Look
 from ui.look.wording import NOTHING, counted, quantity, sentence_case
 from ui.pages.inspection.dimension_rows import shape_words, source_words
 from ui.widgets.data_table import Cell, DataTable, bring_into_sight, is_in_sight, number
+from ui.widgets.empty_rows import EmptyRows
 
 if TYPE_CHECKING:
     from measureapp.data.feature import Feature
@@ -34,6 +35,7 @@ class FeatureTable(DataTable):
         self.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
         self.setAccessibleName(tr("Features"))
         self.setAccessibleDescription(tr("Hold Ctrl to select several features."))
+        self.empty = EmptyRows(self, "No features yet. Press Pick faces or Feature and click the part, or write them with Program.")
         self._features: tuple[Feature, ...] = ()
         self._shown: tuple[Sequence[Feature], Mapping[str, str], Sequence[FeatureProgram]] = ((), {}, ())
         self.constructed: Mapping[str, Construction] = {}  # by name: what those that are not measured themselves are made from
