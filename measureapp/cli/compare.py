@@ -105,7 +105,7 @@ def _statistics_lines(found: DeviationStatistics) -> list[str]:
         for word, one in (("smallest", found.minimum), ("greatest", found.maximum))
         if one is not None
     ]
-    lines = [f"Extremes that neighbours confirm, as reports state them: {', '.join(confirmed)}."] if confirmed else []
+    lines = [f"Confirmed by neighbours, as in reports: {', '.join(confirmed)}."] if confirmed else []
     area = found.no_data
     lines.append(f"No data: {area.not_seen:.1%} not seen, {area.filled:.1%} filled, {area.too_far:.1%} beyond {found.search_mm:g} mm.")
     return lines

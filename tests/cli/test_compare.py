@@ -181,7 +181,7 @@ def test_root_mean_squares_have_no_sign_and_extremes_say_of_which_points_they_ar
     assert main(["compare", str(cloud), str(NOMINAL)]) == 0
     said = capsys.readouterr().out
     assert "rms +" not in said and "p95 +" not in said and "-0.000" not in said
-    assert "Deviation of all " in said and "Extremes that neighbours confirm, as reports state them: " in said
+    assert "Deviation of all " in said and "Confirmed by neighbours, as in reports: " in said
     document = answer(capsys, str(cloud), str(NOMINAL))
     every = document["deviation_statistics"]["all_points_mm"]
     assert every == {name: document["deviation_mm"][name] for name in ("min", "max")}
