@@ -10155,6 +10155,10 @@
       <translation>对邻点颜色取平均；数值、极值和直方图使用实测的每个点</translation>
     </message>
     <message>
+      <source>Axis that the section is normal to</source>
+      <translation>截面所垂直的轴</translation>
+    </message>
+    <message>
       <source>Best fit</source>
       <translation>最佳拟合</translation>
     </message>
@@ -10365,6 +10369,10 @@
     <message>
       <source>Deviation from the nominal, in mm, on the CAD model or on the measured points</source>
       <translation>与名义模型的偏差，mm，显示在 CAD 模型或测量点上</translation>
+    </message>
+    <message>
+      <source>Deviations × {gain}</source>
+      <translation>偏差 × {gain}</translation>
     </message>
     <message>
       <source>Diameter</source>
@@ -10671,6 +10679,10 @@
       <translation>尚无检测。</translation>
     </message>
     <message>
+      <source>No intersection</source>
+      <translation>无交线</translation>
+    </message>
+    <message>
       <source>No tolerance: there is no verdict</source>
       <translation>无公差：不作判定</translation>
     </message>
@@ -10699,12 +10711,12 @@
       <translation>无</translation>
     </message>
     <message>
-      <source>Normal to</source>
-      <translation>垂直于</translation>
-    </message>
-    <message>
       <source>Not certified</source>
       <translation>无证书</translation>
+    </message>
+    <message>
+      <source>Not measured</source>
+      <translation>未测量</translation>
     </message>
     <message>
       <source>Not measured: {total} of the nominal's surface (not seen {not_seen}, filled {filled}, too far {too_far})</source>
@@ -11305,18 +11317,6 @@
     <message>
       <source>{what} of {name} changed.</source>
       <translation>{name} 的{what}已更改。</translation>
-    </message>
-    <message>
-      <source>{where}, deviations × {gain}</source>
-      <translation>{where}，偏差 × {gain}</translation>
-    </message>
-    <message>
-      <source>{where}: no intersection</source>
-      <translation>{where}：无交线</translation>
-    </message>
-    <message>
-      <source>{where}: not measured</source>
-      <translation>{where}：未测量</translation>
     </message>
   </context>
   <context>
@@ -15757,10 +15757,6 @@ The first run of this part counts.</source>
     <message>
       <source>Measurements of one part</source>
       <translation>同一工件的测量</translation>
-    </message>
-    <message>
-      <source>Not measured</source>
-      <translation>未测量</translation>
     </message>
     <message>
       <source>Not tested</source>

@@ -9,12 +9,12 @@ import numpy as np
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QSlider, QWidget
 
-from ui.look.language.words import tr, translated
+from ui.look.language.words import tr
 from ui.look.look import Look
 from ui.look.wording import millimetres
 from ui.pages.inspection.section_lines import Whiskers
 from ui.viewport.layers import LineLayer
-from ui.widgets.basic import Button, label, row
+from ui.widgets.basic import Button, ElidedLabel, row
 from ui.widgets.number_field import NumberField
 from ui.widgets.segments import Segments
 
@@ -24,6 +24,7 @@ if TYPE_CHECKING:
 
 STEPS = 400
 DIGITS = 2
+PLACE_WIDTH, SLIDER_WIDTH = 96, 60
 HALF_WIDTH_MM = 0.5
 NOMINAL = (70, 82, 90)
 TIP = "Cut the part by a plane and show the deviations along the section"
@@ -48,7 +49,9 @@ class SectionBar(QWidget):
         self.button = Button("Section", look, "section", "quiet", TIP)
         self.button.setCheckable(True)
         self.button.toggled.connect(self._show)
-        self.axis = Segments({"z": "z", "x": "x", "y": "y"}, name="Section normal to")
+        self.axis = Segments(
+            {name: name for name in "zxy"}, name="Section normal to", tips=dict.fromkeys("zxy", "Axis that the section is normal to")
+        )
         self.axis.valueChanged.connect(self._follow_slider)
         self.slider = QSlider(Qt.Orientation.Horizontal)
         self.slider.setAccessibleName(tr("Position of the section along the axis"))
@@ -63,9 +66,15 @@ class SectionBar(QWidget):
         self.place.setDecimals(DIGITS)
         self.place.setKeyboardTracking(False)  # not at every digit typed
         self.place.valueChanged.connect(self._follow_number)
-        self.words = label("", "small")
+        self.place.setButtonSymbols(NumberField.ButtonSymbols.NoButtons)
+        self.place.setFixedWidth(PLACE_WIDTH)
+        self.slider.setMinimumWidth(SLIDER_WIDTH)
+        self.words = ElidedLabel("", "small")  # the first to become shorter, rather than push the tables out of the window
         self._low, self._high = np.zeros(3), np.zeros(3)
-        self.setLayout(row(label("Normal to", "soft"), self.axis, self.slider, self.place, self.words, margin=8, spacing=12))
+        line = row(self.axis, self.slider, self.place, self.words, margin=8, spacing=12)
+        line.setStretch(1, 2)
+        line.setStretch(3, 1)
+        self.setLayout(line)
         self._show()
 
     def value(self) -> CutPlane | None:
@@ -90,8 +99,8 @@ class SectionBar(QWidget):
             self._follow_slider()
 
     def say(self, words: str) -> None:
-        """Show a text about the section beside the slider."""
-        self.words.setText(translated(words))
+        """Show a text about the section beside its position."""
+        self.words.set_words(words)
 
     @property
     def _span(self) -> tuple[float, float]:
@@ -135,12 +144,8 @@ def cut_lines(comparison: Comparison, plane: CutPlane) -> tuple[list[LineLayer],
             where, comparison.deviation, comparison.surface, CuttingPlane.through(plane.place_mm * axis, axis), HALF_WIDTH_MM
         )
     except InspectionError:
-        return [], tr("{where}: no intersection", where=where)
+        return [], "No intersection"
     whiskers = Whiskers.of(found)
     drawn = LineLayer(found.nominal, NOMINAL, 2.0)
-    words = (
-        tr("{where}, deviations × {gain}", where=where, gain=whiskers.gain)
-        if len(found.deviations_mm)
-        else tr("{where}: not measured", where=where)
-    )
+    words = tr("Deviations × {gain}", gain=whiskers.gain) if len(found.deviations_mm) else "Not measured"
     return [layer for layer in (drawn, *whiskers.layers()) if layer.lines], words
