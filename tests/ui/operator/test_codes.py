@@ -11,7 +11,7 @@ from ui.controllers.operator_codes import CodeFields, check_code, clean_code, fi
 from ui.controllers.operator_nouns import Entered
 from ui.look.language.catalogue import read_catalogue
 from ui.look.language.sources import catalogue_file
-from ui.look.language.words import translated
+from ui.look.language.words import Translator, translated
 from ui.pages.operator.scanner import FEWEST, SLOWEST_S, Scanner, TypedFast
 
 CROSS = PartProgramFacts(
@@ -112,7 +112,9 @@ def test_a_scan_before_the_start_presses_nothing_and_is_compared_with_the_part(w
 
 
 def test_what_an_operator_typed_is_never_translated(workshop, monkeypatch):
-    monkeypatch.setattr("ui.look.language.words.TRANSLATOR._catalogue", read_catalogue(catalogue_file("zh_CN")))
+    chinese = Translator()
+    chinese.use(read_catalogue(catalogue_file("zh_CN")))
+    monkeypatch.setattr("ui.look.language.words.TRANSLATOR", chinese)
     screens, operator = workshop.screens, workshop.operator
     operator.choose(operator.shelf.cards[0])
     assert translated("Name") != "Name"
