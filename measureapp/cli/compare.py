@@ -11,6 +11,7 @@ import typer
 from measureapp.cli.outcome import alignment_lines
 from measureapp.cli.reply import JsonOption, TerminalProgress, UnitOption, reply
 from measureapp.data.length_unit import LengthUnit
+from measureapp.data.shown_number import shown_number
 from measureapp.errors import InputError
 
 if TYPE_CHECKING:
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
     from measureapp.inspection.surface.statistics import DeviationStatistics
     from measureapp.project.geometry.files import PlainPoints
 
+AMOUNTS = ("rms", "p95")  # figures that have no sign
 SECTION_FILE = Path("sections.csv")
 SECTION = re.compile(r"\s*([xyzr])\s*=\s*([-+]?\d+(?:\.\d*)?)\s*")
 
@@ -99,11 +101,11 @@ def _statistics(
 
 def _statistics_lines(found: DeviationStatistics) -> list[str]:
     confirmed = [
-        f"{word} {one.value_mm:+.3f} mm at ({', '.join(f'{value:.1f}' for value in one.point_mm)})"
+        f"{word} {shown_number(one.value_mm, signed=True)} mm at ({', '.join(shown_number(value, 1) for value in one.point_mm)})"
         for word, one in (("smallest", found.minimum), ("greatest", found.maximum))
         if one is not None
     ]
-    lines = [f"Confirmed by neighbours: {', '.join(confirmed)}."] if confirmed else []
+    lines = [f"Confirmed by neighbours, as in reports: {', '.join(confirmed)}."] if confirmed else []
     area = found.no_data
     lines.append(f"No data: {area.not_seen:.1%} not seen, {area.filled:.1%} filled, {area.too_far:.1%} beyond {found.search_mm:g} mm.")
     return lines
@@ -112,7 +114,8 @@ def _statistics_lines(found: DeviationStatistics) -> list[str]:
 def _summary_lines(found: Deviation, figures: dict[str, float]) -> list[str]:
     return [
         alignment_lines(found.alignment),
-        "Deviation: " + ", ".join(f"{name} {value:+.3f} mm" for name, value in figures.items()),
+        f"Deviation of all {len(found.distances_mm):,} points: "
+        + ", ".join(f"{name} {shown_number(value, signed=name not in AMOUNTS)} mm" for name, value in figures.items()),
         f"Not measured: {found.unmeasured_share:.1%} of the nominal's surface.",
     ]
 

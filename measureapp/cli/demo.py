@@ -12,6 +12,7 @@ from measureapp.cli.outcome import measurement_lines, report_event
 from measureapp.cli.reply import UNIT_HELP, JsonOption, TerminalProgress, reply
 from measureapp.data.length_unit import LengthUnit, likely_unit
 from measureapp.data.sample_worlds import DEFAULT_WORLD
+from measureapp.data.shown_number import shown_number
 from measureapp.data.verdicts import has_passed
 from measureapp.errors import InputError
 
@@ -65,7 +66,7 @@ def register(app: typer.Typer) -> None:
         lines = [
             *measurement_lines(outcome.measurement),
             f"Against the true surface: rms {deviation['rms']:.3f} mm, 95 % within {deviation['p95']:.3f} mm, "
-            f"bias {deviation['bias']:+.3f} mm (kinematic positions: rms {deviation['kinematic_only']['rms']:.3f} mm).",
+            f"bias {shown_number(deviation['bias'], signed=True)} mm (kinematic positions: rms {deviation['kinematic_only']['rms']:.3f} mm).",
             *_truth_lines(outcome.document["true_dimensions"]),
             f"Report: {outcome.files['report_pdf']}",
         ]
@@ -78,7 +79,11 @@ def _truth_lines(dimensions: list[dict[str, Any]]) -> list[str]:
     """Return a line about how many uncertainties contain the true values."""
     if not dimensions:
         return []
-    outside = [f"{one['name']} ({one['error']:+.3f} mm, U {one['uncertainty']:.3f} mm)" for one in dimensions if not one["contains_truth"]]
+    outside = [
+        f"{one['name']} ({shown_number(one['error'], signed=True)} mm, U {one['uncertainty']:.3f} mm)"
+        for one in dimensions
+        if not one["contains_truth"]
+    ]
     told = f"True values within U: {len(dimensions) - len(outside)} of {len(dimensions)}"
     return [f"{told}; outside: {', '.join(outside)}." if outside else f"{told}."]
 

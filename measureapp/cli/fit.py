@@ -44,7 +44,10 @@ def register(app: typer.Typer) -> None:
     def fit_points(
         shape: Annotated[ShapeName, typer.Argument(help="The shape to fit.")],
         points: Annotated[
-            Path, typer.Argument(help="Text file with one point per line (white space or commas), or a PLY, STL, OBJ or PCD file.")
+            Path,
+            typer.Argument(
+                help="Text file with one point per line (white space, commas or semicolons; columns named x, y, z in any order), or a PLY, STL, OBJ or PCD file."
+            ),
         ],
         criterion: Annotated[Criterion, typer.Option(help="Fit criterion.")] = Criterion.LEAST_SQUARES,
         robust: Annotated[bool, typer.Option("--robust", help="Reject outliers and report their number.")] = False,
@@ -71,16 +74,17 @@ def register(app: typer.Typer) -> None:
 def _read(path: Path, unit: LengthUnit) -> tuple[FloatArray, int]:
     """Return the points in mm, and the number of those in the file that have no finite coordinates."""
     from measureapp.errors import InputError
-    from measureapp.project.geometry.files import KINDS, read_points
-    from measureapp.project.geometry.point_files import read_table
+    from measureapp.project.geometry.files import KINDS, check_stated_unit, read_points
+    from measureapp.project.geometry.point_files import read_text_points
 
     if path.suffix.lower() in KINDS or not path.is_file():
         read = read_points(path, unit)
         return read.points_mm, read.dropped
-    points = read_table(path)[:, :3]
-    if not np.isfinite(points).all():
+    table = read_text_points(path)
+    check_stated_unit(path, table.unit, unit)
+    if not np.isfinite(table.points).all():
         raise InputError(f"{path} contains non-finite coordinates.", "Remove these lines.")
-    return points * unit.in_mm, 0
+    return table.points * unit.in_mm, 0
 
 
 def _document(made: Feature, criterion: str) -> dict[str, Any]:

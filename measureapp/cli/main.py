@@ -60,7 +60,7 @@ def main(argv: Sequence[str] | None = None) -> int:
     except (Cancelled, KeyboardInterrupt, typer.exceptions.Abort):
         return _fail("Cancelled", "Cancelled.", "Nothing more was written.", as_json, CANCELLED)
     except typer.exceptions.TyperException as error:
-        return _fail_usage(error.format_message(), as_json)
+        return _fail_usage(error, as_json)
     except DeviceError as error:
         return _fail(type(error).__name__, error.message, error.hint, as_json, DEVICE_FAILED)
     except MeasureError as error:
@@ -77,15 +77,22 @@ def _replace_unencodable() -> None:
             stream.reconfigure(errors="replace")
 
 
-def _fail_usage(message: str, as_json: bool) -> int:
-    """Report a usage error; without a command print the help."""
+def _fail_usage(error: typer.exceptions.TyperException, as_json: bool) -> int:
+    """Report a usage error with the help of the command that it concerns; without a command print the help."""
+    message = error.format_message()
     if message.startswith("Usage:"):
         if not as_json:
             say(message)
             return BAD_INPUT
         message = "A command is missing."
     sentence = message if message.endswith((".", "?", ")")) else f"{message}."
-    return _fail("UsageError", sentence, "See `measureapp --help`.", as_json, BAD_INPUT)
+    return _fail("UsageError", sentence, f"See `{_command_of(error)} --help`.", as_json, BAD_INPUT)
+
+
+def _command_of(error: typer.exceptions.TyperException) -> str:
+    """Return the command line up to the command or group in which an error was found."""
+    context = getattr(error, "ctx", None)
+    return "measureapp" if context is None else str(context.command_path)
 
 
 def _fail(kind: str, message: str, hint: str, as_json: bool, code: int) -> int:

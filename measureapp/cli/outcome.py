@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from measureapp.cli.reply import say
 from measureapp.data.dimension import Verdict
+from measureapp.data.shown_number import shown_number
 from measureapp.data.surroundings import SURROUNDINGS
 from measureapp.report.words import format_tolerance
 
@@ -104,7 +105,7 @@ def dimension_line(dimension: Dimension) -> str:
     source = f", {tolerance}" if tolerance else ""
     warning = f"\n      {dimension.warning}." if dimension.warning else ""
     return (
-        f"{start}{dimension.measured:9.3f}{uncertainty} {dimension.unit} (nominal {dimension.nominal:g}, deviation {dimension.deviation:+.3f}"
+        f"{start}{shown_number(dimension.measured):>9}{uncertainty} {dimension.unit} (nominal {dimension.nominal:g}, deviation {shown_number(dimension.deviation, signed=True)}"
         f"{source})  {dimension.verdict.value}{warning}"
     )
 

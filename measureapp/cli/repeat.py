@@ -9,6 +9,7 @@ import typer
 
 from measureapp.cli.main import OUT_OF_TOLERANCE
 from measureapp.cli.reply import JsonOption, reply
+from measureapp.data.shown_number import shown_number
 
 if TYPE_CHECKING:
     from measureapp.data.repeats import RepeatedDimension, RepeatStudy
@@ -47,7 +48,5 @@ def _dimension_line(one: RepeatedDimension) -> str:
     if one.mean is None or one.deviation is None:
         return f"  {one.name:<18}not measured"
     spread = "" if one.std is None else f" ± {one.mean_half_width:.4f}, s {one.std:.4f}"
-    relative = "" if one.relative is None else f", {one.relative:+.3%}"
-    return (
-        f"  {one.name:<18}{one.mean:9.3f}{spread} {one.unit} (n {one.n}; nominal {one.nominal:g}, deviation {one.deviation:+.3f}{relative})"
-    )
+    relative = "" if one.relative is None else f", {shown_number(100 * one.relative, signed=True)}%"
+    return f"  {one.name:<18}{one.mean:9.3f}{spread} {one.unit} (n {one.n}; nominal {one.nominal:g}, deviation {shown_number(one.deviation, signed=True)}{relative})"

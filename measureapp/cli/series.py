@@ -65,12 +65,13 @@ def _add_add(group: typer.Typer) -> None:
         results: RootOption = None,
         as_json: JsonOption = False,
     ) -> None:
-        """Add the measurement of a project to the series of its program."""
+        """Add the measurement of a project to the series of its program; one that is there already stays as it is (exit code 0)."""
         from measureapp.project.folder import ProjectFolder
         from measureapp.project.series.filing import file_run
 
-        run = file_run(ProjectFolder.open(project), repeat_reason=reason, root=results)
-        reply(run.model_dump(mode="json"), f"Added to the series of {run.program}: {run.verdict or 'no verdict'}.", as_json)
+        run, is_new = file_run(ProjectFolder.open(project), repeat_reason=reason, root=results)
+        said = f"{'Added to' if is_new else 'Already in'} the series of {run.program}: {run.verdict or 'no verdict'}."
+        reply(run.model_dump(mode="json") | {"added": is_new}, said, as_json)
 
 
 def _add_report(group: typer.Typer) -> None:

@@ -87,7 +87,9 @@ class RobotDescription(Model):
     )
     speed_share: Share | None = Field(default=None, description="of the largest joint speeds, at which a scan drives; none: a usual one")
     speed_mm_s: Speed | None = Field(default=None, description="of the flange; none: a usual one, for arms without a kinematic model")
-    speed_deg_s: Speed | None = Field(default=None, description="of the flange's reorientation, likewise")
+    speed_deg_s: Speed | None = Field(
+        default=None, description="of the flange's reorientation; none: a usual one, for arms without a kinematic model"
+    )
     ramp_s: float | None = Field(default=None, ge=0, le=60, description="to accelerate and brake; none: a usual one")
     thermal_drift_mm: float | None = Field(
         default=None, ge=0, description="displacement of the flange since the calibration by warming up, largest; none: not counted"
@@ -101,7 +103,7 @@ class GuideDescription(Model):
     limits_mm: tuple[float, float]
     repeatability_mm: float
     speed_mm_s: Speed | None = Field(default=None, description="at which a scan drives; none: a usual one")
-    acceleration_mm_s2: Speed | None = Field(default=None, description="likewise")
+    acceleration_mm_s2: Speed | None = Field(default=None, description="at which a scan drives; none: a usual one")
     straightness_mm: float | None = Field(default=None, ge=0, description="straightness error over the stroke, ±; none: a usual one")
     angular_error_arcsec: float | None = Field(default=None, ge=0, description="pitch, yaw and roll over the stroke, ±; none: usual ones")
 
@@ -116,7 +118,7 @@ class TableDescription(Model):
     repeatability_arcsec: float
     centre_in_guide_mm: Vector
     speed_deg_s: Speed | None = Field(default=None, description="at which a scan drives; none: a usual one")
-    acceleration_deg_s2: Speed | None = Field(default=None, description="likewise")
+    acceleration_deg_s2: Speed | None = Field(default=None, description="at which a scan drives; none: a usual one")
     radial_error_mm: float | None = Field(
         default=None, ge=0, description="radial error motion, ± (ISO 230-7), without run-out; none: a usual one"
     )
@@ -146,7 +148,7 @@ class CalibrationRules(Model):
 class DriverChoice(Model):
     """A table ``[devices.NAME]``: the plugin that drives one device, and its settings."""
 
-    driver: str = Field(min_length=1, description="id of the plugin")
+    driver: str = Field(min_length=1, description="ID of the plugin")
     settings: dict[str, object] = Field(default_factory=dict)
 
 
@@ -192,7 +194,7 @@ class RigDescription(Model):
 
     schema_version: Literal[2] = 2
     name: str = Field(min_length=1)
-    driver: str = Field(default="", description="id of the plugin that drives the whole rig")
+    driver: str = Field(default="", description="ID of the plugin that drives the whole rig")
     driver_settings: dict[str, object] = Field(default_factory=dict)
     devices: dict[str, DriverChoice] = Field(default_factory=dict)
     links: dict[str, dict[str, object]] = Field(default_factory=dict, description="what drivers share: a serial line, a login, a world")

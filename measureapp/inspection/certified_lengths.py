@@ -14,6 +14,7 @@ import numpy as np
 from measureapp.arrays import FloatArray
 from measureapp.data.feature import Feature
 from measureapp.data.length_certificate import KnownLength
+from measureapp.data.shown_number import shown_number
 from measureapp.inspection.features.feature_errors import CERTIFICATE
 from measureapp.inspection.features.found_feature import FoundFeature
 from measureapp.inspection.propagation import covariance, propagate
@@ -85,11 +86,11 @@ class CertifiedLengths:
 
 def _contradiction(name: str, off_mm: float, expanded_mm: float) -> str:
     return (
-        f"The certified length {name} is off by {off_mm:+.4f} mm, more than its uncertainty of {expanded_mm:.4f} mm (k = 2) explains: "
+        f"The certified length {name} is off by {shown_number(off_mm, 4, signed=True)} mm, more than its uncertainty of {expanded_mm:.4f} mm (k = 2) explains: "
         "check its features and its certificate, or calibrate again"
     )
 
 
 def _correction(names: str, plain: Value, corrected: Value) -> str:
     by_mm, before_mm, after_mm = corrected.value - plain.value, 2 * plain.sigma, 2 * corrected.sigma
-    return f"corrected by {by_mm:+.4f} mm by the certified length {names}, U {before_mm:.4f} → {after_mm:.4f} mm"
+    return f"corrected by {shown_number(by_mm, 4, signed=True)} mm by the certified length {names}, U {before_mm:.4f} → {after_mm:.4f} mm"

@@ -51,7 +51,8 @@ def replace_alignment(program: InspectionProgram, words: str) -> InspectionProgr
     try:
         return InspectionProgram.model_validate(document)
     except ValidationError as error:
-        raise InputError(f"--alignment {words}: {_first_problem(error, document)}.", f"Give {FORMS}.") from error
+        problem = _first_problem(error, document).removesuffix(f": give {FORMS}")  # which the remedy says
+        raise InputError(f"--alignment {words}: {problem}.", f"Give {FORMS}.") from error
 
 
 def read_program_nominal(path: Path, program: InspectionProgram) -> Mesh | None:

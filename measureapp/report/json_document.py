@@ -99,6 +99,7 @@ def statistics_document(found: DeviationStatistics) -> dict[str, Any]:
         "no_data": {"not_seen": found.no_data.not_seen, "filled": found.no_data.filled, "too_far": found.no_data.too_far},
         "minimum": _extreme_document(found.minimum),
         "maximum": _extreme_document(found.maximum),
+        "all_points_mm": None if found.all_points_mm is None else dict(zip(("min", "max"), found.all_points_mm, strict=True)),
     }
 
 

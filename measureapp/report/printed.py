@@ -276,7 +276,9 @@ def _deviation(deviation: DeviationSummary) -> dict[str, Any]:
     for name, extreme in (("Minimum", found.minimum), ("Maximum", found.maximum)):
         if extreme is not None:
             place = ", ".join(number(float(value), 1) for value in extreme.point_mm)
-            facts += [(name, f"{number(extreme.value_mm, signed=True)} mm"), (f"{name} at", place)]
+            facts += [(f"{name}, confirmed", f"{number(extreme.value_mm, signed=True)} mm"), (f"{name} at", place)]
+    if found.all_points_mm is not None:
+        facts.append(("Of all points", " … ".join(f"{number(value, signed=True)}" for value in found.all_points_mm) + " mm"))
     limits = "the scale" if found.tolerance_mm is None else format_tolerance(*found.tolerance_mm)
     facts += [
         (f"Points within {limits}", percent(found.inside)),

@@ -6,6 +6,7 @@ import re
 from typing import Any
 
 from measureapp.data.dimension import CONTRIBUTION_DIGITS, Dimension, Verdict
+from measureapp.data.shown_number import shown_number
 
 MINUS = "−"
 NONE = "–"
@@ -35,10 +36,7 @@ def number(value: float | None, digits: int = 3, *, signed: bool = False) -> str
     """
     if value is None:
         return NONE
-    text = f"{value:+.{digits}f}" if signed else f"{value:.{digits}f}"
-    if float(text) == 0:
-        text = f"{0:.{digits}f}"
-    return text.replace("-", MINUS)
+    return shown_number(value, digits, signed=signed).replace("-", MINUS)
 
 
 def percent(value: float | None, digits: int = 1, *, signed: bool = False) -> str:

@@ -30,7 +30,7 @@ class RigErrors(Model):
     hand_eye_turn_deg: float = Field(default=1.0, ge=0)
     table_shift_mm: float = Field(default=3.0, ge=0)
     table_tilt_deg: float = Field(default=0.2, ge=0)
-    axes: bool = Field(default=True, description="False: robot, guide and table are perfect")
+    axes: bool = Field(default=True, description="no: robot, guide and table are perfect")
 
 
 class SensorEffects(Model):
@@ -135,7 +135,7 @@ class WorldOptions(Model):
     errors: RigErrors = RigErrors()
     temperature_c: float = Field(default=21.0, description="of the room; the camera housings are warmer by self-heating")
     knocked_deg: dict[str, tuple[float, float, float]] = Field(
-        default_factory=dict, description="cameras displaced after calibration: name -> rotation vector in the camera's own frame"
+        default_factory=dict, description="cameras displaced after calibration: name and rotation vector in the camera's own frame"
     )
     board_bow_mm: float = Field(default=0.02, description="height of the board's centre above its border")
     ambient_flicker: float = Field(

@@ -18,7 +18,7 @@ class SensorSettings(Model):
 
     full_well_e: float = Field(default=6000.0, gt=0, description="electrons at full scale")
     read_noise_e: float = Field(default=7.0, ge=0)
-    noise: bool = Field(default=True, description="False: the mean image is quantised as it is")
+    noise: bool = Field(default=True, description="no: the mean image is quantised as it is")
 
     def variance(self, full_scale: int) -> tuple[float, float]:
         """Return the noise variance of a dark pixel in grey levels squared and its increase per grey level, without quantisation."""

@@ -17,7 +17,9 @@ PixelFormat = Literal["auto", "Mono8", "Mono10", "Mono10Packed", "Mono10p", "Mon
 class GenicamSettings(Model):
     """Settings of a GenICam camera; serial number, size and bit depth are those of the rig description."""
 
-    pixel_format: PixelFormat = Field(default="auto", description="auto: the most compact format with the bit depth of the rig description")
+    pixel_format: PixelFormat = Field(
+        default="auto", description="automatic: the most compact format with the bit depth of the rig description"
+    )
     gain: float | None = Field(default=None, description="in the camera's own unit (Gain: dB, GainRaw: counts); none: leave it as it is")
     offset_x_px: int = Field(default=0, ge=0, description="first column read out")
     offset_y_px: int = Field(default=0, ge=0, description="first row read out")

@@ -17,7 +17,7 @@ class AbbSettings(Model):
     """How the controller is reached, and how its robot moves."""
 
     address: str = Field(
-        default="http://192.168.125.1", pattern=r"^https?://[^/?#\s]+$", description="http or https address, without a path"
+        default="http://192.168.125.1", pattern=r"^https?://[^/?#\s]+$", description="address with http:// or https://, without a path"
     )
     version: Literal["1.0", "2.0"] = Field(default="1.0", description="of Robot Web Services: 1.0 for RobotWare 6, 2.0 for RobotWare 7")
     user: str = Field(default="Default User", min_length=1, description="user of the controller")
@@ -25,9 +25,9 @@ class AbbSettings(Model):
     certificate_sha256: str = Field(
         default="",
         pattern=r"^([0-9A-Fa-f]{2}:?){31}[0-9A-Fa-f]{2}$|^$",
-        description="https: fingerprint of the controller's own certificate; empty: one that this computer trusts",
+        description="fingerprint of the controller's own certificate, for https; empty: one that this computer trusts",
     )
-    system_id: str = Field(default="", description="id of the controller's system; empty: any")
+    system_id: str = Field(default="", description="ID of the controller's system; empty: any")
     task: str = Field(default="T_ROB1", pattern=NAME, description="RAPID task that runs MeasureApp.mod")
     module: str = Field(default="MeasureApp", pattern=NAME, description="name of this module")
     mechanical_unit: str = Field(default="ROB_1", pattern=NAME, description="mechanical unit of the arm")

@@ -31,9 +31,9 @@ class TableSettings(Model):
         default=None, description="-1: counts grow clockwise seen from above; none: as the command table says"
     )
     zero_counts: float = Field(default=0.0, description="position that the controller reports at angle 0 of the rig")
-    speed: float = Field(default=10.0, gt=0, description="degrees per second; sent where the command table has a command for it")
-    acceleration: float = Field(default=20.0, gt=0, description="degrees per second squared; for the predicted duration")
-    tolerance: float = Field(default=0.005, gt=0, description="degrees: largest difference of goal and read-back")
+    speed: float = Field(default=10.0, gt=0, description="speed in degrees per second; sent where the command table has a command for it")
+    acceleration: float = Field(default=20.0, gt=0, description="in degrees per second squared; for the predicted duration")
+    tolerance: float = Field(default=0.005, gt=0, description="largest difference of goal and read-back, in degrees")
     settled_s: float = Field(default=0.1, gt=0, le=5, description="two reads this far apart must agree")
     poll_s: float = Field(default=0.03, gt=0, le=1, description="time between two reads while the table turns")
     absolute_encoder: bool = Field(

@@ -17,14 +17,16 @@ from measureapp.simulate.worlds import read_world
 class VirtualRigSettings(Model):
     """Settings of the virtual rig: part, seed, time scale, board and world."""
 
-    part: str = Field(default="gypsum", description="impeller, gypsum, gear, sphere_plate, flat, or a mesh file (STL, PLY, OBJ)")
-    unit: LengthUnit = Field(default=LengthUnit.MM, description="unit of a mesh file: mm, inch, m, cm or um")
+    part: str = Field(default="gypsum", description="one of impeller, gypsum, gear, sphere_plate, flat, or a mesh file (STL, PLY, OBJ)")
+    unit: LengthUnit = Field(default=LengthUnit.MM, description="unit of a mesh file")
     part_turn_deg: tuple[float, float, float] = Field(
         default=UPRIGHT_DEG, description="rotation of the part about x, then y, then z, before it is put on the table"
     )
     seed: int = Field(default=1, ge=0, description="seed of the hidden errors and all noise")
     time_scale: float = Field(default=0.0, ge=0, description="1: moves and exposures take as long as on a real rig; 0: no waiting")
-    follows: str = Field(default="", description="host:port of a virtual cell in another program, whose axes move this rig; empty: none")
+    follows: str = Field(
+        default="", description="address host:port of a virtual cell in another program, whose axes move this rig; empty: none"
+    )
     board: AnyBoard = PAPER_BOARD
     conditions: str = Field(
         default=IDEAL,

@@ -1368,6 +1368,10 @@
       <translation>点云已计算并拼接。</translation>
     </message>
     <message>
+      <source>The code belongs to this part.</source>
+      <translation>此条码属于该工件。</translation>
+    </message>
+    <message>
       <source>The code {shown} belongs to no part program. Choose the part by its card, or call the engineer.</source>
       <translation>代码 {shown} 不属于任何工件程序。请按卡片选择工件，或呼叫工程师。</translation>
     </message>
@@ -1378,6 +1382,10 @@
     <message>
       <source>The code {shown} is not one of part {value}. Nothing was entered.</source>
       <translation>代码 {shown} 不是工件 {value} 的。未输入任何内容。</translation>
+    </message>
+    <message>
+      <source>The code {shown} was not entered. Press Back to identify another part.</source>
+      <translation>未输入条码 {shown}。要测量其他工件，请按“返回”。</translation>
     </message>
     <message>
       <source>The coverage is being predicted…</source>
@@ -4468,6 +4476,10 @@
       <translation>请添加格雷平面（最高位在前），或更粗的间距。</translation>
     </message>
     <message>
+      <source>Add `complementary = true` to the group of the Gray code.</source>
+      <translation>请在格雷码组中添加 `complementary = true`。</translation>
+    </message>
+    <message>
       <source>Add a phase-shift group of at least three images.</source>
       <translation>请添加至少三幅图像的相移组。</translation>
     </message>
@@ -4600,6 +4612,10 @@
       <translation>请至少五个电平各给出一次。</translation>
     </message>
     <message>
+      <source>Give the first {v1} images of the Gray code only.</source>
+      <translation>请只给出格雷码的前 {v1} 幅图像。</translation>
+    </message>
+    <message>
       <source>Image {v1} of camera {v2} at {v3} µs contradicts the other exposures {v4}.</source>
       <translation>相机 {v2} 在 {v3} µs 的图像 {v1} 与其他曝光矛盾{v4}。</translation>
     </message>
@@ -4682,6 +4698,10 @@
     <message>
       <source>Record six or more steps; twelve are good.</source>
       <translation>请录制六步以上；十二步为佳。</translation>
+    </message>
+    <message>
+      <source>Remove `complementary = true` from the group of the Gray code, or add the shifted last plane.</source>
+      <translation>请从格雷码组中删除 `complementary = true`，或添加移位的最后一个平面。</translation>
     </message>
     <message>
       <source>Remove exposures from the bracket.</source>
@@ -4856,6 +4876,14 @@
       <translation>{v1} 位</translation>
     </message>
     <message>
+      <source>{v1} changes in the middle of the periods that the other Gray code planes number: the code is complementary, and its description does not state it.</source>
+      <translation>{v1} 在其他格雷码平面所编号周期的中间变化：该码为互补格雷码，而其描述未说明这一点。</translation>
+    </message>
+    <message>
+      <source>{v1} changes where the other Gray code planes do: the code is plain, and its description states a complementary one.</source>
+      <translation>{v1} 与其他格雷码平面在相同位置变化：该码为普通格雷码，而其描述为互补格雷码。</translation>
+    </message>
+    <message>
       <source>{v1} does not fit the other steps of its group.</source>
       <translation>{v1} 与其组的其他步不符。</translation>
     </message>
@@ -4874,6 +4902,10 @@
     <message>
       <source>{v1} images of camera {v2} contradict the other exposures, in up to {v3} of their pixels, although they are as bright as predicted: the fringes moved during the images, by vibration, or because a part or axis had not settled.</source>
       <translation>相机 {v2} 的 {v1} 幅图像与其他曝光矛盾，最多达 {v3} 的像素，尽管亮度与预测一致：拍摄期间条纹发生了移动，原因是振动，或零件或轴尚未静止。</translation>
+    </message>
+    <message>
+      <source>{v1} is the inverse of {v2}, and so are all that follow: inverse Gray code planes number no periods.</source>
+      <translation>{v1} 是 {v2} 的反相图像，其后各幅亦然：反相的格雷码平面不对周期编号。</translation>
     </message>
     <message>
       <source>{v1} is the same as {v2}.</source>
@@ -6865,7 +6897,7 @@
     </message>
     <message>
       <source>Name the model of this arm in the rig description (model_file), and check tool0 in the controller; nothing was moved.</source>
-      <translation>请在测量装置描述中给出此机械臂的型号 (model_file)，并检查控制器中的 tool0；什么也没有移动。</translation>
+      <translation>请在测量系统描述中给出此机械臂的型号 (model_file)，并检查控制器中的 tool0；什么也没有移动。</translation>
     </message>
     <message>
       <source>Nothing was changed.</source>
@@ -6977,11 +7009,11 @@
     </message>
     <message>
       <source>The rig description states no speed of {v1}: the time assumes usual ones.</source>
-      <translation>测量装置描述未给出{v1}的速度：时间按常用速度估计。</translation>
+      <translation>测量系统描述未给出{v1}的速度：时间按常用速度估计。</translation>
     </message>
     <message>
       <source>The rig names no kinematic model of its robot: only the head was checked for collisions, on straight ways, not the robot's arm.</source>
-      <translation>测量装置未给出其机器人的运动学模型：只在直线路径上检查了测量头的碰撞，未检查机械臂。</translation>
+      <translation>测量系统未给出其机器人的运动学模型：只在直线路径上检查了测头的碰撞，未检查机械臂。</translation>
     </message>
     <message>
       <source>The viewpoints form {v1} groups without {v2} of common area: registration cannot connect them.</source>
@@ -7045,7 +7077,7 @@
     </message>
     <message>
       <source>head ({v1})</source>
-      <translation>测量头 ({v1})</translation>
+      <translation>测头 ({v1})</translation>
     </message>
     <message>
       <source>in the order {v1}</source>
@@ -7431,6 +7463,14 @@
       <translation>请释放一些空间，或选择另一磁盘。</translation>
     </message>
     <message>
+      <source>Give --unit {v1}, or correct the names of the columns.</source>
+      <translation>请给出 --unit {v1}，或更正列名。</translation>
+    </message>
+    <message>
+      <source>Give --unit {v1}.</source>
+      <translation>请给出 --unit {v1}。</translation>
+    </message>
+    <message>
       <source>Give 4, 5, 8, 12 or 14 coefficients in OpenCV's order.</source>
       <translation>请按 OpenCV 的顺序给出 4、5、8、12 或 14 个系数。</translation>
     </message>
@@ -7539,8 +7579,8 @@
       <translation>请给出一台相机的图像。</translation>
     </message>
     <message>
-      <source>Give the path of a cameras.json.</source>
-      <translation>请给出 cameras.json 的路径。</translation>
+      <source>Give the path of a cameras.json: `measureapp calibrate cameras --out` writes it, `measureapp process` that of a project.</source>
+      <translation>请给出 cameras.json 的路径：由 `measureapp calibrate cameras --out` 写出，项目中的则由 `measureapp process` 写出。</translation>
     </message>
     <message>
       <source>Give the path of the file to be written.</source>
@@ -7681,6 +7721,10 @@
     <message>
       <source>Name project folders, or folders with projects in them.</source>
       <translation>请指定项目文件夹，或含项目的文件夹。</translation>
+    </message>
+    <message>
+      <source>Name the columns x, y, z with mm, inch, m, cm or um.</source>
+      <translation>请将列命名为 x、y、z，并注明 mm、inch、m、cm 或 um。</translation>
     </message>
     <message>
       <source>Name the link of the flange, one of: {v1}.</source>
@@ -7893,6 +7937,18 @@
     <message>
       <source>The cameras have different numbers of images ({v1}).</source>
       <translation>各相机的图像数量不同 ({v1})。</translation>
+    </message>
+    <message>
+      <source>The columns of {v1} are in {v2}</source>
+      <translation>{v1} 的各列以{v2}为单位</translation>
+    </message>
+    <message>
+      <source>The columns of {v1} are in {v2}, and would be read as millimetres.</source>
+      <translation>{v1} 的各列以{v2}为单位，却会按毫米读取。</translation>
+    </message>
+    <message>
+      <source>The columns of {v1} are in {v2}, not in {v3}.</source>
+      <translation>{v1} 的各列以{v2}为单位，而非{v3}。</translation>
     </message>
     <message>
       <source>The copy needs {v1} GB, and {v2} has {v3} GB left.</source>
@@ -8471,6 +8527,10 @@
       <translation>{v1} 对其视图的说明不是数字。</translation>
     </message>
     <message>
+      <source>{v1} states units that are not one unit of length: {v2}.</source>
+      <translation>{v1} 给出的单位不是同一长度单位：{v2}。</translation>
+    </message>
+    <message>
       <source>{v1} unpacks to more than {v2} GB.</source>
       <translation>{v1} 解压后超过 {v2} GB。</translation>
     </message>
@@ -8523,8 +8583,8 @@
       <translation>{v1}，第 {v2} 行：{v4} 列下有 {v3} 个值。</translation>
     </message>
     <message>
-      <source>{v1}, line {v2}: {v3} values where a point needs {v4}.</source>
-      <translation>{v1}，第 {v2} 行：{v3} 个值，而点需要 {v4} 个。</translation>
+      <source>{v1}, line {v2}: {v3} values where a point needs 3.</source>
+      <translation>{v1} 第 {v2} 行：有 {v3} 个值，而一个点需要 3 个。</translation>
     </message>
     <message>
       <source>{v1}, line {v2}: {v3} values where line {v4} has {v5}.</source>
@@ -9085,7 +9145,7 @@
     </message>
     <message>
       <source>Grazing incidence: the camera sees the surface more than {incidence:g}° off its normal. Turn the part towards the sensor.</source>
-      <translation>掠入射：相机看到的表面偏离其法线超过 {incidence:g}°。请将工件转向测量头。</translation>
+      <translation>掠入射：相机看到的表面偏离其法线超过 {incidence:g}°。请将工件转向测头。</translation>
     </message>
     <message>
       <source>Isolated patch: its connected component has fewer than {min_pixels} pixels.</source>
@@ -10095,6 +10155,10 @@
       <translation>对邻点颜色取平均；数值、极值和直方图使用实测的每个点</translation>
     </message>
     <message>
+      <source>Axis that the section is normal to</source>
+      <translation>截面所垂直的轴</translation>
+    </message>
+    <message>
       <source>Best fit</source>
       <translation>最佳拟合</translation>
     </message>
@@ -10251,10 +10315,6 @@
       <translation>剖切</translation>
     </message>
     <message>
-      <source>Cylinder</source>
-      <translation>圆柱</translation>
-    </message>
-    <message>
       <source>Cylindricity</source>
       <translation>圆柱度</translation>
     </message>
@@ -10309,6 +10369,10 @@
     <message>
       <source>Deviation from the nominal, in mm, on the CAD model or on the measured points</source>
       <translation>与名义模型的偏差，mm，显示在 CAD 模型或测量点上</translation>
+    </message>
+    <message>
+      <source>Deviations × {gain}</source>
+      <translation>偏差 × {gain}</translation>
     </message>
     <message>
       <source>Diameter</source>
@@ -10575,10 +10639,6 @@
       <translation>上移</translation>
     </message>
     <message>
-      <source>Name</source>
-      <translation>名称</translation>
-    </message>
-    <message>
       <source>New geometrical tolerance</source>
       <translation>新建几何公差</translation>
     </message>
@@ -10591,6 +10651,10 @@
       <translation>未选择对齐：使用了最佳拟合，它会将缺陷分散到整个工件。</translation>
     </message>
     <message>
+      <source>No dimension fits the filter. Clear the search, or show all verdicts.</source>
+      <translation>没有符合筛选条件的尺寸。请清除搜索，或显示所有判定。</translation>
+    </message>
+    <message>
       <source>No dimension fits these features together.</source>
       <translation>没有尺寸适合这些特征的组合。</translation>
     </message>
@@ -10599,12 +10663,24 @@
       <translation>没有尺寸适合单独的这个特征。</translation>
     </message>
     <message>
+      <source>No dimensions yet. Select features in the list Features, or add one with Dimension above the picture.</source>
+      <translation>尚无尺寸。请在“特征”列表中选择特征，或用图像上方的“尺寸”添加。</translation>
+    </message>
+    <message>
       <source>No extreme that its neighbours confirm.</source>
       <translation>没有邻点证实的极值。</translation>
     </message>
     <message>
+      <source>No features yet. Press Pick faces or Feature and click the part, or write them with Program.</source>
+      <translation>尚无特征。请按“选取面”或“特征”后点击工件，或用“程序”编写。</translation>
+    </message>
+    <message>
       <source>No inspection yet.</source>
       <translation>尚无检测。</translation>
+    </message>
+    <message>
+      <source>No intersection</source>
+      <translation>无交线</translation>
     </message>
     <message>
       <source>No tolerance: there is no verdict</source>
@@ -10635,12 +10711,12 @@
       <translation>无</translation>
     </message>
     <message>
-      <source>Normal to</source>
-      <translation>垂直于</translation>
-    </message>
-    <message>
       <source>Not certified</source>
       <translation>无证书</translation>
+    </message>
+    <message>
+      <source>Not measured</source>
+      <translation>未测量</translation>
     </message>
     <message>
       <source>Not measured: {total} of the nominal's surface (not seen {not_seen}, filled {filled}, too far {too_far})</source>
@@ -10783,8 +10859,20 @@
       <translation>相对偏差</translation>
     </message>
     <message>
-      <source>Remove from the program</source>
-      <translation>从程序中移除</translation>
+      <source>Remove dimension {name}</source>
+      <translation>移除尺寸 {name}</translation>
+    </message>
+    <message>
+      <source>Remove feature {name}</source>
+      <translation>移除特征 {name}</translation>
+    </message>
+    <message>
+      <source>Remove pattern {name}</source>
+      <translation>移除阵列 {name}</translation>
+    </message>
+    <message>
+      <source>Remove {entries}</source>
+      <translation>移除 {entries}</translation>
     </message>
     <message>
       <source>Remove {name}</source>
@@ -10995,6 +11083,10 @@
       <translation>溯源</translation>
     </message>
     <message>
+      <source>Type the position; the arrow keys move it by 1 mm, Page Up and Page Down by 10 mm</source>
+      <translation>输入位置；方向键每次移动 1 mm，Page Up 和 Page Down 每次移动 10 mm</translation>
+    </message>
+    <message>
       <source>Typed</source>
       <translation>手动输入</translation>
     </message>
@@ -11167,10 +11259,6 @@
       <translation>{count} 无公差</translation>
     </message>
     <message>
-      <source>{dimensions} deleted.</source>
-      <translation>已删除{dimensions}。</translation>
-    </message>
-    <message>
       <source>{dimensions} duplicated.</source>
       <translation>已复制{dimensions}。</translation>
     </message>
@@ -11230,21 +11318,17 @@
       <source>{what} of {name} changed.</source>
       <translation>{name} 的{what}已更改。</translation>
     </message>
-    <message>
-      <source>{where}, deviations × {gain}</source>
-      <translation>{where}，偏差 × {gain}</translation>
-    </message>
-    <message>
-      <source>{where}: no intersection</source>
-      <translation>{where}：无交线</translation>
-    </message>
-    <message>
-      <source>{where}: not measured</source>
-      <translation>{where}：未测量</translation>
-    </message>
   </context>
   <context>
     <name>look</name>
+    <message>
+      <source>-1: counts grow against the rig's positive direction</source>
+      <translation>-1：计数沿测量系统的负方向增加</translation>
+    </message>
+    <message>
+      <source>-1: counts grow clockwise seen from above; none: as the command table says</source>
+      <translation>-1：从上方看，计数沿顺时针方向增加；未设置：按命令表</translation>
+    </message>
     <message>
       <source>10 images: 4 steps at 16 px.</source>
       <translation>10 幅图像：16 px 处 4 步。</translation>
@@ -11278,6 +11362,18 @@
       <translation>16 幅图像：16、131.9 和 1088 px 处 8、4、4 步。</translation>
     </message>
     <message>
+      <source>1: exposures and read-outs last as long as in reality; 0: no waiting</source>
+      <translation>1：曝光和读出的时长与实际相同；0：不等待</translation>
+    </message>
+    <message>
+      <source>1: frames exposed in part show their most significant bit planes only; 0: all levels are even</source>
+      <translation>1：部分曝光的帧只显示最高有效位平面；0：所有灰度级均匀</translation>
+    </message>
+    <message>
+      <source>1: moves and exposures take as long as on a real rig; 0: no waiting</source>
+      <translation>1：运动和曝光的时长与真实测量系统相同；0：不等待</translation>
+    </message>
+    <message>
       <source>22 images: 4 steps at 16 px, both directions.</source>
       <translation>22 幅图像：16 px 处 4 步，两个方向。</translation>
     </message>
@@ -11304,6 +11400,26 @@
     <message>
       <source>9 images: 3 steps at 16, 17.84 and 18.14 px.</source>
       <translation>9 幅图像：16、17.84 和 18.14 px 处 3 步。</translation>
+    </message>
+    <message>
+      <source>A command table of this plugin (newport_esp301, newport_smc100, owis_ps90, sigma_koki_shot), or the path of one</source>
+      <translation>本插件的命令表（newport_esp301、newport_smc100、owis_ps90、sigma_koki_shot），或命令表文件的路径</translation>
+    </message>
+    <message>
+      <source>A controller that does not answer for so long is lost</source>
+      <translation>控制器超过此时间未应答即视为失联</translation>
+    </message>
+    <message>
+      <source>A map of this plugin (toyo_xc100, iai_pcon, oriental_az, smc_lecp6, simple_axis), or the path of one</source>
+      <translation>本插件的寄存器映射（toyo_xc100、iai_pcon、oriental_az、smc_lecp6、simple_axis），或映射文件的路径</translation>
+    </message>
+    <message>
+      <source>A new sequence continues the recording, or restarts it</source>
+      <translation>新的序列继续播放录制图像，或从头开始</translation>
+    </message>
+    <message>
+      <source>A robot that does not answer for so long is lost</source>
+      <translation>机器人超过此时间未应答即视为失联</translation>
     </message>
     <message>
       <source>ABB robot (Robot Web Services)</source>
@@ -11334,16 +11450,68 @@
       <translation>动作命令</translation>
     </message>
     <message>
+      <source>Action1 (action command)</source>
+      <translation>Action1（动作命令）</translation>
+    </message>
+    <message>
+      <source>Additional blur 100 mm from the plane in focus, likewise</source>
+      <translation>离焦平面 100 mm 处的附加模糊，全分辨率下的标准差</translation>
+    </message>
+    <message>
+      <source>Additional blur in the corners, standard deviation at full resolution</source>
+      <translation>图像四角的附加模糊，全分辨率下的标准差</translation>
+    </message>
+    <message>
+      <source>Additional blur of the part, not of the board, likewise</source>
+      <translation>工件（而非标定板）的附加模糊，全分辨率下的标准差</translation>
+    </message>
+    <message>
       <source>Address</source>
       <translation>地址</translation>
+    </message>
+    <message>
+      <source>Address host:port of a virtual cell in another program, whose axes move this rig; empty: none</source>
+      <translation>另一程序中虚拟工作站的地址 host:port，其各轴驱动本测量系统；留空：无</translation>
+    </message>
+    <message>
+      <source>Address of a device or gateway on TCP; then no port</source>
+      <translation>TCP 设备或网关的地址；此时不填串口</translation>
+    </message>
+    <message>
+      <source>Address with http:// or https://, without a path</source>
+      <translation>以 http:// 或 https:// 开头的地址，不含路径</translation>
     </message>
     <message>
       <source>After the last image</source>
       <translation>最后一幅图像之后</translation>
     </message>
     <message>
+      <source>After the last image of an exposure: begin again, or refuse triggers</source>
+      <translation>某一曝光的最后一幅图像之后：重新开始，或拒绝触发</translation>
+    </message>
+    <message>
+      <source>After this time without an answer the camera counts as lost</source>
+      <translation>相机超过此时间未应答即视为失联</translation>
+    </message>
+    <message>
       <source>All {count} pass.</source>
       <translation>全部 {count}合格。</translation>
+    </message>
+    <message>
+      <source>Also a part of file names</source>
+      <translation>也用于文件名</translation>
+    </message>
+    <message>
+      <source>Ambient</source>
+      <translation>环境光</translation>
+    </message>
+    <message>
+      <source>Ambient flicker</source>
+      <translation>环境光闪烁</translation>
+    </message>
+    <message>
+      <source>Ambient light</source>
+      <translation>环境光</translation>
     </message>
     <message>
       <source>Ambiguous</source>
@@ -11366,8 +11534,48 @@
       <translation>机械臂</translation>
     </message>
     <message>
+      <source>As the map says</source>
+      <translation>按映射</translation>
+    </message>
+    <message>
       <source>At a new sequence</source>
       <translation>新序列开始时</translation>
+    </message>
+    <message>
+      <source>At rest: two orientations read back differ less</source>
+      <translation>静止：两次读回的姿态之差小于此值</translation>
+    </message>
+    <message>
+      <source>At rest: two positions read back differ less</source>
+      <translation>静止：两次读回的位置之差小于此值</translation>
+    </message>
+    <message>
+      <source>At rest: two read-backs of every joint differ less</source>
+      <translation>静止：每个关节两次读回之差小于此值</translation>
+    </message>
+    <message>
+      <source>At the goal: every joint differs less</source>
+      <translation>到达目标：每个关节的偏差小于此值</translation>
+    </message>
+    <message>
+      <source>At the goal: the orientation differs less</source>
+      <translation>到达目标：姿态偏差小于此值</translation>
+    </message>
+    <message>
+      <source>At the goal: the position differs less</source>
+      <translation>到达目标：位置偏差小于此值</translation>
+    </message>
+    <message>
+      <source>At which a scan drives; none: a usual one</source>
+      <translation>扫描时采用的值；未设置：常用值</translation>
+    </message>
+    <message>
+      <source>Automatic</source>
+      <translation>自动</translation>
+    </message>
+    <message>
+      <source>Automatic: the most compact format with the bit depth of the rig description</source>
+      <translation>自动：与测量系统描述中位深相符的最紧凑格式</translation>
     </message>
     <message>
       <source>Axes on Modbus: TOYO, IAI, Oriental Motor, SMC</source>
@@ -11376,6 +11584,14 @@
     <message>
       <source>Axial error motion</source>
       <translation>轴向误差运动</translation>
+    </message>
+    <message>
+      <source>Axial error motion of the table, half its range</source>
+      <translation>转台的轴向误差运动，范围的一半</translation>
+    </message>
+    <message>
+      <source>Axial error motion, ±; none: a usual one</source>
+      <translation>轴向误差运动，±；未设置：常用值</translation>
     </message>
     <message>
       <source>Axis</source>
@@ -11394,16 +11610,60 @@
       <translation>导轨横梁</translation>
     </message>
     <message>
+      <source>Begin again</source>
+      <translation>重新开始</translation>
+    </message>
+    <message>
       <source>Bit depth</source>
       <translation>位深</translation>
+    </message>
+    <message>
+      <source>Bit planes</source>
+      <translation>位平面</translation>
+    </message>
+    <message>
+      <source>Black</source>
+      <translation>黑电平</translation>
     </message>
     <message>
       <source>Black level</source>
       <translation>黑电平</translation>
     </message>
     <message>
+      <source>Black level of the projector relative to white</source>
+      <translation>投影仪黑电平与白电平之比</translation>
+    </message>
+    <message>
+      <source>Blue</source>
+      <translation>蓝</translation>
+    </message>
+    <message>
+      <source>Blur of the camera image, standard deviation in camera pixels</source>
+      <translation>相机图像的模糊，以相机像素为单位的标准差</translation>
+    </message>
+    <message>
+      <source>Blur of the projected image, standard deviation in projector pixels</source>
+      <translation>投影图像的模糊，以投影仪像素为单位的标准差</translation>
+    </message>
+    <message>
+      <source>Board bow</source>
+      <translation>标定板弯曲</translation>
+    </message>
+    <message>
+      <source>Board excess</source>
+      <translation>标定板温升</translation>
+    </message>
+    <message>
       <source>Bodies in the cell</source>
       <translation>工作站中的物体</translation>
+    </message>
+    <message>
+      <source>Bounce</source>
+      <translation>二次反射</translation>
+    </message>
+    <message>
+      <source>Box</source>
+      <translation>盒</translation>
     </message>
     <message>
       <source>Boxes of the head</source>
@@ -11414,12 +11674,28 @@
       <translation>缓冲区数</translation>
     </message>
     <message>
+      <source>By how much the board is warmer than 20 °C; expansion 9 ppm/K</source>
+      <translation>标定板高于 20 °C 的温度；膨胀系数 9 ppm/K</translation>
+    </message>
+    <message>
+      <source>By how much the part is warmer than 20 °C; expansion 11.5 ppm/K</source>
+      <translation>工件高于 20 °C 的温度；膨胀系数 11.5 ppm/K</translation>
+    </message>
+    <message>
+      <source>By which the clock of the warm-up moves with every image of the head</source>
+      <translation>测头每拍摄一幅图像，预热时钟前进的时间</translation>
+    </message>
+    <message>
       <source>Calibration</source>
       <translation>标定</translation>
     </message>
     <message>
       <source>Calibration images</source>
       <translation>标定图像</translation>
+    </message>
+    <message>
+      <source>Camera drift</source>
+      <translation>相机漂移</translation>
     </message>
     <message>
       <source>Camera in the head</source>
@@ -11430,12 +11706,28 @@
       <translation>录制图像的相机</translation>
     </message>
     <message>
+      <source>Camera shift</source>
+      <translation>相机平移</translation>
+    </message>
+    <message>
+      <source>Camera turn</source>
+      <translation>相机转动</translation>
+    </message>
+    <message>
       <source>Cameras</source>
       <translation>相机</translation>
     </message>
     <message>
+      <source>Cameras displaced after calibration: name and rotation vector in the camera's own frame</source>
+      <translation>标定后被碰动的相机：名称及其在自身坐标系中的旋转矢量</translation>
+    </message>
+    <message>
       <source>Cameras on link</source>
       <translation>同一链路上的相机</translation>
+    </message>
+    <message>
+      <source>Cameras that send their images over the same link</source>
+      <translation>通过同一链路传输图像的相机数</translation>
     </message>
     <message>
       <source>Cantarell</source>
@@ -11454,6 +11746,14 @@
       <translation>20 °C 时的证书长度</translation>
     </message>
     <message>
+      <source>Change of the ambient light from image to image, standard deviation</source>
+      <translation>图像之间环境光的变化，标准差</translation>
+    </message>
+    <message>
+      <source>Change of the head's temperature since the calibration</source>
+      <translation>自标定以来测头的温度变化</translation>
+    </message>
+    <message>
       <source>Checks</source>
       <translation>检查</translation>
     </message>
@@ -11468,6 +11768,14 @@
     <message>
       <source>Clouds</source>
       <translation>点云</translation>
+    </message>
+    <message>
+      <source>Column and row of the image's first pixel on the sensor</source>
+      <translation>图像第一个像素在传感器上的列和行</translation>
+    </message>
+    <message>
+      <source>Coma</source>
+      <translation>彗差</translation>
     </message>
     <message>
       <source>Complem. Gray, 8 steps</source>
@@ -11486,6 +11794,10 @@
       <translation>状况</translation>
     </message>
     <message>
+      <source>Continue</source>
+      <translation>继续</translation>
+    </message>
+    <message>
       <source>Contradicted</source>
       <translation>矛盾</translation>
     </message>
@@ -11494,20 +11806,72 @@
       <translation>控制器</translation>
     </message>
     <message>
+      <source>Corner blur</source>
+      <translation>四角模糊</translation>
+    </message>
+    <message>
+      <source>Counts at position 0 of the rig</source>
+      <translation>测量系统位置 0 处的计数</translation>
+    </message>
+    <message>
       <source>Counts at zero</source>
       <translation>零点计数</translation>
+    </message>
+    <message>
+      <source>Counts per degree; none: as the command table says</source>
+      <translation>每度的计数；未设置：按命令表</translation>
+    </message>
+    <message>
+      <source>Counts per mm or degree; none: as the drive's map says</source>
+      <translation>每毫米或每度的计数；未设置：按驱动器映射</translation>
     </message>
     <message>
       <source>Counts per unit</source>
       <translation>每单位计数</translation>
     </message>
     <message>
+      <source>Creep of the flange after every move, in a random direction</source>
+      <translation>法兰每次运动后沿随机方向的蠕动</translation>
+    </message>
+    <message>
+      <source>Current of the LEDs in use, 1…255; 0: as the projector is set</source>
+      <translation>所用 LED 的电流，1…255；0：按投影仪的设置</translation>
+    </message>
+    <message>
+      <source>Curvature</source>
+      <translation>非线性</translation>
+    </message>
+    <message>
       <source>Cycle of a held pattern</source>
       <translation>保持图案的周期</translation>
     </message>
     <message>
+      <source>Cylinder</source>
+      <translation>圆柱</translation>
+    </message>
+    <message>
+      <source>Cylinder: the upright one that just fits into the box</source>
+      <translation>圆柱：恰好内接于该长方体的直立圆柱</translation>
+    </message>
+    <message>
+      <source>Dark signal non-uniformity in electrons, standard deviation (EMVA 1288)</source>
+      <translation>暗信号非均匀性，以电子数为单位的标准差 (EMVA 1288)</translation>
+    </message>
+    <message>
+      <source>Dark spread</source>
+      <translation>暗信号非均匀性</translation>
+    </message>
+    <message>
+      <source>Defocus</source>
+      <translation>离焦</translation>
+    </message>
+    <message>
       <source>Delay between packets</source>
       <translation>数据包间隔</translation>
+    </message>
+    <message>
+      <source>Delay of each camera's trigger, standard deviation; never early</source>
+      <translation>各相机触发的延迟，标准差；不会提前</translation>
     </message>
     <message>
       <source>Demo: {name}, {resolution} resolution, {count} views, seed {seed}</source>
@@ -11534,20 +11898,80 @@
       <translation>设备</translation>
     </message>
     <message>
+      <source>Displacement at the image's edge 80 mm from focus, against which no distortion at one depth helps</source>
+      <translation>离焦平面 80 mm 处图像边缘的位移，单一深度的畸变模型无法校正</translation>
+    </message>
+    <message>
+      <source>Displacement of the flange since the calibration by warming up, largest; none: not counted</source>
+      <translation>自标定以来法兰因升温产生的最大位移；未设置：不计入</translation>
+    </message>
+    <message>
+      <source>Displacement of the flange until the robot is warm</source>
+      <translation>机器人达到热稳定之前法兰的位移</translation>
+    </message>
+    <message>
+      <source>Displacement of the image until the projector is warm, at full resolution</source>
+      <translation>投影仪达到热稳定之前图像的位移，按全分辨率</translation>
+    </message>
+    <message>
+      <source>Displacement of the principal point until the cameras are warm, full resolution</source>
+      <translation>相机达到热稳定之前主点的位移，按全分辨率</translation>
+    </message>
+    <message>
+      <source>Distance of the measuring volume from the reference camera</source>
+      <translation>测量体积到参考相机的距离</translation>
+    </message>
+    <message>
+      <source>Distance that every joint keeps from its limits</source>
+      <translation>每个关节与其极限保持的距离</translation>
+    </message>
+    <message>
+      <source>Distortion that the lens model lacks, rms per axis at full resolution</source>
+      <translation>镜头模型未包含的畸变，全分辨率下每轴的均方根值</translation>
+    </message>
+    <message>
+      <source>Drift</source>
+      <translation>漂移</translation>
+    </message>
+    <message>
       <source>Drive</source>
       <translation>驱动器</translation>
     </message>
     <message>
       <source>Driver settings</source>
-      <translation>驱动程序设置</translation>
+      <translation>驱动设置</translation>
+    </message>
+    <message>
+      <source>Driver that shows images at its video port (source video)</source>
+      <translation>在其视频端口显示图像的驱动（图案来源为视频端口时）</translation>
     </message>
     <message>
       <source>Duration of a frame</source>
       <translation>一帧的时长</translation>
     </message>
     <message>
+      <source>Duration of a frame of the projector</source>
+      <translation>投影仪一帧的时长</translation>
+    </message>
+    <message>
+      <source>Duration of one cycle of the bit planes while a pattern is held; exposures are whole multiples of it</source>
+      <translation>保持图案时位平面一个周期的时长；曝光时间为其整数倍</translation>
+    </message>
+    <message>
+      <source>Duration of the read-out after each exposure</source>
+      <translation>每次曝光后读出的时长</translation>
+    </message>
+    <message>
+      <source>Duration over which the projector's grey levels are right; 0: one frame of the screen</source>
+      <translation>投影仪灰度级准确所需的时长；0：屏幕的一帧</translation>
+    </message>
+    <message>
       <source>EGM port</source>
       <translation>EGM 端口</translation>
+    </message>
+    <message>
+      <source>Electrons at full scale</source>
+      <translation>满量程时的电子数</translation>
     </message>
     <message>
       <source>Enter a finite number</source>
@@ -11570,6 +11994,22 @@
       <translation>请输入整数</translation>
     </message>
     <message>
+      <source>Error of scale, drawn for x and y with half of it in common</source>
+      <translation>尺度误差，x 和 y 分别抽取，其中一半为共有</translation>
+    </message>
+    <message>
+      <source>Errors</source>
+      <translation>误差</translation>
+    </message>
+    <message>
+      <source>Even parity</source>
+      <translation>偶校验</translation>
+    </message>
+    <message>
+      <source>Expanded uncertainty (k = 2) of the length</source>
+      <translation>长度的扩展不确定度 (k = 2)</translation>
+    </message>
+    <message>
       <source>Exposure chunk</source>
       <translation>图像附带曝光数据</translation>
     </message>
@@ -11590,11 +12030,31 @@
       <translation>文件</translation>
     </message>
     <message>
+      <source>Fingerprint of the controller's own certificate, for https; empty: one that this computer trusts</source>
+      <translation>控制器自有证书的指纹，用于 https；留空：本计算机信任的证书</translation>
+    </message>
+    <message>
+      <source>First column read out</source>
+      <translation>读出的第一列</translation>
+    </message>
+    <message>
+      <source>First row read out</source>
+      <translation>读出的第一行</translation>
+    </message>
+    <message>
+      <source>Fixture</source>
+      <translation>夹具</translation>
+    </message>
+    <message>
       <source>Fixtures</source>
       <translation>夹具</translation>
     </message>
     <message>
       <source>Flash</source>
+      <translation>闪存</translation>
+    </message>
+    <message>
+      <source>Flash memory</source>
       <translation>闪存</translation>
     </message>
     <message>
@@ -11610,6 +12070,10 @@
       <translation>飞点</translation>
     </message>
     <message>
+      <source>Focal drift</source>
+      <translation>焦距漂移</translation>
+    </message>
+    <message>
       <source>Focal length</source>
       <translation>焦距</translation>
     </message>
@@ -11622,12 +12086,32 @@
       <translation>跟随的工作站</translation>
     </message>
     <message>
+      <source>For controllers that cannot report whether they are referenced: true where the position is known after power-up</source>
+      <translation>用于无法报告是否已回零的控制器：上电后位置已知时为“是”</translation>
+    </message>
+    <message>
+      <source>For drives that cannot report whether they are referenced: true where the position is known after power-up</source>
+      <translation>用于无法报告是否已回零的驱动器：上电后位置已知时为“是”</translation>
+    </message>
+    <message>
+      <source>For messages, such as the name of the pattern set</source>
+      <translation>用于消息，例如图案集的名称</translation>
+    </message>
+    <message>
       <source>Framing</source>
       <translation>帧格式</translation>
     </message>
     <message>
+      <source>From painting an image until it is lit for certain; `measureapp rig latency` measures it</source>
+      <translation>从绘制图像到确定已投射的时间；可用 `measureapp rig latency` 测量</translation>
+    </message>
+    <message>
       <source>Full well</source>
       <translation>满阱容量</translation>
+    </message>
+    <message>
+      <source>Further straightness error of the guide, half its range</source>
+      <translation>导轨的其他直线度误差，范围的一半</translation>
     </message>
     <message>
       <source>Fusion</source>
@@ -11636,6 +12120,14 @@
     <message>
       <source>Gain</source>
       <translation>增益</translation>
+    </message>
+    <message>
+      <source>Gain spread</source>
+      <translation>光响应非均匀性</translation>
+    </message>
+    <message>
+      <source>Gamma</source>
+      <translation>伽马</translation>
     </message>
     <message>
       <source>Gear</source>
@@ -11654,8 +12146,32 @@
       <translation>GenICam 相机 (GigE Vision、USB3 Vision)</translation>
     </message>
     <message>
+      <source>GigE 1000, 5GigE 5000, USB3 about 3200</source>
+      <translation>GigE 为 1000，5GigE 为 5000，USB3 约为 3200</translation>
+    </message>
+    <message>
+      <source>GigE Vision, pause between packets; none: leave it as it is</source>
+      <translation>GigE Vision 数据包之间的间隔；未设置：保持不变</translation>
+    </message>
+    <message>
+      <source>GigE Vision; none: the largest that arrives</source>
+      <translation>GigE Vision 数据包大小；未设置：能够到达的最大值</translation>
+    </message>
+    <message>
       <source>Give at least {limits}.</source>
       <translation>请至少给出 {limits}。</translation>
+    </message>
+    <message>
+      <source>Glare</source>
+      <translation>眩光</translation>
+    </message>
+    <message>
+      <source>Global reset</source>
+      <translation>全局复位</translation>
+    </message>
+    <message>
+      <source>Global shutter</source>
+      <translation>全局快门</translation>
     </message>
     <message>
       <source>Gray code</source>
@@ -11666,12 +12182,32 @@
       <translation>掠入射</translation>
     </message>
     <message>
+      <source>Green</source>
+      <translation>绿</translation>
+    </message>
+    <message>
+      <source>Grey level of uniform light</source>
+      <translation>均匀光的灰度级</translation>
+    </message>
+    <message>
       <source>Group key</source>
       <translation>组密钥</translation>
     </message>
     <message>
       <source>Group mask</source>
       <translation>组掩码</translation>
+    </message>
+    <message>
+      <source>Guide angle</source>
+      <translation>导轨角度误差</translation>
+    </message>
+    <message>
+      <source>Guide backlash</source>
+      <translation>导轨反向间隙</translation>
+    </message>
+    <message>
+      <source>Guide straightness</source>
+      <translation>导轨直线度</translation>
     </message>
     <message>
       <source>Gypsum</source>
@@ -11682,6 +12218,18 @@
       <translation>石膏十字：a、b、c、d</translation>
     </message>
     <message>
+      <source>Hand eye shift</source>
+      <translation>手眼平移</translation>
+    </message>
+    <message>
+      <source>Hand eye turn</source>
+      <translation>手眼转动</translation>
+    </message>
+    <message>
+      <source>Hardware</source>
+      <translation>硬件</translation>
+    </message>
+    <message>
       <source>Hardware trigger</source>
       <translation>硬件触发</translation>
     </message>
@@ -11690,12 +12238,24 @@
       <translation>散列值</translation>
     </message>
     <message>
+      <source>Head lamp, on while no pattern is shown</source>
+      <translation>测头照明灯，不投射图案时点亮</translation>
+    </message>
+    <message>
       <source>Head on the flange</source>
       <translation>法兰上的测头</translation>
     </message>
     <message>
+      <source>Height of the board's centre above its border</source>
+      <translation>标定板中心高出边缘的高度</translation>
+    </message>
+    <message>
       <source>Height of the floor</source>
       <translation>地面高度</translation>
+    </message>
+    <message>
+      <source>Height of the floor in the guide frame; default: the plane on which the robot stands</source>
+      <translation>地面在导轨坐标系中的高度；默认：机器人安装平面</translation>
     </message>
     <message>
       <source>Hierarchical</source>
@@ -11706,12 +12266,56 @@
       <translation>主机</translation>
     </message>
     <message>
+      <source>Hot</source>
+      <translation>热像素</translation>
+    </message>
+    <message>
+      <source>How long a camera that another program holds is tried again</source>
+      <translation>相机被其他程序占用时重试的时间</translation>
+    </message>
+    <message>
+      <source>How long to try while another program controls the camera; longer than its heartbeat, 3 s</source>
+      <translation>其他程序控制相机时重试的时间；应长于其心跳时间 3 s</translation>
+    </message>
+    <message>
+      <source>How messages are framed on the line</source>
+      <translation>线路上报文的帧格式</translation>
+    </message>
+    <message>
+      <source>How well rig and part are made: ideal, good, usual, bad or a TOML file of a world; a table [world] takes its place</source>
+      <translation>测量系统和工件的制造水平：ideal、good、usual、bad，或虚拟环境的 TOML 文件；有 [world] 表时以该表为准</translation>
+    </message>
+    <message>
+      <source>ID of the controller's system; empty: any</source>
+      <translation>控制器系统的 ID；留空：任意</translation>
+    </message>
+    <message>
+      <source>ID of the plugin</source>
+      <translation>插件的 ID</translation>
+    </message>
+    <message>
+      <source>ID of the plugin that drives the whole rig</source>
+      <translation>驱动整个测量系统的插件的 ID</translation>
+    </message>
+    <message>
+      <source>Identity of the set, as the driver states it when it does not know the set</source>
+      <translation>图案集的标识，即驱动不认识该图案集时给出的标识</translation>
+    </message>
+    <message>
       <source>Image height</source>
       <translation>图像高度</translation>
     </message>
     <message>
       <source>Image width</source>
       <translation>图像宽度</translation>
+    </message>
+    <message>
+      <source>Images that can wait for being read</source>
+      <translation>可等待读取的图像数</translation>
+    </message>
+    <message>
+      <source>Images that the computer holds until they are fetched</source>
+      <translation>计算机在取走之前缓存的图像数</translation>
     </message>
     <message>
       <source>Impeller</source>
@@ -11726,12 +12330,48 @@
       <translation>叶轮：直径与叶片</translation>
     </message>
     <message>
+      <source>In degrees per second squared; for the predicted duration</source>
+      <translation>单位为度每二次方秒；用于预测时长</translation>
+    </message>
+    <message>
+      <source>In mm or degrees per second squared; for the predicted duration</source>
+      <translation>单位为毫米或度每二次方秒；用于预测时长</translation>
+    </message>
+    <message>
+      <source>In the camera's own unit (Gain: dB, GainRaw: counts); none: leave it as it is</source>
+      <translation>采用相机自身的单位（Gain：dB，GainRaw：计数）；未设置：保持不变</translation>
+    </message>
+    <message>
+      <source>In the camera's unit (raw steps on ace GigE, dB on newer ones); none: the lowest</source>
+      <translation>采用相机的单位（ace GigE 为原始步数，较新型号为 dB）；未设置：最低值</translation>
+    </message>
+    <message>
+      <source>In the camera's unit; none: as in its default user set</source>
+      <translation>采用相机的单位；未设置：按其默认用户设置集</translation>
+    </message>
+    <message>
+      <source>In the head frame; none given: derived from cameras and projector</source>
+      <translation>在测头坐标系中；未给出时由相机和投影仪推导</translation>
+    </message>
+    <message>
+      <source>In ticks; none: shared equally by the cameras of the link</source>
+      <translation>以时钟周期为单位；未设置：由链路上的相机平均分配</translation>
+    </message>
+    <message>
+      <source>Input of the hardware trigger, rising edge</source>
+      <translation>硬件触发的输入端，上升沿</translation>
+    </message>
+    <message>
       <source>Inspection</source>
       <translation>检测</translation>
     </message>
     <message>
       <source>Inter</source>
       <translation>Inter</translation>
+    </message>
+    <message>
+      <source>Interval of polls while the robot moves</source>
+      <translation>机器人运动时的轮询间隔</translation>
     </message>
     <message>
       <source>Interval of reads at rest</source>
@@ -11755,7 +12395,7 @@
     </message>
     <message>
       <source>Joint calibration of the rig</source>
-      <translation>测量装置联合标定</translation>
+      <translation>测量系统联合标定</translation>
     </message>
     <message>
       <source>Joint margin</source>
@@ -11770,8 +12410,24 @@
       <translation>禁入区</translation>
     </message>
     <message>
+      <source>Keys of the action command, for the trigger source Action1</source>
+      <translation>动作命令的密钥，用于触发源 Action1</translation>
+    </message>
+    <message>
       <source>Kinematic model</source>
       <translation>运动学模型</translation>
+    </message>
+    <message>
+      <source>Kinematic model: a name in `resources/robots`, a TOML file of the same form, or a URDF with a link `tool0`</source>
+      <translation>运动学模型：`resources/robots` 中的名称、相同格式的 TOML 文件，或含连杆 `tool0` 的 URDF</translation>
+    </message>
+    <message>
+      <source>Kinematic model: a name in `resources/robots`, or the path of a TOML or URDF file; empty: reach only</source>
+      <translation>运动学模型：`resources/robots` 中的名称，或 TOML 或 URDF 文件的路径；留空：只考虑工作半径</translation>
+    </message>
+    <message>
+      <source>Knocked</source>
+      <translation>被碰动的相机</translation>
     </message>
     <message>
       <source>LED</source>
@@ -11782,8 +12438,40 @@
       <translation>LED 电流</translation>
     </message>
     <message>
+      <source>Lamp</source>
+      <translation>照明灯</translation>
+    </message>
+    <message>
       <source>Largest change of temperature</source>
       <translation>最大温度变化</translation>
+    </message>
+    <message>
+      <source>Largest deviation of the response from a straight line, of full scale</source>
+      <translation>响应偏离直线的最大值，相对于满量程</translation>
+    </message>
+    <message>
+      <source>Largest diameter of a part about the table's axis; none: the table's</source>
+      <translation>工件绕转台轴线的最大直径；未设置：转台直径</translation>
+    </message>
+    <message>
+      <source>Largest difference of goal and read-back, in degrees</source>
+      <translation>目标与读回的最大差值，单位为度</translation>
+    </message>
+    <message>
+      <source>Largest difference of goal and read-back, in mm or degrees</source>
+      <translation>目标与读回的最大差值，单位为毫米或度</translation>
+    </message>
+    <message>
+      <source>Largest difference of read-back and goal, robot and guide</source>
+      <translation>读回与目标的最大差值，用于机器人和导轨</translation>
+    </message>
+    <message>
+      <source>Largest difference of read-back and goal, robot and table</source>
+      <translation>读回与目标的最大差值，用于机器人和转台</translation>
+    </message>
+    <message>
+      <source>Largest difference of the controller's pose and the kinematic model's</source>
+      <translation>控制器的位姿与运动学模型的位姿之间的最大差值</translation>
     </message>
     <message>
       <source>Largest part</source>
@@ -11794,20 +12482,80 @@
       <translation>最大工作半径</translation>
     </message>
     <message>
+      <source>Largest speeds of the joints; none: those of the kinematic model</source>
+      <translation>各关节的最大速度；未设置：取运动学模型的值</translation>
+    </message>
+    <message>
+      <source>Late</source>
+      <translation>触发延迟</translation>
+    </message>
+    <message>
       <source>Latency</source>
       <translation>延迟</translation>
+    </message>
+    <message>
+      <source>Least distance that moving bodies keep from everything else</source>
+      <translation>运动物体与其他一切物体保持的最小距离</translation>
     </message>
     <message>
       <source>Least reach</source>
       <translation>最小工作半径</translation>
     </message>
     <message>
+      <source>Lens blur</source>
+      <translation>镜头模糊</translation>
+    </message>
+    <message>
+      <source>Lenses</source>
+      <translation>镜头</translation>
+    </message>
+    <message>
+      <source>Let each image carry its exposure, where the camera can; it is then checked</source>
+      <translation>相机支持时让每幅图像附带其曝光时间，并进行核对</translation>
+    </message>
+    <message>
+      <source>Level spread</source>
+      <translation>光强波动</translation>
+    </message>
+    <message>
+      <source>Light from one image to the next, relative standard deviation</source>
+      <translation>图像之间的光强变化，相对标准差</translation>
+    </message>
+    <message>
+      <source>Light of all patterns</source>
+      <translation>所有图案的光色</translation>
+    </message>
+    <message>
+      <source>Line1 (trigger input)</source>
+      <translation>Line1（触发输入）</translation>
+    </message>
+    <message>
+      <source>Line2 (trigger input)</source>
+      <translation>Line2（触发输入）</translation>
+    </message>
+    <message>
+      <source>Line3 (trigger input)</source>
+      <translation>Line3（触发输入）</translation>
+    </message>
+    <message>
       <source>Link</source>
       <translation>连接</translation>
     </message>
     <message>
+      <source>Local</source>
+      <translation>局部位移</translation>
+    </message>
+    <message>
+      <source>Local displacements of the print, rms per axis</source>
+      <translation>印刷图案的局部位移，每轴的均方根值</translation>
+    </message>
+    <message>
       <source>Longest duration of a move</source>
       <translation>单次移动的最长时间</translation>
+    </message>
+    <message>
+      <source>Longest duration of one move of one axis</source>
+      <translation>单轴一次运动的最长时间</translation>
     </message>
     <message>
       <source>Longest wait for a login</source>
@@ -11818,16 +12566,48 @@
       <translation>应答的最长等待</translation>
     </message>
     <message>
+      <source>Longest wait for a reply of the projector</source>
+      <translation>等待投影仪应答的最长时间</translation>
+    </message>
+    <message>
+      <source>Longest wait for a reply; a stop waits no longer than this</source>
+      <translation>等待应答的最长时间；停止操作的等待不会超过此时间</translation>
+    </message>
+    <message>
       <source>Longest wait for access</source>
       <translation>获得访问的最长等待</translation>
+    </message>
+    <message>
+      <source>Longest wait for one answer</source>
+      <translation>等待一次应答的最长时间</translation>
+    </message>
+    <message>
+      <source>Longest wait for one reply</source>
+      <translation>等待一次应答的最长时间</translation>
+    </message>
+    <message>
+      <source>Longest wait for the projector to leave standby</source>
+      <translation>等待投影仪退出待机的最长时间</translation>
     </message>
     <message>
       <source>Longest wait for the start</source>
       <translation>启动的最长等待</translation>
     </message>
     <message>
+      <source>Longest wait for the window to appear</source>
+      <translation>等待窗口出现的最长时间</translation>
+    </message>
+    <message>
+      <source>Longest wait for the window to paint an image</source>
+      <translation>等待窗口绘制一幅图像的最长时间</translation>
+    </message>
+    <message>
       <source>Longest wait for wake-up</source>
       <translation>唤醒的最长等待</translation>
+    </message>
+    <message>
+      <source>Loss of light in the corners</source>
+      <translation>图像四角的光强损失</translation>
     </message>
     <message>
       <source>Lost after</source>
@@ -11846,8 +12626,16 @@
       <translation>制造商</translation>
     </message>
     <message>
+      <source>Manufacturer of the screen; empty: any</source>
+      <translation>屏幕的制造商；留空：任意</translation>
+    </message>
+    <message>
       <source>Material</source>
       <translation>材料</translation>
+    </message>
+    <message>
+      <source>Mean depth at which light is scattered back below the surface</source>
+      <translation>光在表面以下被散射返回的平均深度</translation>
     </message>
     <message>
       <source>Measured</source>
@@ -11862,8 +12650,36 @@
       <translation>机械单元</translation>
     </message>
     <message>
+      <source>Mechanical unit of the arm</source>
+      <translation>机械臂的机械单元</translation>
+    </message>
+    <message>
+      <source>Minutes</source>
+      <translation>分钟</translation>
+    </message>
+    <message>
+      <source>Modbus ASCII</source>
+      <translation>Modbus ASCII</translation>
+    </message>
+    <message>
+      <source>Modbus RTU</source>
+      <translation>Modbus RTU</translation>
+    </message>
+    <message>
+      <source>Modbus TCP</source>
+      <translation>Modbus TCP</translation>
+    </message>
+    <message>
+      <source>Model of the screen; empty: any</source>
+      <translation>屏幕的型号；留空：任意</translation>
+    </message>
+    <message>
       <source>Module</source>
       <translation>模块</translation>
+    </message>
+    <message>
+      <source>Motions</source>
+      <translation>运动</translation>
     </message>
     <message>
       <source>Must be at least {ge}</source>
@@ -11894,20 +12710,120 @@
       <translation>未证实</translation>
     </message>
     <message>
+      <source>Name</source>
+      <translation>名称</translation>
+    </message>
+    <message>
+      <source>Name of the line, described in [links.NAME] of the rig description</source>
+      <translation>线路名称，在测量系统描述的 [links.NAME] 中说明</translation>
+    </message>
+    <message>
+      <source>Name of the network link; cameras with the same name share it</source>
+      <translation>网络链路的名称；名称相同的相机共用该链路</translation>
+    </message>
+    <message>
+      <source>Name of the reference camera</source>
+      <translation>参考相机的名称</translation>
+    </message>
+    <message>
+      <source>Name of the screen, such as DP-2; empty: any</source>
+      <translation>屏幕的名称，例如 DP-2；留空：任意</translation>
+    </message>
+    <message>
+      <source>Name of the shared rig; its table [links.NAME] has the settings of a virtual rig</source>
+      <translation>共用测量系统的名称；其 [links.NAME] 表包含虚拟测量系统的设置</translation>
+    </message>
+    <message>
+      <source>Name of this module</source>
+      <translation>该模块的名称</translation>
+    </message>
+    <message>
+      <source>Name or address of the robot's controller</source>
+      <translation>机器人控制器的名称或地址</translation>
+    </message>
+    <message>
+      <source>Name: alphabetically; number: by the numbers in the name, 2 before 10</source>
+      <translation>名称：按字母顺序；编号：按名称中的数字，2 在 10 之前</translation>
+    </message>
+    <message>
       <source>No dimension has a tolerance: nothing is proven.</source>
       <translation>没有带公差的尺寸：什么也未证实。</translation>
+    </message>
+    <message>
+      <source>No parity</source>
+      <translation>无校验</translation>
+    </message>
+    <message>
+      <source>No: robot, guide and table are perfect</source>
+      <translation>否：机器人、导轨和转台无误差</translation>
+    </message>
+    <message>
+      <source>No: the mean image is quantised as it is</source>
+      <translation>否：直接量化平均图像</translation>
+    </message>
+    <message>
+      <source>None: as the command table says</source>
+      <translation>未设置：按命令表</translation>
+    </message>
+    <message>
+      <source>None: as the drive's map says</source>
+      <translation>未设置：按驱动器映射</translation>
     </message>
     <message>
       <source>Noto Sans</source>
       <translation>Noto Sans</translation>
     </message>
     <message>
+      <source>Number</source>
+      <translation>编号</translation>
+    </message>
+    <message>
+      <source>Number of the axis, or address of the controller</source>
+      <translation>轴的编号，或控制器的地址</translation>
+    </message>
+    <message>
       <source>Number of the certificate</source>
       <translation>证书编号</translation>
     </message>
     <message>
+      <source>Numbers of the flash images: the first has patterns 0, 1, 2 in green, red, blue, the second 3, 4, 5 …</source>
+      <translation>闪存图像的编号：第一幅的绿、红、蓝通道为图案 0、1、2，第二幅为 3、4、5……</translation>
+    </message>
+    <message>
       <source>Oblique to another camera</source>
       <translation>对另一相机过斜</translation>
+    </message>
+    <message>
+      <source>Odd parity</source>
+      <translation>奇校验</translation>
+    </message>
+    <message>
+      <source>Of Robot Web Services: 1.0 for RobotWare 6, 2.0 for RobotWare 7</source>
+      <translation>Robot Web Services 的版本：RobotWare 6 用 1.0，RobotWare 7 用 2.0</translation>
+    </message>
+    <message>
+      <source>Of the camera that recorded the images</source>
+      <translation>录制图像的相机的快门</translation>
+    </message>
+    <message>
+      <source>Of the certificate</source>
+      <translation>证书的编号</translation>
+    </message>
+    <message>
+      <source>Of the flange's reorientation; none: a usual one, for arms without a kinematic model</source>
+      <translation>法兰改变姿态的速度；未设置：常用值，用于没有运动学模型的机械臂</translation>
+    </message>
+    <message>
+      <source>Of the flange; none: a usual one, for arms without a kinematic model</source>
+      <translation>法兰的速度；未设置：常用值，用于没有运动学模型的机械臂</translation>
+    </message>
+    <message>
+      <source>Of the largest joint speeds, at which a scan drives; none: a usual one</source>
+      <translation>扫描时采用的速度占关节最大速度的比例；未设置：常用值</translation>
+    </message>
+    <message>
+      <source>Of the room; the camera housings are warmer by self-heating</source>
+      <translation>室温；相机外壳因自热而更高</translation>
     </message>
     <message>
       <source>Offset</source>
@@ -11920,6 +12836,10 @@
     <message>
       <source>Offset y</source>
       <translation>y 偏移</translation>
+    </message>
+    <message>
+      <source>One of impeller, gypsum, gear, sphere_plate, flat, or a mesh file (STL, PLY, OBJ)</source>
+      <translation>impeller、gypsum、gear、sphere_plate、flat 之一，或网格文件（STL、PLY、OBJ）</translation>
     </message>
     <message>
       <source>Order of the images</source>
@@ -11946,6 +12866,10 @@
       <translation>数据包大小</translation>
     </message>
     <message>
+      <source>Packet size; above 1500 network card and switch need jumbo frames</source>
+      <translation>数据包大小；超过 1500 时网卡和交换机须支持巨型帧</translation>
+    </message>
+    <message>
       <source>Paper, orthogonal</source>
       <translation>论文，正交</translation>
     </message>
@@ -11962,16 +12886,68 @@
       <translation>停放位姿</translation>
     </message>
     <message>
+      <source>Part blur</source>
+      <translation>工件模糊</translation>
+    </message>
+    <message>
+      <source>Part excess</source>
+      <translation>工件温升</translation>
+    </message>
+    <message>
       <source>Password</source>
       <translation>密码</translation>
+    </message>
+    <message>
+      <source>Password of this user</source>
+      <translation>该用户的密码</translation>
+    </message>
+    <message>
+      <source>Pattern of the names: * for any characters, ? for one</source>
+      <translation>文件名的模式：* 表示任意字符，? 表示一个字符</translation>
+    </message>
+    <message>
+      <source>Penetration</source>
+      <translation>穿透深度</translation>
+    </message>
+    <message>
+      <source>Photo response non-uniformity, relative standard deviation (EMVA 1288)</source>
+      <translation>光响应非均匀性，相对标准差 (EMVA 1288)</translation>
+    </message>
+    <message>
+      <source>Pitch, yaw and roll of the slide, half their range over the stroke</source>
+      <translation>滑台的俯仰、偏摆和滚转，行程内范围的一半</translation>
+    </message>
+    <message>
+      <source>Pitch, yaw and roll over the stroke, ±; none: usual ones</source>
+      <translation>行程内的俯仰、偏摆和滚转，±；未设置：常用值</translation>
     </message>
     <message>
       <source>Pixel format</source>
       <translation>像素格式</translation>
     </message>
     <message>
+      <source>Pixels</source>
+      <translation>像素</translation>
+    </message>
+    <message>
+      <source>Pixels per million with a high dark signal, up to full scale</source>
+      <translation>暗信号偏高（直至满量程）的像素，每百万像素的个数</translation>
+    </message>
+    <message>
       <source>Plain level</source>
       <translation>均匀光灰度</translation>
+    </message>
+    <message>
+      <source>Play of the flange along each axis between both directions of travel</source>
+      <translation>法兰沿各轴两个运动方向之间的间隙</translation>
+    </message>
+    <message>
+      <source>Play of the slide between both directions of travel</source>
+      <translation>滑台两个运动方向之间的间隙</translation>
+    </message>
+    <message>
+      <source>Play of the table between both directions of turning</source>
+      <translation>转台两个旋转方向之间的间隙</translation>
     </message>
     <message>
       <source>Port</source>
@@ -11986,6 +12962,10 @@
       <translation>肩部的位置</translation>
     </message>
     <message>
+      <source>Position that the controller reports at angle 0 of the rig</source>
+      <translation>测量系统角度为 0 时控制器报告的位置</translation>
+    </message>
+    <message>
       <source>Position tolerance</source>
       <translation>位置容差</translation>
     </message>
@@ -11998,12 +12978,28 @@
       <translation>测头中的投影仪</translation>
     </message>
     <message>
+      <source>Pulses shorter than this are ignored; none: leave it as it is</source>
+      <translation>短于此值的脉冲被忽略；未设置：保持不变</translation>
+    </message>
+    <message>
       <source>Quaternion</source>
       <translation>四元数</translation>
     </message>
     <message>
+      <source>RAPID task that runs MeasureApp.mod</source>
+      <translation>运行 MeasureApp.mod 的 RAPID 任务</translation>
+    </message>
+    <message>
       <source>Radial error motion</source>
       <translation>径向误差运动</translation>
+    </message>
+    <message>
+      <source>Radial error motion of the table, half its range</source>
+      <translation>转台的径向误差运动，范围的一半</translation>
+    </message>
+    <message>
+      <source>Radial error motion, ± (ISO 230-7), without run-out; none: a usual one</source>
+      <translation>径向误差运动，±（ISO 230-7），不含跳动；未设置：常用值</translation>
     </message>
     <message>
       <source>Range of rotation</source>
@@ -12014,24 +13010,88 @@
       <translation>行程范围</translation>
     </message>
     <message>
+      <source>Read noise</source>
+      <translation>读出噪声</translation>
+    </message>
+    <message>
       <source>Read-out of a row</source>
       <translation>一行的读出时间</translation>
+    </message>
+    <message>
+      <source>Read-out of one row, for cameras that do not report their read-out</source>
+      <translation>一行的读出时间，用于不报告读出时间的相机</translation>
     </message>
     <message>
       <source>Read-out time</source>
       <translation>读出时间</translation>
     </message>
     <message>
+      <source>Read-out time, used where the camera does not report it</source>
+      <translation>读出时间，在相机不报告时使用</translation>
+    </message>
+    <message>
       <source>Recommended. 12 images: 4 steps at 16, 17.84 and 18.14 px.</source>
       <translation>推荐。12 幅图像：16、17.84 和 18.14 px 处 4 步。</translation>
+    </message>
+    <message>
+      <source>Red</source>
+      <translation>红</translation>
     </message>
     <message>
       <source>Reference camera</source>
       <translation>参考相机</translation>
     </message>
     <message>
+      <source>Reference exposure</source>
+      <translation>参考曝光时间</translation>
+    </message>
+    <message>
+      <source>Refuse</source>
+      <translation>拒绝</translation>
+    </message>
+    <message>
+      <source>Refuse triggers</source>
+      <translation>拒绝触发</translation>
+    </message>
+    <message>
+      <source>Refuse: no scan starts with an invalid calibration</source>
+      <translation>拒绝：标定无效时不开始扫描</translation>
+    </message>
+    <message>
+      <source>Regular expression with a group us or ms that finds the exposure in a name, such as _(?P&lt;us&gt;\d+)us</source>
+      <translation>从文件名中提取曝光时间的正则表达式，含名为 us 或 ms 的组，例如 _(?P&lt;us&gt;\d+)us</translation>
+    </message>
+    <message>
+      <source>Relative change of the focal length until the cameras are warm</source>
+      <translation>相机达到热稳定之前焦距的相对变化</translation>
+    </message>
+    <message>
+      <source>Reorientation of the flange</source>
+      <translation>法兰改变姿态的速度</translation>
+    </message>
+    <message>
       <source>Report</source>
       <translation>报告</translation>
+    </message>
+    <message>
+      <source>Response of the projector: light = level^gamma</source>
+      <translation>投影仪的响应：光强 = 灰度级^gamma</translation>
+    </message>
+    <message>
+      <source>Restart</source>
+      <translation>从头开始</translation>
+    </message>
+    <message>
+      <source>Rising edge of trigger output 1 after the start of the exposure</source>
+      <translation>触发输出 1 的上升沿相对于曝光开始的延迟</translation>
+    </message>
+    <message>
+      <source>Robot backlash</source>
+      <translation>机器人反向间隙</translation>
+    </message>
+    <message>
+      <source>Robot growth</source>
+      <translation>机器人热伸长</translation>
     </message>
     <message>
       <source>Robot with the MeasureApp line protocol</source>
@@ -12040,6 +13100,18 @@
     <message>
       <source>Roboto</source>
       <translation>Roboto</translation>
+    </message>
+    <message>
+      <source>Rolling share</source>
+      <translation>卷帘快门占比</translation>
+    </message>
+    <message>
+      <source>Rolling shutter</source>
+      <translation>卷帘快门</translation>
+    </message>
+    <message>
+      <source>Rolling, global-reset (for a projector with gated light) or global</source>
+      <translation>卷帘快门、全局复位（用于光源可选通的投影仪）或全局快门</translation>
     </message>
     <message>
       <source>Rotary tables on a serial line: Newport, OWIS, Sigma-Koki</source>
@@ -12052,6 +13124,10 @@
     <message>
       <source>Rotation of the part</source>
       <translation>工件的旋转</translation>
+    </message>
+    <message>
+      <source>Rotation of the part about x, then y, then z, before it is put on the table</source>
+      <translation>工件放上转台之前依次绕 x、y、z 的旋转</translation>
     </message>
     <message>
       <source>SF Pro Text</source>
@@ -12074,6 +13150,14 @@
       <translation>格式版本</translation>
     </message>
     <message>
+      <source>Seconds per image</source>
+      <translation>每幅图像的秒数</translation>
+    </message>
+    <message>
+      <source>Seed of the hidden errors and all noise</source>
+      <translation>隐含误差和所有噪声的随机种子</translation>
+    </message>
+    <message>
       <source>Segoe UI</source>
       <translation>Segoe UI</translation>
     </message>
@@ -12086,6 +13170,10 @@
       <translation>计数方向</translation>
     </message>
     <message>
+      <source>Sensor</source>
+      <translation>传感器</translation>
+    </message>
+    <message>
       <source>Serial number</source>
       <translation>序列号</translation>
     </message>
@@ -12094,12 +13182,56 @@
       <translation>USB 适配器序列号</translation>
     </message>
     <message>
+      <source>Serial number of the USB adapter: found again when its port has another name</source>
+      <translation>USB 适配器的序列号：端口名称改变后仍可找到</translation>
+    </message>
+    <message>
+      <source>Serial number of the projector's USB interface; empty: the only one connected</source>
+      <translation>投影仪 USB 接口的序列号；留空：唯一连接的那台</translation>
+    </message>
+    <message>
+      <source>Serial number of the screen; empty: any</source>
+      <translation>屏幕的序列号；留空：任意</translation>
+    </message>
+    <message>
+      <source>Serial port, such as /dev/ttyUSB0 or COM3; empty: found by usb_serial</source>
+      <translation>串口，例如 /dev/ttyUSB0 或 COM3；留空：按 USB 适配器的序列号查找</translation>
+    </message>
+    <message>
+      <source>Serial port, such as /dev/ttyUSB0 or COM3; empty: found by usb_serial, or TCP</source>
+      <translation>串口，例如 /dev/ttyUSB0 或 COM3；留空：按 USB 适配器的序列号查找，或使用 TCP</translation>
+    </message>
+    <message>
+      <source>Settings stored in the camera that are loaded first; empty: none</source>
+      <translation>首先加载的、存储在相机中的设置集；留空：不加载</translation>
+    </message>
+    <message>
       <source>Settling time</source>
       <translation>稳定时间</translation>
     </message>
     <message>
+      <source>Shake</source>
+      <translation>振动</translation>
+    </message>
+    <message>
+      <source>Share of the exposure that falls on the next image, in the last row of a rolling shutter</source>
+      <translation>卷帘快门最后一行中落入下一幅图像的曝光比例</translation>
+    </message>
+    <message>
       <source>Share of the joint speeds</source>
       <translation>关节速度的比例</translation>
+    </message>
+    <message>
+      <source>Share of the light that is scattered over the image</source>
+      <translation>散射到整幅图像的光的比例</translation>
+    </message>
+    <message>
+      <source>Share of the way to the warm state when the world begins</source>
+      <translation>仿真开始时已完成的升温比例</translation>
+    </message>
+    <message>
+      <source>Shortest pulse on the trigger line; none: as in the default user set</source>
+      <translation>触发线上的最短脉冲；未设置：按默认用户设置集</translation>
     </message>
     <message>
       <source>Shortest trigger pulse</source>
@@ -12114,12 +13246,40 @@
       <translation>像元尺寸</translation>
     </message>
     <message>
+      <source>Smooth deviation of the surface from its nominal, rms along the normal</source>
+      <translation>表面相对于名义模型的平滑偏差，沿法向的均方根值</translation>
+    </message>
+    <message>
+      <source>Software</source>
+      <translation>软件</translation>
+    </message>
+    <message>
+      <source>Software: the program shows a pattern, then triggers; hardware: the projector triggers the cameras</source>
+      <translation>软件：程序显示图案后触发；硬件：由投影仪触发相机</translation>
+    </message>
+    <message>
+      <source>Source of hardware triggers</source>
+      <translation>硬件触发的来源</translation>
+    </message>
+    <message>
       <source>Speed</source>
       <translation>速度</translation>
     </message>
     <message>
+      <source>Speed in degrees per second; sent where the command table has a command for it</source>
+      <translation>速度，单位为度每秒；命令表有相应命令时发送</translation>
+    </message>
+    <message>
+      <source>Speed in mm or degrees per second</source>
+      <translation>速度，单位为毫米或度每秒</translation>
+    </message>
+    <message>
       <source>Speed of rotation</source>
       <translation>旋转速度</translation>
+    </message>
+    <message>
+      <source>Speed of the flange</source>
+      <translation>法兰的速度</translation>
     </message>
     <message>
       <source>Speeds of the joints</source>
@@ -12134,12 +13294,32 @@
       <translation>球板：直径与球心距</translation>
     </message>
     <message>
+      <source>Standard uncertainty of the scale, where the board states no class or certificate; 0: that of its class</source>
+      <translation>标定板未给出等级或证书时尺度的标准不确定度；0：取其等级的值</translation>
+    </message>
+    <message>
       <source>Stands on the table</source>
       <translation>位于转台上</translation>
     </message>
     <message>
+      <source>Station number; none: as the drive's map says</source>
+      <translation>站号；未设置：按驱动器映射</translation>
+    </message>
+    <message>
+      <source>Steel, zirconia, … or its expansion such as 11.5±0.6 ppm/K; empty: that of the part, so that both have the same expansion</source>
+      <translation>钢、氧化锆等材料（steel、zirconia……），或其膨胀系数，例如 11.5±0.6 ppm/K；留空：与工件材料相同，两者膨胀一致</translation>
+    </message>
+    <message>
       <source>Stitching</source>
       <translation>拼接</translation>
+    </message>
+    <message>
+      <source>Straightness error over the stroke, ±; none: a usual one</source>
+      <translation>行程内的直线度误差，±；未设置：常用值</translation>
+    </message>
+    <message>
+      <source>Strength of light reflected once between surfaces; 1: as the albedo has it</source>
+      <translation>表面之间一次反射光的强度；1：由反照率决定</translation>
     </message>
     <message>
       <source>Surface</source>
@@ -12152,6 +13332,10 @@
     <message>
       <source>Switch motors on</source>
       <translation>接通电机</translation>
+    </message>
+    <message>
+      <source>Switch the motors on at the first move; otherwise a person does</source>
+      <translation>首次运动时接通电机；否则由人员接通</translation>
     </message>
     <message>
       <source>Synchronisation</source>
@@ -12174,20 +13358,68 @@
       <translation>TI LightCrafter 4500 投影仪 (DLPC350)</translation>
     </message>
     <message>
+      <source>TOML file in the folder that lists images and exposures, in place of the three above</source>
+      <translation>文件夹中列出图像和曝光时间的 TOML 文件，代替以上三项</translation>
+    </message>
+    <message>
+      <source>Table axial</source>
+      <translation>转台轴向误差</translation>
+    </message>
+    <message>
+      <source>Table backlash</source>
+      <translation>转台反向间隙</translation>
+    </message>
+    <message>
+      <source>Table radial</source>
+      <translation>转台径向误差</translation>
+    </message>
+    <message>
+      <source>Table shift</source>
+      <translation>转台平移</translation>
+    </message>
+    <message>
+      <source>Table tilt</source>
+      <translation>转台倾斜</translation>
+    </message>
+    <message>
       <source>Take over</source>
       <translation>接管</translation>
+    </message>
+    <message>
+      <source>Take the robot from a program on another computer that has ended without releasing it</source>
+      <translation>接管另一台计算机上已结束但未释放机器人的程序所占用的机器人</translation>
     </message>
     <message>
       <source>Task</source>
       <translation>任务</translation>
     </message>
     <message>
+      <source>Temperature</source>
+      <translation>温度</translation>
+    </message>
+    <message>
       <source>The dimension passes.</source>
       <translation>该尺寸合格。</translation>
     </message>
     <message>
+      <source>The exposure bracket, long to short</source>
+      <translation>包围曝光，由长到短</translation>
+    </message>
+    <message>
+      <source>The linear guide under the robot, in the guide frame; none: no body</source>
+      <translation>机器人下方的直线导轨，在导轨坐标系中；未设置：无实体</translation>
+    </message>
+    <message>
+      <source>The pattern sets in its flash (source flash)</source>
+      <translation>其闪存中的图案集（图案来源为闪存时）</translation>
+    </message>
+    <message>
       <source>The program evaluated no dimension: there is no verdict.</source>
       <translation>程序未评定任何尺寸：不作判定。</translation>
+    </message>
+    <message>
+      <source>The table's top and three clamps are in the picture</source>
+      <translation>图像中可见转台台面和三个夹爪</translation>
     </message>
     <message>
       <source>There is no such setting</source>
@@ -12200,6 +13432,10 @@
     <message>
       <source>Thermal expansion of the head</source>
       <translation>测头的热膨胀</translation>
+    </message>
+    <message>
+      <source>Thermal expansion of the head's frame; default: aluminium</source>
+      <translation>测头框架的热膨胀系数；默认：铝</translation>
     </message>
     <message>
       <source>This text does not have the required form</source>
@@ -12238,12 +13474,48 @@
       <translation>倾斜误差运动</translation>
     </message>
     <message>
+      <source>Tilt error motion (wobble), ±; none: a usual one</source>
+      <translation>倾斜误差运动（摆动），±；未设置：常用值</translation>
+    </message>
+    <message>
+      <source>Tilt error motion of the table, half its range</source>
+      <translation>转台的倾斜误差运动，范围的一半</translation>
+    </message>
+    <message>
+      <source>Time between two read-backs that must agree</source>
+      <translation>必须一致的两次读回之间的时间</translation>
+    </message>
+    <message>
+      <source>Time between two reads while the axis moves</source>
+      <translation>轴运动时两次读取之间的时间</translation>
+    </message>
+    <message>
+      <source>Time between two reads while the table turns</source>
+      <translation>转台旋转时两次读取之间的时间</translation>
+    </message>
+    <message>
+      <source>Time constant of this creep</source>
+      <translation>该蠕动的时间常数</translation>
+    </message>
+    <message>
+      <source>Time constant of warming up</source>
+      <translation>升温的时间常数</translation>
+    </message>
+    <message>
       <source>Time scale</source>
       <translation>时间比例</translation>
     </message>
     <message>
       <source>Time to accelerate</source>
       <translation>加速时间</translation>
+    </message>
+    <message>
+      <source>Timing</source>
+      <translation>时序</translation>
+    </message>
+    <message>
+      <source>To accelerate and brake; none: a usual one</source>
+      <translation>加速和制动的时间；未设置：常用值</translation>
     </message>
     <message>
       <source>Tolerance at rest, angle</source>
@@ -12270,6 +13542,10 @@
       <translation>总计</translation>
     </message>
     <message>
+      <source>Transfer 10 and 12 bit in packed formats, where the camera has them</source>
+      <translation>相机支持时以打包格式传输 10 位和 12 位图像</translation>
+    </message>
+    <message>
       <source>Trigger delay</source>
       <translation>触发延迟</translation>
     </message>
@@ -12282,8 +13558,20 @@
       <translation>触发线</translation>
     </message>
     <message>
+      <source>Trigger output 1 is low during the exposure</source>
+      <translation>触发输出 1 在曝光期间为低电平</translation>
+    </message>
+    <message>
       <source>Triggered by</source>
       <translation>触发方式</translation>
+    </message>
+    <message>
+      <source>Two reads this far apart must agree</source>
+      <translation>相隔此时间的两次读取必须一致</translation>
+    </message>
+    <message>
+      <source>UDP port of a pose stream (option 689-1); none: no stream</source>
+      <translation>位姿数据流的 UDP 端口（选项 689-1）；未设置：无数据流</translation>
     </message>
     <message>
       <source>Uncertain</source>
@@ -12306,6 +13594,10 @@
       <translation>站号</translation>
     </message>
     <message>
+      <source>Unit of a mesh file</source>
+      <translation>网格文件的单位</translation>
+    </message>
+    <message>
       <source>Unmatched</source>
       <translation>未匹配</translation>
     </message>
@@ -12314,8 +13606,16 @@
       <translation>上角点</translation>
     </message>
     <message>
+      <source>Used where the camera does not report it</source>
+      <translation>在相机不报告时使用</translation>
+    </message>
+    <message>
       <source>User</source>
       <translation>用户</translation>
+    </message>
+    <message>
+      <source>User of the controller</source>
+      <translation>控制器的用户</translation>
     </message>
     <message>
       <source>User set</source>
@@ -12326,24 +13626,88 @@
       <translation>有效期</translation>
     </message>
     <message>
+      <source>Validity after the date of the calibration; none: no expiry</source>
+      <translation>自标定日期起的有效期；未设置：不过期</translation>
+    </message>
+    <message>
       <source>Value error, </source>
       <translation>数值错误，</translation>
+    </message>
+    <message>
+      <source>Vibration: displacement of each image across the fringes, standard deviation at full resolution</source>
+      <translation>振动：每幅图像垂直于条纹方向的位移，全分辨率下的标准差</translation>
     </message>
     <message>
       <source>Video</source>
       <translation>视频</translation>
     </message>
     <message>
+      <source>Video port</source>
+      <translation>视频端口</translation>
+    </message>
+    <message>
+      <source>Vignetting</source>
+      <translation>渐晕</translation>
+    </message>
+    <message>
       <source>Virtual rig</source>
       <translation>虚拟测量系统</translation>
+    </message>
+    <message>
+      <source>Wait after the last axis has settled, before images are taken</source>
+      <translation>最后一个轴稳定之后、拍摄图像之前的等待时间</translation>
+    </message>
+    <message>
+      <source>Wait at the goal, in the controller</source>
+      <translation>在目标处的等待时间，由控制器执行</translation>
+    </message>
+    <message>
+      <source>Wait between two reads of a state that is to change</source>
+      <translation>两次读取待变状态之间的等待时间</translation>
+    </message>
+    <message>
+      <source>Wait for a free session of the controller</source>
+      <translation>等待控制器空闲会话的时间</translation>
+    </message>
+    <message>
+      <source>Warm share</source>
+      <translation>升温比例</translation>
+    </message>
+    <message>
+      <source>Warmth</source>
+      <translation>热效应</translation>
+    </message>
+    <message>
+      <source>Warn</source>
+      <translation>警告</translation>
     </message>
     <message>
       <source>Weighted least squares</source>
       <translation>加权最小二乘</translation>
     </message>
     <message>
+      <source>What drivers share: a serial line, a login, a world</source>
+      <translation>驱动共用的资源：串行线路、登录或虚拟环境</translation>
+    </message>
+    <message>
       <source>When a limit is exceeded</source>
       <translation>超出限值时</translation>
+    </message>
+    <message>
+      <source>Where patterns come from: programmed into its flash, or shown on the screen at its video port</source>
+      <translation>图案的来源：写入其闪存，或显示在其视频端口的屏幕上</translation>
+    </message>
+    <message>
+      <source>Where the images are</source>
+      <translation>图像所在的位置</translation>
+    </message>
+    <message>
+      <source>White</source>
+      <translation>白</translation>
+    </message>
+    <message>
+      <source>White level of the projector</source>
+      <translation>投影仪的白电平</translation>
     </message>
     <message>
       <source>World</source>
@@ -12430,6 +13794,10 @@
       <translation>叶轮</translation>
     </message>
     <message>
+      <source>inch</source>
+      <translation>英寸</translation>
+    </message>
+    <message>
       <source>is a blade_section</source>
       <translation>是 blade_section</translation>
     </message>
@@ -12512,6 +13880,14 @@
     <message>
       <source>usual</source>
       <translation>普通</translation>
+    </message>
+    <message>
+      <source>{bits} bit ({name})</source>
+      <translation>{bits} 位 ({name})</translation>
+    </message>
+    <message>
+      <source>{bits} bit, packed ({name})</source>
+      <translation>{bits} 位，打包 ({name})</translation>
     </message>
     <message>
       <source>{days} days ago</source>
@@ -12776,6 +14152,10 @@ The first run of this part counts.</source>
     <message>
       <source>No part program has “{words}” in its name or numbers.</source>
       <translation>没有名称或编号包含“{words}”的工件程序。</translation>
+    </message>
+    <message>
+      <source>No part programs in the folder. Save one with Save as a template in the menu Project.</source>
+      <translation>文件夹中没有工件程序。请用“项目”菜单中的“保存为模板”保存一个。</translation>
     </message>
     <message>
       <source>No reason</source>
@@ -13269,12 +14649,12 @@ The first run of this part counts.</source>
       <translation>公司</translation>
     </message>
     <message>
-      <source>Contribution to the kinematic position of a point (1 σ)</source>
-      <translation>对点的运动学位置的贡献 (1 σ)</translation>
+      <source>Contribution to the kinematic position of a point (k = 2)</source>
+      <translation>对点的运动学位置的贡献 (k = 2)</translation>
     </message>
     <message>
-      <source>Contribution, 1 σ</source>
-      <translation>贡献，1 σ</translation>
+      <source>Contribution, k = 2</source>
+      <translation>贡献，k = 2</translation>
     </message>
     <message>
       <source>Deviation from the nominal</source>
@@ -14335,10 +15715,6 @@ The first run of this part counts.</source>
       <translation>比较</translation>
     </message>
     <message>
-      <source>Continue</source>
-      <translation>继续</translation>
-    </message>
-    <message>
       <source>End</source>
       <translation>结束</translation>
     </message>
@@ -14381,10 +15757,6 @@ The first run of this part counts.</source>
     <message>
       <source>Measurements of one part</source>
       <translation>同一工件的测量</translation>
-    </message>
-    <message>
-      <source>Not measured</source>
-      <translation>未测量</translation>
     </message>
     <message>
       <source>Not tested</source>
@@ -15549,6 +16921,10 @@ in danger use the emergency stop.</source>
       <translation>没有正在运行的任务。</translation>
     </message>
     <message>
+      <source>No part has been measured.</source>
+      <translation>尚未测量工件。</translation>
+    </message>
+    <message>
       <source>Nominals and inspection programs (*.stl *.ply *.obj *.step *.stp *.toml)</source>
       <translation>名义模型和检测程序 (*.stl *.ply *.obj *.step *.stp *.toml)</translation>
     </message>
@@ -15661,6 +17037,10 @@ in danger use the emergency stop.</source>
       <translation>点云</translation>
     </message>
     <message>
+      <source>The measurement has nothing of this kind.</source>
+      <translation>测量结果中没有此类内容。</translation>
+    </message>
+    <message>
       <source>The project {name} is opened</source>
       <translation>项目 {name} 已打开</translation>
     </message>
@@ -15725,6 +17105,10 @@ in danger use the emergency stop.</source>
       <translation>示例 项目 学习</translation>
     </message>
     <message>
+      <source>export save file report document excel</source>
+      <translation>导出 保存 文件 报告 文档 表格 打印</translation>
+    </message>
+    <message>
       <source>first start introduction guide learn</source>
       <translation>首次启动 介绍 指南 学习</translation>
     </message>
@@ -15749,12 +17133,44 @@ in danger use the emergency stop.</source>
       <translation>键盘 按键 列表</translation>
     </message>
     <message>
+      <source>language theme preferences options</source>
+      <translation>语言 主题 首选项 选项 界面</translation>
+    </message>
+    <message>
       <source>manual documentation</source>
       <translation>手册 文档</translation>
     </message>
     <message>
       <source>mpart new</source>
       <translation>工件程序 新建</translation>
+    </message>
+    <message>
+      <source>page board lens hand-eye axis guide uncertainty</source>
+      <translation>页面 标定板 镜头 手眼 轴线 导轨 不确定度</translation>
+    </message>
+    <message>
+      <source>page devices drivers connect camera robot projector</source>
+      <translation>页面 设备 驱动 连接 相机 机器人 投影仪</translation>
+    </message>
+    <message>
+      <source>page dimension tolerance feature datum alignment deviation colour scale section delete nominal program</source>
+      <translation>页面 尺寸 公差 特征 基准 对齐 偏差 颜色 色标 比例 截面 删除 名义 程序</translation>
+    </message>
+    <message>
+      <source>page measure start run capture exposure</source>
+      <translation>页面 测量 开始 运行 采集 曝光</translation>
+    </message>
+    <message>
+      <source>page pdf export document print series repeats header template</source>
+      <translation>页面 PDF 导出 文档 打印 系列 重复测量 报告抬头 模板</translation>
+    </message>
+    <message>
+      <source>page viewpoints coverage path collision delete</source>
+      <translation>页面 视点 覆盖率 路径 碰撞 删除</translation>
+    </message>
+    <message>
+      <source>page views points stitch register mesh holes filter</source>
+      <translation>页面 视图 点云 拼接 配准 网格 孔洞 滤波</translation>
     </message>
     <message>
       <source>panel side</source>
@@ -15793,12 +17209,8 @@ in danger use the emergency stop.</source>
       <translation>支持 zip 版本</translation>
     </message>
     <message>
-      <source>theme night colours</source>
-      <translation>主题 夜间 颜色</translation>
-    </message>
-    <message>
-      <source>theme preferences options</source>
-      <translation>主题 首选项 选项</translation>
+      <source>theme night dark light colours appearance</source>
+      <translation>主题 夜间 深色 浅色 颜色 外观</translation>
     </message>
     <message>
       <source>virtual rig sample example</source>
@@ -15902,6 +17314,10 @@ in danger use the emergency stop.</source>
     <message>
       <source>Clipped</source>
       <translation>已裁剪</translation>
+    </message>
+    <message>
+      <source>Colour scale</source>
+      <translation>色标</translation>
     </message>
     <message>
       <source>Colour-blind-safe</source>
@@ -16145,10 +17561,6 @@ There is no page about “{name}”.</source>
     <message>
       <source>Board temperature</source>
       <translation>标定板温度</translation>
-    </message>
-    <message>
-      <source>Box</source>
-      <translation>盒</translation>
     </message>
     <message>
       <source>Browse…</source>
@@ -16457,6 +17869,10 @@ There is no page about “{name}”.</source>
     <message>
       <source>New, open, copy or close a project; settings; exit</source>
       <translation>新建、打开、复制或关闭项目；设置；退出</translation>
+    </message>
+    <message>
+      <source>No messages. What happens during a measurement is listed here.</source>
+      <translation>没有消息。测量过程中发生的情况将列在此处。</translation>
     </message>
     <message>
       <source>No project open</source>

@@ -175,3 +175,14 @@ def test_statistics_name_confirmed_extremes_the_range_and_areas_without_data(clo
     assert found["maximum"]["neighbours"] >= 5 and document["deviation_mm"]["min"] <= found["minimum"]["value_mm"] < 0
     assert main(["compare", str(cloud), str(NOMINAL)]) == 0
     assert "Confirmed by neighbours" in capsys.readouterr().out
+
+
+def test_root_mean_squares_have_no_sign_and_extremes_say_of_which_points_they_are(cloud: Path, capsys) -> None:
+    assert main(["compare", str(cloud), str(NOMINAL)]) == 0
+    said = capsys.readouterr().out
+    assert "rms +" not in said and "p95 +" not in said and "-0.000" not in said
+    assert "Deviation of all " in said and "Confirmed by neighbours, as in reports: " in said
+    document = answer(capsys, str(cloud), str(NOMINAL))
+    every = document["deviation_statistics"]["all_points_mm"]
+    assert every == {name: document["deviation_mm"][name] for name in ("min", "max")}
+    assert every["min"] <= document["deviation_statistics"]["minimum"]["value_mm"]

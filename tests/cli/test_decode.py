@@ -104,7 +104,10 @@ def test_the_recorded_real_set_decodes_from_its_manifest(tmp_path: Path, capsys:
     assert found["decoded_px"] > 216_000  # fainter ones, too
     assert found["noise"]["from_images"]
     assert found["noise"]["scatter"] == pytest.approx(1.0, abs=0.15)
-    manifest.write_text(manifest.read_text().replace("shift_sign = 1", "shift_sign = -1"))
+    stated = manifest.read_text()
+    manifest.write_text(stated.replace("  complementary = true\n", ""))
+    assert "the code is complementary" in refused_with(capsys, "decode", manifest, "--out", tmp_path / "other")
+    manifest.write_text(stated.replace("shift_sign = 1", "shift_sign = -1"))
     assert "decreases where the Gray code increases" in refused_with(capsys, "decode", manifest, "--out", tmp_path / "other")
 
 

@@ -105,3 +105,41 @@ def test_points_without_coordinates_are_counted(cone: Path, capsys: pytest.Captu
     assert json.loads(capsys.readouterr().out)["without_coordinates"] == 2
     assert main(["fit", "cone", str(cone)]) == 0
     assert "2 points of the file have no finite coordinates" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("header", "columns", "arguments"),
+    [
+        ("x_mm,y_mm,z_mm", "xyz", []),
+        ("id;Z [mm];X [mm];Y [mm]", "nzxy", []),
+        ("# z y x", "zyx", []),
+        ("point, quality, x (inch), y (inch), z (inch)", "nnxyz", ["--unit", "inch"]),
+    ],
+)
+def test_columns_are_read_by_their_names(tmp_path: Path, capsys: pytest.CaptureFixture[str], header, columns, arguments):
+    angles = np.linspace(0, 6, 50)
+    known = {"x": 10 * np.cos(angles), "y": 20 + 10 * np.sin(angles), "z": np.full(50, 5.0), "n": np.arange(50.0)}
+    between = ";" if ";" in header else "," if "," in header else " "
+    path = tmp_path / "points.csv"
+    np.savetxt(path, np.column_stack([known[one] for one in columns]), delimiter=between, header=header, comments="")
+    assert main(["fit", "circle", str(path), "--json", *arguments]) == 0
+    answer, scale = json.loads(capsys.readouterr().out), 25.4 if arguments else 1.0
+    assert answer["radius_mm"] == pytest.approx(10 * scale)
+    assert answer["point_mm"] == pytest.approx([0, 20 * scale, 5 * scale], abs=1e-9)
+
+
+@pytest.mark.parametrize("name", ["points.csv", "points.dat"])
+@pytest.mark.parametrize(
+    ("header", "arguments", "said"),
+    [
+        ("X [inch],Y [inch],Z [inch]", [], "Give --unit inch."),
+        ("x_mm,y_mm,z_mm", ["--unit", "inch"], "are in millimetres, not in inches"),
+        ("x_mm,y_mm,z_in", [], "not one unit of length: x [mm], y [mm], z [in]"),
+        ("x_px,y_px,z_px", [], "not one unit of length"),
+    ],
+)
+def test_a_unit_in_the_header_that_contradicts_is_refused(tmp_path: Path, capsys, name, header, arguments, said):
+    path = tmp_path / name
+    path.write_text(f"{header}\n0,0,0\n1,0,0\n0,1,0\n1,1,0\n", encoding="utf-8")
+    assert main(["fit", "plane", str(path), *arguments]) == 2
+    assert said in capsys.readouterr().err

@@ -208,3 +208,11 @@ def test_texts_of_tolerances_edges_and_further_alignments_are_measured_from_a_fi
     assert main(["measure", str(clouds["good"]), str(tmp_path / "program.toml")]) in (0, 1)
     said = capsys.readouterr().out
     assert "no tolerance" in said and "2768-c" in said and "3 of 6 degrees of freedom" in said
+
+
+def test_an_unknown_alignment_lists_the_known_ones_once(tmp_path: Path, capsys) -> None:
+    program = tmp_path / "program.toml"
+    program.write_text('name = "p"\n', encoding="utf-8")
+    assert main(["measure", "cloud.ply", str(program), "--alignment", "egg"]) == 2
+    said = capsys.readouterr().err
+    assert said.count("best-fit") == 1 and "'egg' is not an alignment" in said

@@ -107,3 +107,8 @@ def test_no_points_are_a_refusal_and_leave_no_file(tmp_path: Path, capsys: pytes
     assert main(["reconstruct", str(manifest), "--cameras", str(tmp_path / "cameras.json"), "--out", str(out), "--json"]) == 2
     assert "gives no points" in json.loads(capsys.readouterr().out)["error"]["message"]
     assert [path.name for path in tmp_path.iterdir() if "cloud" in path.name] == []
+
+
+def test_missing_cameras_name_the_command_that_makes_them(tmp_path: Path, capsys) -> None:
+    assert main(["reconstruct", "manifest.toml", "--cameras", str(tmp_path / "cameras.json"), "--out", str(tmp_path / "c.ply")]) == 2
+    assert "`measureapp calibrate cameras --out` writes it" in capsys.readouterr().err

@@ -30,3 +30,18 @@ def test_without_a_command_the_help_is_shown_and_a_program_reads_what_is_missing
     assert "Commands:" in capsys.readouterr().err
     assert main(["calibrate", "--json"]) == 2
     assert main(["--json"]) == 2
+
+
+@pytest.mark.parametrize(
+    ("arguments", "command"),
+    [
+        (["nonsense"], "measureapp"),
+        (["calibrate", "nonsense"], "measureapp calibrate"),
+        (["calibrate", "axis", "--nope"], "measureapp calibrate axis"),
+        (["measure", "cloud.ply", "program.toml", "--align", "none"], "measureapp measure"),
+        (["plan", "make"], "measureapp plan make"),
+    ],
+)
+def test_a_usage_error_names_the_help_of_its_command(arguments: list[str], command: str, capsys) -> None:
+    assert main(arguments) == 2
+    assert capsys.readouterr().err.rstrip().endswith(f"See `{command} --help`.")

@@ -29,7 +29,7 @@ def project(tmp_path: Path) -> ProjectFolder:
 
 def test_a_run_holds_what_the_measurement_found(project: ProjectFolder, measured, tmp_path: Path) -> None:
     measurement = measured()
-    run = file_run(project, measurement, root=tmp_path / "results")
+    run, _ = file_run(project, measurement, root=tmp_path / "results")
     assert run.verdict is Verdict.FAIL and run.program == measurement.inspection.program
     assert (run.identification.serial_number, run.identification.operator, run.identification.machine) == ("件-7", "Ö. Müller", "Paper rig")
     for value, dimension in zip(run.values, measurement.inspection.dimensions, strict=True):
@@ -41,8 +41,8 @@ def test_a_run_holds_what_the_measurement_found(project: ProjectFolder, measured
 
 def test_filing_the_same_measurement_again_adds_nothing_but_another_one_needs_a_reason(project, measured, tmp_path: Path) -> None:
     root = tmp_path / "results"
-    first = file_run(project, measured(), root=root)
-    assert file_run(project, measured(), root=root) == first
+    first, is_new = file_run(project, measured(), root=root)
+    assert is_new and file_run(project, measured(), root=root) == (first, False)
     later = replace(measured(), measured_at="2026-05-05T10:20:30+00:00")
     with pytest.raises(InputError, match="measured before"):
         file_run(project, later, root=root)
@@ -51,7 +51,7 @@ def test_filing_the_same_measurement_again_adds_nothing_but_another_one_needs_a_
 
 
 def test_a_lost_series_is_found_in_the_projects(project: ProjectFolder, measured, tmp_path: Path) -> None:
-    run = file_run(project, measured(), root=tmp_path / "results")
+    run, _ = file_run(project, measured(), root=tmp_path / "results")
     assert find_runs([tmp_path]) == (run,)
     store = SeriesStore(run.program, tmp_path / "results")
     store.path.unlink()

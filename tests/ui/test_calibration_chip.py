@@ -28,7 +28,7 @@ def test_a_good_calibration_shows_age_and_millimetres(calibration, rig):
     state = calibration_state(calibration, rig, good, made(calibration) + timedelta(days=2))
     shares = dict(contributions(calibration, rig))
     added = added_to_length_mm(calibration, rig)
-    assert 2 * shares["Together"] < added < 4 * shares["Together"] and added != calibration.hand_eye.residual_mm
+    assert shares["Together"] < added < 2 * shares["Together"] and added != calibration.hand_eye.residual_mm
     assert (state.words, state.colour) == (f"Calibrated 2 days ago · adds {added:.3f}\u00a0mm (k = 2) ✓", "verdict_pass")
     assert "stand as they were calibrated" in state.tip
 

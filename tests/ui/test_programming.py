@@ -19,7 +19,6 @@ from measureapp.project.geometry.files import read_mesh
 from measureapp.project.program_file import parse_program
 from measureapp.report.project import compose_project
 from ui.pages.inspection.grow_bar import ADD
-from ui.pages.inspection.inspection import REMOVE
 
 PATIENCE_MS = 60_000
 PROGRAM = """# by hand
@@ -156,15 +155,35 @@ def test_a_colour_scale_is_stored_with_the_program_used_in_the_report_and_undone
 def test_a_dimension_is_removed_and_a_feature_that_it_needs_is_not(application, opened, project, qtbot):
     opened.side.list.setValue("features")
     opened.side.features.select_names(["ball"])
-    assert opened.properties.title == "Ball" and opened.properties.decision == REMOVE
+    assert opened.properties.title == "Ball" and opened.properties.decision == "Remove feature Ball"
     opened.decide()
     told = settled(application, qtbot)
     assert told.level == "error" and told.text == "ball is used by size."
     opened.side.list.setValue("dimensions")
     opened.side.table.select(0)
+    assert opened.properties.decision == "Remove dimension Size"
     opened.decide()
     settled(application, qtbot)
     assert application.session.inspection.dimensions == () and "# the only one" in application.controllers.programming.text()
+
+
+def test_of_a_feature_and_a_dimension_of_one_name_the_selected_one_is_removed(application, opened, qtbot):
+    from measureapp.inspection.programming import edits
+    from measureapp.inspection.session.graph import Node
+
+    programming = application.controllers.programming
+    programming.edit(lambda program: edits.rename(program, Node("dimension", "size"), "ball"), "Renamed.")
+    settled(application, qtbot)
+    opened.side.list.setValue("features")
+    opened.side.features.select_names(["ball"])
+    opened.decide()
+    assert settled(application, qtbot).text == "ball is used by ball."
+    assert [one.name for one in programming.state.program.dimensions] == ["ball"]
+    opened.side.list.setValue("dimensions")
+    opened.side.table.select(0)
+    opened.decide()
+    settled(application, qtbot)
+    assert not programming.state.program.dimensions and "ball" in [one.name for one in programming.state.program.features]
 
 
 def test_a_click_on_a_feature_of_the_list_chooses_it_for_the_dimension(application, opened):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from PySide6.QtCore import Qt
 
 from measureapp.data.dimension import Dimension, Verdict
 from measureapp.data.feature import Feature
@@ -102,3 +103,23 @@ def test_the_section_bar_gives_back_the_plane_it_was_given(qtbot):
         assert found.axis == plane.axis and found.place_mm == pytest.approx(plane.place_mm, abs=0.11)
     bar.show_extent(None)
     assert bar.value() is None and not bar.button.isEnabled()
+
+
+def test_a_section_is_moved_to_a_typed_position_and_by_arrow_keys(qtbot):
+    bar = SectionBar(Look("light"))
+    qtbot.addWidget(bar)
+    bar._low, bar._high = np.array([-50.0, -50, 0]), np.array([50.0, 50, 80])
+    bar._follow_slider()
+    bar.button.setChecked(True)
+    assert bar.value() == CutPlane("z", 40.0)
+    bar.place.selectAll()
+    qtbot.keyClicks(bar.place, "12,34")
+    with qtbot.waitSignal(bar.changed):
+        qtbot.keyClick(bar.place, Qt.Key.Key_Return)
+    assert bar.value() == CutPlane("z", 12.34) and bar.slider.value() == round(400 * 12.34 / 80)
+    qtbot.keyClick(bar.place, Qt.Key.Key_Up)
+    assert bar.value() == CutPlane("z", 13.34)
+    bar.slider.setValue(100)
+    assert bar.value() == CutPlane("z", 20.0)
+    bar.axis.setValue("x")
+    assert bar.value() == CutPlane("x", -25.0)

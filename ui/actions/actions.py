@@ -110,5 +110,5 @@ class Actions(QObject):
 def _fit(typed: str, action: Action) -> float | None:
     """Return how well an action fits what was typed, in the language of the window; its English words are keywords then."""
     text = translated(action.text)
-    keywords = action.keywords if text == action.text else f"{translated(action.keywords)} {action.text} {action.keywords}"
-    return score(typed, text, keywords)
+    others = (translated(action.keywords), action.text, action.keywords)
+    return score(typed, text, " ".join(dict.fromkeys(words for words in others if words != text)))

@@ -1,4 +1,4 @@
-"""The command palette: type a few letters of what you want, press Enter. It lists the actions, and the buttons of the page."""
+"""The command palette: type a few letters of what you want, press Enter. It lists the actions, and buttons and menus of the page."""
 
 from __future__ import annotations
 
@@ -6,16 +6,16 @@ from collections.abc import Callable
 
 from PySide6.QtCore import QEvent, QObject, Qt
 from PySide6.QtGui import QKeyEvent, QKeySequence
-from PySide6.QtWidgets import QDialog, QLineEdit, QPushButton, QWidget
+from PySide6.QtWidgets import QDialog, QLineEdit, QWidget
 
 from ui.actions.actions import Action, Actions
+from ui.actions.of_page import PageActions
 from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.widgets.basic import column, label
 from ui.widgets.data_table import Cell, DataTable
 
 SIZE = (640, 420)
-NOT_NOW = "It cannot be used at the moment."
 MOVES = {Qt.Key.Key_Down: 1, Qt.Key.Key_Up: -1, Qt.Key.Key_PageDown: 8, Qt.Key.Key_PageUp: -8}
 
 
@@ -30,7 +30,7 @@ class CommandPalette(QDialog):
         self.setWindowTitle(tr("Commands"))
         self.setMinimumSize(*SIZE)
         self._actions, self._contexts, self._page = actions, contexts, page
-        self._buttons: tuple[Action, ...] = ()
+        self._of_page = PageActions()
         self._shown: tuple[Action, ...] = ()
         self.line = QLineEdit()
         self.line.setPlaceholderText(tr("Type what you want to do"))
@@ -47,7 +47,7 @@ class CommandPalette(QDialog):
 
     def begin(self) -> None:
         """Show all actions and wait for letters."""
-        self._buttons = buttons_of(*self._page())
+        self._of_page.collect(*self._page(), self._actions.all())
         self.line.clear()
         self._search("")
         self.open()
@@ -64,7 +64,7 @@ class CommandPalette(QDialog):
         return super().eventFilter(watched, event)
 
     def _search(self, typed: str) -> None:
-        self._shown = self._actions.find(typed, self._buttons)
+        self._shown = self._actions.find(typed, self._of_page.actions)
         self.table.set_rows([self._cells(action) for action in self._shown])
         if self._shown:
             self.table.selectRow(0)
@@ -94,19 +94,3 @@ class CommandPalette(QDialog):
             return
         self.accept()
         self._actions.run(chosen)
-
-
-def buttons_of(name: str, page: QWidget) -> tuple[Action, ...]:
-    """Return the buttons of a page that are in sight, as actions by the names that a screen reader says."""
-    found = [button for button in page.findChildren(QPushButton) if button.isVisible() and button.accessibleName()]
-    return tuple(
-        Action(
-            f"{name}.button.{place}",
-            button.accessibleName(),
-            button.click,
-            button.toolTip(),
-            name,
-            why_not=lambda button=button: "" if button.isEnabled() else NOT_NOW,  # type: ignore[misc]
-        )
-        for place, button in enumerate(found)
-    )

@@ -9,6 +9,7 @@ import numpy as np
 from PySide6.QtGui import QImage
 
 from ui.controllers.collecting_nouns import CollectedView, ViewVerdict
+from ui.look.wording import with_hint
 
 if TYPE_CHECKING:
     from measureapp.calibrate.draft.draft import Solved
@@ -35,7 +36,7 @@ def describe_view(observation: CollectedObservation, solved: Solved | None, pict
         residuals_px=observation.residuals_px,
         verdict=VERDICTS[observation.status],
         reason=observation.reason,
-        reasons={camera: f"{refusal.message} {refusal.hint}" for camera, refusal in observation.refused.items()},
+        reasons={camera: with_hint(refusal.message, refusal.hint) for camera, refusal in observation.refused.items()},
         residual_mm=observation.residual_mm,
         removed=observation.status == "removed",
     )

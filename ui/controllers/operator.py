@@ -18,6 +18,7 @@ from ui.controllers.operator_shelf import ShelfController
 from ui.controllers.rig_control import BY_BUTTON, RigControl
 from ui.controllers.scanning import ScanController
 from ui.look.language.words import tr
+from ui.look.wording import with_hint
 from ui.session import Session
 
 if TYPE_CHECKING:
@@ -132,7 +133,11 @@ class OperatorController(QObject):
         self._go("identify")
 
     def scan_code(self, text: str) -> None:
-        """Take a scanned code: it chooses a program on the home screen, and identifies the part while one is chosen."""
+        """Take a scanned code: it chooses a program on the home screen, and identifies the part while one is chosen.
+
+        Before the start it changes nothing any more, and must not press a button either: Enter at its end would start the measurement of
+        another part than the one that was identified.
+        """
         facts: list[PartProgramFacts | None] = (
             [] if self.shelf is None else [None if card.program is None else card.program.facts for card in self.shelf.cards]
         )
@@ -140,6 +145,8 @@ class OperatorController(QObject):
             self._find(text, facts)
         elif self.step == "identify":
             self._identify_by(text, facts)
+        elif self.step == "load":
+            self._compare(text, facts)
 
     def _find(self, text: str, facts: Sequence[PartProgramFacts | None]) -> None:
         meaning = find_program(text, facts)
@@ -186,6 +193,17 @@ class OperatorController(QObject):
                 "error",
             )
 
+    def _compare(self, text: str, facts: Sequence[PartProgramFacts | None]) -> None:
+        """Say whether a code is that of the part that was identified."""
+        mine = self.facts
+        if mine is None:
+            return
+        meaning = check_code(text, mine, facts)
+        if meaning.kind == "known" and meaning.fields.serial in ("", self.entered.serial):
+            self.said.emit("The code belongs to this part.", "info")
+        else:
+            self.said.emit(tr("The code {shown} was not entered. Press Back to identify another part.", shown=shown(text)), "error")
+
     def _take_fields(self, fields: CodeFields) -> None:
         self.entered = replace(self.entered, serial=fields.serial or self.entered.serial, order=fields.order or self.entered.order)
         self.enteredChanged.emit()
@@ -220,7 +238,7 @@ class OperatorController(QObject):
 
     @Slot(object)
     def _show_check_failed(self, error: MeasureError) -> None:
-        self._show_obstacles((f"{error.message} {error.hint}".strip(),))
+        self._show_obstacles((with_hint(error.message, error.hint),))
 
     def why_not(self) -> tuple[str, ...]:
         """Return in sentences why a measurement cannot start now; empty: it can."""

@@ -10,6 +10,7 @@ from PySide6.QtCore import QObject, QTimer, Signal, Slot
 
 from measureapp.errors import MeasureError, StorageError
 from ui.controllers.jobs import JobRunner
+from ui.look.wording import with_hint
 from ui.session import Session
 
 if TYPE_CHECKING:
@@ -97,7 +98,7 @@ class RoleController(QObject):
 
     @Slot(object)
     def _refuse(self, error: MeasureError) -> None:
-        self.pinRefused.emit(f"{error.message} {error.hint}".strip())
+        self.pinRefused.emit(with_hint(error.message, error.hint))
 
     def set_pin(self, pin: str) -> None:
         """Store another PIN; only the engineer can."""
@@ -119,7 +120,7 @@ class RoleController(QObject):
 
     @Slot(object)
     def _not_stored(self, error: MeasureError) -> None:
-        self.pinNotStored.emit(f"{error.message} {error.hint}".strip())
+        self.pinNotStored.emit(with_hint(error.message, error.hint))
 
     # without input
 

@@ -16,6 +16,7 @@ from ui.controllers.operator_shelf import ShelfController
 from ui.controllers.rig_connection import VIRTUAL
 from ui.controllers.rig_control import BY_BUTTON, RigControl
 from ui.controllers.scanning import ScanController
+from ui.look.wording import with_hint
 from ui.messages import Message
 from ui.session import Session
 
@@ -181,4 +182,4 @@ class OperatorRun(QObject):
 
     @Slot(object)
     def _filing_failed(self, error: MeasureError) -> None:
-        self._show_filed(Filed(problem=f"{error.message} {error.hint}".strip()))
+        self._show_filed(Filed(problem=with_hint(error.message, error.hint)))

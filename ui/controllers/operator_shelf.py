@@ -13,6 +13,7 @@ from measureapp.errors import MeasureError
 from ui.controllers import operator_work as work
 from ui.controllers.jobs import JobRunner
 from ui.controllers.operator_nouns import ProgramCard, ShiftCount, count_shift
+from ui.look.wording import with_hint
 from ui.session import Session
 
 if TYPE_CHECKING:
@@ -55,7 +56,7 @@ class ShelfController(QObject):
 
     @Slot(object)
     def _fail(self, error: MeasureError) -> None:
-        self.said.emit(f"{error.message} {error.hint}".strip(), "error")
+        self.said.emit(with_hint(error.message, error.hint), "error")
 
     @property
     def runs(self) -> tuple[SeriesRun, ...]:

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 from measureapp.errors import InputError, MeasureError
 from ui.controllers.operator_nouns import Entered, Filed, ProgramCard, verdict_of
 from ui.look.language.words import tr
+from ui.look.wording import with_hint
 
 if TYPE_CHECKING:
     from measureapp.data.measurement import Measurement
@@ -68,7 +69,7 @@ def _card(path: Path, settings: OperatorSettings, runs: tuple[SeriesRun, ...], r
     try:
         program = read_part_program(path)
     except MeasureError as error:
-        return ProgramCard(path, problem=f"{error.message} {error.hint}".replace(str(path), path.name).strip())
+        return ProgramCard(path, problem=with_hint(error.message.replace(str(path), path.name), error.hint.replace(str(path), path.name)))
     name = program.facts.name
     last = next((run for run in reversed(runs) if run.program == name), None)
     seconds = settings.usual_seconds(name)
@@ -97,7 +98,7 @@ def _read_runs() -> tuple[tuple[SeriesRun, ...], tuple[str, ...]]:
         try:
             runs += SeriesStore(program).runs()
         except MeasureError as error:
-            problems.append(f"{error.message} {error.hint}".strip())
+            problems.append(with_hint(error.message, error.hint))
     from measureapp.project.series.database import seconds
 
     return tuple(sorted(runs, key=lambda run: seconds(run.measured_at))), tuple(problems)
@@ -111,7 +112,7 @@ def find_obstacles(job: Job, rig: RigDescription, program: PartProgram, settings
         try:
             check()
         except MeasureError as error:
-            found.append(f"{error.message} {error.hint}".strip())
+            found.append(with_hint(error.message, error.hint))
     return tuple(found)
 
 
@@ -234,9 +235,9 @@ def file_finished(job: Job, folder: Path, measurement: Measurement, program: Par
     job.check()
     project = ProjectFolder.open(folder)
     try:
-        run = file_run(project, measurement, program=program.facts.name, version=program.facts.version, repeat_reason=reason)
+        run, _ = file_run(project, measurement, program=program.facts.name, version=program.facts.version, repeat_reason=reason)
     except MeasureError as error:
-        return Filed(problem=f"{error.message} {error.hint}".strip())
+        return Filed(problem=with_hint(error.message, error.hint))
     serial = run.identification.serial_number or "without serial number"
     target = folder.parents[2] / "reports" / safe_file_name(f"{serial} {folder.name} {verdict_of(run)}", ".pdf")
     try:

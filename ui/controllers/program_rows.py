@@ -23,6 +23,15 @@ STATUS_WORDS: Mapping[str, str] = {
 }
 
 
+@dataclass(frozen=True)
+class ProgramEntries:
+    """Entries of a program; dimensions and features may have the same names."""
+
+    kind: Literal["dimension", "feature"]
+    names: tuple[str, ...]  # that of a pattern once
+    is_pattern: bool = False  # one entry that stands for several features
+
+
 @dataclass(frozen=True, eq=False)
 class DimensionRow:
     """One dimension: what the program asks for, and what was measured last."""

@@ -22,8 +22,9 @@ from ui.controllers.program_jobs import (
     save_state,
 )
 from ui.controllers.program_measuring import ProgramMeasuring
-from ui.controllers.program_rows import DimensionRow, Status, changed_names
+from ui.controllers.program_rows import DimensionRow, ProgramEntries, Status, changed_names
 from ui.look.language.words import tr
+from ui.look.wording import sentence_case, several
 from ui.messages import MOMENT
 from ui.session import Session
 
@@ -155,16 +156,16 @@ class ProgrammingController(QObject):
         self.edit(lambda program: edits.add(program, kind, *entries), tr("{name} added to the inspection program.", name=name))
 
     @Slot(str)
-    def remove(self, name: str) -> None:
-        """Remove a dimension or feature by its name."""
+    def remove(self, entries: ProgramEntries) -> None:
+        """Remove dimensions or features."""
         from measureapp.inspection.programming import edits
         from measureapp.inspection.session.graph import Node
 
-        if self.state is not None:
-            kind = "dimension" if name in edits.names_of(self.state.program, "dimension") else "feature"
-            self.edit(
-                lambda program: edits.remove(program, [Node(kind, name)]), tr("{name} removed from the inspection program.", name=name)
-            )
+        count = len(entries.names)
+        name = sentence_case(entries.names[0]) if count == 1 else several(count, entries.kind)
+        nodes = [Node(entries.kind, one) for one in entries.names]
+        if nodes:
+            self.edit(lambda program: edits.remove(program, nodes), tr("{name} removed from the inspection program.", name=name))
 
     def replace(self, text: str) -> None:
         """Use another text. Raises InputError if it is not valid."""

@@ -59,7 +59,7 @@ class SeriesController(QObject):
             from measureapp.project.folder import ProjectFolder
             from measureapp.project.series.filing import file_run
 
-            return read_series(file_run(ProjectFolder.open(folder), repeat_reason=reason).program, job)
+            return read_series(file_run(ProjectFolder.open(folder), repeat_reason=reason).run.program, job)
 
         self._runner.run("Adding to the series", work, self._show_filed, on_failed=self.refused.emit)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from enum import Enum
 from typing import Any
 
 from ui.look.language.words import later, tr
@@ -131,6 +132,45 @@ LABELS = {
     "debounce_us": "Shortest trigger pulse",
 }
 """Labels of fields whose name says too little."""
+CHOICES = {
+    "software": "Software",
+    "hardware": "Hardware",
+    "warn": "Warn",
+    "refuse": "Refuse",
+    "box": "Box",
+    "cylinder": "Cylinder",
+    "rolling": "Rolling shutter",
+    "global": "Global shutter",
+    "global-reset": "Global reset",
+    "auto": "Automatic",
+    "Line1": later("Line1 (trigger input)"),
+    "Line2": later("Line2 (trigger input)"),
+    "Line3": later("Line3 (trigger input)"),
+    "Action1": later("Action1 (action command)"),
+    "map": "As the map says",
+    "rtu": "Modbus RTU",
+    "ascii": "Modbus ASCII",
+    "socket": "Modbus TCP",
+    "N": "No parity",
+    "E": "Even parity",
+    "O": "Odd parity",
+    "name": "Name",
+    "number": "Number",
+    "loop": "Begin again",
+    "end": "Refuse triggers",
+    "continue": "Continue",
+    "restart": "Restart",
+    "flash": "Flash memory",
+    "video": "Video port",
+    "red": "Red",
+    "green": "Green",
+    "blue": "Blue",
+    "white": "White",
+    "inch": later("inch"),
+    "um": "µm",
+}
+"""Names of the values of a choice; numbers, units and the pixel formats of GenICam are their own names."""
+PIXEL_FORMAT = re.compile(r"Mono(\d+)(p|Packed)?")
 PROBLEMS = {
     "missing": "Enter a value",
     "float_parsing": "Enter a number",
@@ -159,6 +199,30 @@ def field_words(name: str) -> tuple[str, str]:
     words = name.removesuffix(f"_{ending}").split("_") if ending else name.split("_")
     label = LABELS.get(name) or " ".join(PROPER.get(word, word) for word in words)
     return label[:1].upper() + label[1:], UNITS.get(ending, "")
+
+
+def tip_words(description: str | None) -> str:
+    """Return the description of a field as its tooltip.
+
+    >>> tip_words("wait at the goal, in the controller")
+    'Wait at the goal, in the controller'
+    """
+    tip = (description or "").strip()
+    return tip[:1].upper() + tip[1:]
+
+
+def choice_words(value: Any) -> str:
+    """Return the name of a value that is chosen, in the language of the window.
+
+    >>> choice_words("global"), choice_words("Mono10Packed"), choice_words(8)
+    ('Global shutter', '10 bit, packed (Mono10Packed)', '8')
+    """
+    value = value.value if isinstance(value, Enum) else value
+    found = PIXEL_FORMAT.fullmatch(str(value))
+    if found is None:
+        return tr(CHOICES[value]) if value in CHOICES else str(value)
+    bits, packed = found.groups()
+    return tr("{bits} bit, packed ({name})", bits=bits, name=value) if packed else tr("{bits} bit ({name})", bits=bits, name=value)
 
 
 def problem_words(problem: Mapping[str, Any]) -> str:

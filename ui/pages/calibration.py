@@ -61,9 +61,9 @@ class CalibrationPage(Page):
         self.action_row.addWidget(figure)
         self.action_row.addSpacing(16)
         self.action_row.addWidget(self.calibrate)
-        self.chart = BarChart(look, "Contribution, 1 σ")
+        self.chart = BarChart(look, "Contribution, k = 2")
         self.shares = card(
-            label("Contribution to the kinematic position of a point (1 σ)", "heading"),
+            label("Contribution to the kinematic position of a point (k = 2)", "heading"),
             label(SHARES_TEXT, "soft", wrap=True),
             8,
             self.chart,

@@ -121,7 +121,7 @@ def added_to_length_mm(calibration: RigCalibration, rig: RigDescription | None) 
         return calibration.view_gaps_mm
     shares = dict(contributions(calibration, rig)[:-1])
     twice = [value * (1.0 if name.startswith("Guide") else 2.0) for name, value in shares.items()]
-    return COVERAGE_FACTOR * sum(value**2 for value in twice) ** 0.5
+    return sum(value**2 for value in twice) ** 0.5
 
 
 def _vector(values: Iterable[float], digits: int = 4) -> str:
@@ -133,11 +133,11 @@ def _tilt_deg(axis: RotationAxis) -> float:
 
 
 def contributions(calibration: RigCalibration, rig: RigDescription | None) -> list[tuple[str, float]]:
-    """Return the contribution of each standard deviation to the kinematic position of a point, in mm, and their root sum of squares."""
+    """Return what each solution contributes to the kinematic position of a point, in mm (k = 2), and their root sum of squares."""
     standoff = rig.standoff_mm if rig is not None else STANDOFF_MM
     stroke = max(abs(limit) for limit in rig.guide.limits_mm) if rig is not None else STROKE_MM
     hand_eye, guide, axis = calibration.hand_eye, calibration.guide, calibration.axis
-    parts = [
+    deviations = [
         ("Hand–eye, position", hand_eye.translation_sigma_mm),
         (later("Hand–eye, rotation over {standoff:.0f} mm").format(standoff=standoff), hand_eye.rotation_sigma_rad * standoff),
         (later("Guide direction over {stroke:.0f} mm").format(stroke=stroke), guide.direction_sigma_rad * stroke),
@@ -145,4 +145,5 @@ def contributions(calibration: RigCalibration, rig: RigDescription | None) -> li
         ("Table axis, position", axis.point_sigma_mm),
         (later("Table axis, tilt over {height_mm:.0f} mm").format(height_mm=HEIGHT_MM), axis.direction_sigma_rad * HEIGHT_MM),
     ]
+    parts = [(name, COVERAGE_FACTOR * value) for name, value in deviations]
     return [*parts, ("Together", sum(value**2 for _, value in parts) ** 0.5)]

@@ -107,7 +107,7 @@ class ReportPage(Page):
 
     def _export_button(self, kind: str) -> Button:
         made = Button(FORMATS[kind][0] + "…", self.look, "export")
-        made.clicked.connect(lambda: self._export(kind))
+        made.clicked.connect(lambda: self.export(kind))
         return made
 
     def _show_busy(self) -> None:
@@ -199,7 +199,8 @@ class ReportPage(Page):
         dialog.chosen.connect(self.controllers.documents.set_header)
         dialog.open()
 
-    def _export(self, kind: str) -> None:
+    def export(self, kind: str) -> None:
+        """Ask for a file and export a document or geometry to it."""
         words, _, ending = FORMATS[kind]
         name = safe_file_name(self.session.project_name or "measurement", f".{ending}")
         chosen = choose_new(self, words, name, "exports", f"*.{ending}")

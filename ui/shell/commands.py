@@ -8,10 +8,12 @@ from typing import Protocol
 
 from ui.actions.actions import Action, Actions
 from ui.controllers.controllers import Controllers
+from ui.controllers.documents import FORMATS
 from ui.look.language.words import tr
 from ui.messages import CANCEL
 from ui.pages.page import Page
 from ui.pages.plan.page import PlanPage
+from ui.pages.report import ReportPage
 from ui.session import Session
 from ui.shell.project_menu import SAMPLES, ProjectMenu
 from ui.shell.tour import Tour
@@ -82,8 +84,8 @@ def register_commands(actions: Actions, window: CommandedWindow) -> None:
         ),
         Action("messages", "Messages", window.show_messages, "warnings errors log", shortcut="Ctrl+M"),
         Action("log", "Save log for support…", window.save_log, "support zip versions"),
-        Action("settings", "Settings…", window.show_settings, "theme preferences options", shortcut="Ctrl+,"),
-        Action("theme", "Change between light and dark", window.change_theme, "theme night colours"),
+        Action("settings", "Settings…", window.show_settings, "language theme preferences options", shortcut="Ctrl+,"),
+        Action("theme", "Change between light and dark", window.change_theme, "theme night dark light colours appearance"),
         Action("properties", "Show or hide the properties", window.properties.toggle, "panel side", shortcut="Ctrl+P"),
         Action("help", "Help for this page", window.show_help, "manual documentation", shortcut="F1"),
         Action("tour", "Take the tour", window.tour.begin, "first start introduction guide learn", why_not=_no_job(session)),
@@ -96,7 +98,7 @@ def register_commands(actions: Actions, window: CommandedWindow) -> None:
     actions.register(
         Action("demo", "Run the demo", window.controllers.demo.run, "virtual rig sample example", "rig", why_not=_no_job(session))
     )
-    actions.register(*_plan_keys(window))
+    actions.register(*_plan_keys(window), *_exports(window))
     for name, words in SAMPLES.items():
         actions.register(
             Action(
@@ -110,6 +112,16 @@ def register_commands(actions: Actions, window: CommandedWindow) -> None:
 
 
 NO_JOB = "No job is running."
+PAGE_KEYWORDS = {
+    "rig": "page devices drivers connect camera robot projector",
+    "calibration": "page board lens hand-eye axis guide uncertainty",
+    "plan": "page viewpoints coverage path collision delete",
+    "scan": "page measure start run capture exposure",
+    "clouds": "page views points stitch register mesh holes filter",
+    "inspection": "page dimension tolerance feature datum alignment deviation colour scale section delete nominal program",
+    "report": "page pdf export document print series repeats header template",
+}
+EXPORT_KEYWORDS = "export save file report document excel"
 
 
 def _no_job(session: Session) -> Callable[[], str]:
@@ -159,10 +171,26 @@ def _page_action(window: CommandedWindow, name: str, word: str, place: int) -> A
         f"page.{name}",
         tr("Go to {word}", word=word),
         lambda: window.show_page(name),
-        "page",
+        PAGE_KEYWORDS[name],
         shortcut=tr("Ctrl+{value}", value=place + 1),
         why_not=reason,
         bound=False,
+    )
+
+
+def _exports(window: CommandedWindow) -> tuple[Action, ...]:
+    """Return the documents that the Report page exports, which are wanted on every page."""
+    page = window.pages["report"]
+    assert isinstance(page, ReportPage)
+
+    def reason(kind: str) -> str:
+        if window.session.measurement is None:
+            return "No part has been measured."
+        return "The measurement has nothing of this kind." if page.exports[kind].isHidden() else ""
+
+    return tuple(
+        Action(f"report.{kind}", f"{words}…", partial(page.export, kind), EXPORT_KEYWORDS, "report", why_not=partial(reason, kind))
+        for kind, (words, *_) in FORMATS.items()
     )
 
 

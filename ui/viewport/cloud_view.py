@@ -322,6 +322,10 @@ class CloudView(SteeredView):
         self._legend = legend
         self.legendEdited.emit(legend)
 
+    def offered_menu(self) -> QMenu | None:
+        """Return the entries that need no place in the picture; None before there is one."""
+        return None if self.stage is None else view_menu(self, None, self._legend)
+
     def _open_menu(self, pick: Pick, place: QPoint) -> None:
         menu = view_menu(self, pick)
         self.menuOpening.emit(menu, pick)

@@ -37,16 +37,20 @@ RAMP_WORDS: dict[RampName, str] = {
 }
 
 
-def view_menu(view: CloudView, pick: Pick) -> QMenu:
-    """Return the context menu of a view; pages add their own actions."""
+def view_menu(view: CloudView, pick: Pick | None, legend: Legend | None = None) -> QMenu:
+    """Return the context menu of a view, to which pages add their own actions; without a ``pick`` that of the whole view.
+
+    ``legend``: whose menu it contains, if it can be edited.
+    """
     menu, stage = QMenu(view), view.stage
     assert stage is not None
     _add(menu, "Show everything", view.fit, "F")
     views = menu.addMenu(tr("Standard views"))
     for place, (name, words) in enumerate(VIEW_WORDS.items(), 1):
         _add(views, words, lambda chosen=name: view.look_from(chosen), str(place))  # type: ignore[misc]
-    centre = _add(menu, "Rotate about this place", lambda: stage.set_centre(pick))
-    centre.setEnabled(pick.position_mm is not None)  # type: ignore[attr-defined]
+    if pick is not None:
+        centre = _add(menu, "Rotate about this place", lambda: stage.set_centre(pick))
+        centre.setEnabled(pick.position_mm is not None)  # type: ignore[attr-defined]
     menu.addSeparator()
     scene, furniture = stage.scene, stage.furniture
     _check(menu, "Parallel projection", scene.camera.is_parallel, view.toggle_parallel, "P")
@@ -59,6 +63,10 @@ def view_menu(view: CloudView, pick: Pick) -> QMenu:
     _add(menu, "Copy picture", view.copy_picture, "Ctrl+Shift+C")
     _add(menu, "Save picture for print…", lambda: view.save_picture("white"))
     _add(menu, "Save picture without background…", lambda: view.save_picture("transparent"))
+    if legend is not None and legend.editable:
+        scale = legend_menu(menu, legend, stage.edit_legend)
+        scale.setTitle(tr("Colour scale"))
+        menu.addMenu(scale)
     return menu
 
 

@@ -7,8 +7,7 @@ from __future__ import annotations
 
 import json
 import tomllib
-from collections.abc import Mapping, Sequence
-from enum import Enum
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import tomli_w
@@ -160,14 +159,15 @@ class CheckEditor(FieldEditor):
 class ChoiceEditor(FieldEditor):
     """One of a few values."""
 
-    def __init__(self, options: Sequence[Any]) -> None:
+    def __init__(self, options: Sequence[Any], words: Callable[[Any], str] | None = None) -> None:
+        """``words``: how an option is shown; None: options are names that people gave, which no language changes."""
         super().__init__()
         self.box = CalmComboBox()
-        self.box.setProperty(GIVEN, True)
+        self.box.setProperty(GIVEN, words is None)
         self.box.setMinimumWidth(NUMBER_WIDTH)
         self._options = list(options)
         for option in options:
-            self.box.addItem(str(option.value if isinstance(option, Enum) else option))
+            self.box.addItem((words or str)(option))
         self.box.currentIndexChanged.connect(self.edited)
         self.setLayout(row(self.box, 0))
 

@@ -13,6 +13,7 @@ from ui.look.look import Look
 from ui.messages import Message, Messages
 from ui.widgets.basic import Button, column, label, row
 from ui.widgets.data_table import ROW_HEIGHT, Cell, DataTable
+from ui.widgets.empty_rows import EmptyRows
 from ui.widgets.job_strip import LEVEL_ICONS
 from ui.widgets.segments import Segments
 
@@ -40,6 +41,7 @@ class MessagesDialog(QDialog):
         self.table.setWordWrap(True)
         self.table.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.ResizeToContents)
         self.table.verticalHeader().setMinimumSectionSize(ROW_HEIGHT)
+        EmptyRows(self.table, "No messages. What happens during a measurement is listed here.")
         self.remedy = Button("", look, "", "primary", "Do what helps")
         self.dismiss = Button("Seen to", look, "pass", "normal", "Close this message, because its cause is gone")
         self.copy = Button("Copy", look, "copy", "normal", "Copy all messages as text")

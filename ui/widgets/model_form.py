@@ -13,7 +13,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QAbstractButton, QLabel, QPushButton, QWidget
 
 from measureapp.data.model import Model
-from ui.look.field_words import field_words, place_words, problem_sentence, problem_words
+from ui.look.field_words import choice_words, field_words, place_words, problem_sentence, problem_words, tip_words
 from ui.look.language.words import tr, translated
 from ui.widgets.basic import Form, clear, column, label, row
 from ui.widgets.field_editors import (
@@ -56,9 +56,8 @@ class FieldRows(FieldEditor):
     def _add(self, form: Form, name: str, field: FieldInfo, editor: FieldEditor) -> None:
         words, _ = field_words(name)
         named, note = QLabel(translated(words)), _note()
-        tip = (field.description or "").strip()
         for widget in (named, editor):
-            widget.setToolTip(tip[:1].upper() + tip[1:])
+            widget.setToolTip(translated(tip_words(field.description)))
         for inner in (editor, *editor.findChildren(QWidget)):
             if inner is editor or (inner.focusPolicy() != Qt.FocusPolicy.NoFocus and not inner.accessibleName()):
                 own = inner.text() if isinstance(inner, QAbstractButton) else ""
@@ -275,7 +274,7 @@ def editor_for(kind: Any, name: str, depth: int = 0) -> FieldEditor:
         optional = len(inner) == 1 and len(inner) < len(options)
         return OptionalEditor(editor_for(inner[0], name, depth), {} if _is_model(inner[0]) else None) if optional else KeptEditor()
     if origin is Literal:
-        return ChoiceEditor(options)
+        return ChoiceEditor(options, choice_words)
     if origin is tuple:
         return _tuple_editor(options, name, depth)
     if origin is dict:
@@ -291,7 +290,7 @@ def _plain_editor(kind: Any, unit: str, depth: int) -> FieldEditor:
     if kind in (str, SecretStr):
         return TextEditor(secret=kind is SecretStr)
     if isinstance(kind, type) and issubclass(kind, Enum):
-        return ChoiceEditor(list(kind))
+        return ChoiceEditor(list(kind), choice_words)
     if _is_model(kind) and depth + 1 < DEEPEST:
         return GroupEditor(kind, depth + 1)
     return KeptEditor()

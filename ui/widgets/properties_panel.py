@@ -31,6 +31,7 @@ class Properties:
     decision: str = ""  # label of a button above the properties
 
 
+BUTTON_MARGINS = 80  # of the panel, the scroll bar and the button
 FOLDED_WIDTH = 48
 
 
@@ -65,6 +66,7 @@ class PropertiesPanel(QFrame):
         self.setFixedWidth(self._width)
         self.shown = Properties("Properties")
         self._values: list[QLabel] = []  # the note, then the values
+        self._buttons: list[Button] = []  # of the decision and the action, if there are any
         self._shape: tuple[object, ...] = ()  # of the rows
         self._missed: Properties | None = None  # shown while folded, not laid out yet
 
@@ -104,8 +106,11 @@ class PropertiesPanel(QFrame):
         if same:
             for shown, words in zip(self._values, _values(properties), strict=True):
                 shown.setText(translated(words))
+            for button, words in zip(self._buttons, _offers(properties), strict=True):
+                self._name(button, words)
             return
         clear(self._rows)
+        self._buttons = []
         self._values = [label(properties.note, "soft", wrap=True)] if properties.note else []
         for note in self._values:
             self._rows.addWidget(note)
@@ -121,9 +126,18 @@ class PropertiesPanel(QFrame):
     def _offer(self, words: str, clicked: SignalInstance) -> None:
         if words:
             button = Button(words, self._look)
+            self._name(button, words)
+            self._buttons.append(button)
             button.clicked.connect(clicked)
             self._rows.addSpacing(8)
             self._rows.addWidget(button)
+
+    def _name(self, button: Button, words: str) -> None:
+        """Write on a button what it does, with names shortened to its width; its tooltip has all of it."""
+        full = translated(words)
+        button.setText(button.fontMetrics().elidedText(full, Qt.TextElideMode.ElideRight, self._width - BUTTON_MARGINS))
+        button.setToolTip(full if button.text() != full else "")
+        button.setAccessibleName(full)
 
 
 def _hairline() -> QFrame:
@@ -134,9 +148,14 @@ def _hairline() -> QFrame:
 
 
 def _shape(properties: Properties) -> tuple[object, ...]:
-    """Return what decides about the rows: everything but title, note and values."""
+    """Return what decides about the rows: everything but title, note, values and the words of buttons."""
     names = tuple((group.heading, tuple(name for name, _ in group.rows)) for group in properties.groups)
-    return names, bool(properties.note), properties.action, properties.decision
+    return names, bool(properties.note), bool(properties.action), bool(properties.decision)
+
+
+def _offers(properties: Properties) -> list[str]:
+    """Return the words of the buttons in their order."""
+    return [words for words in (properties.decision, properties.action) if words]
 
 
 def _values(properties: Properties) -> list[str]:

@@ -93,7 +93,9 @@ def _lines(plan: ScanPlan, found: PlanCheck, coverage: PlanCoverage | None) -> l
     lines += [found.note] if found.note else []
     if coverage is not None:
         lines.append(f"Predicted coverage {coverage.predicted:.1%}; {coverage.twice:.1%} are seen twice or more.")
-        lines += [f"  not seen, {share:.1%}: {reason}" for reason, share in coverage.unseen().items()]
+        lines += [
+            f"  seen by no viewpoint of this plan, {share:.1%}: {reason} at the best one" for reason, share in coverage.unseen().items()
+        ]
     lines += [f"  ✗ {problem}" for problem in found.problems[:SHOWN]]
     if len(found.problems) > SHOWN:
         lines.append(f"  … and {len(found.problems) - SHOWN} more")

@@ -252,21 +252,26 @@ def check_planes(images: ImageArray, group: GrayCodeGroup, reference: FloatArray
     """
     if group.direction != "vertical" or row_px <= GRAY_STEP_PX:
         return
-    mean, swing = (part.reshape(-1, row_px) for part in reference)
-    level = (images.reshape(len(images), -1, row_px) - mean) / np.where(swing > 0, swing, np.inf)
-    bits, clear = level > 0, np.abs(level) > 0.2
-    _check_blank_planes(bits, clear, swing > 0, name)
+    bits, clear, lit = plane_bits(images, reference, row_px)
+    _check_blank_planes(bits, clear, lit, name)
     for first, second in combinations(range(len(images)), 2):
         if second < 2:
             continue
         both = clear[first] & clear[second]
         if both.sum() < LEAST_PIXELS or (bits[first] == bits[second])[both].mean() < ALWAYS:
             continue
-        if _flips(bits[first], both, swing > 0) >= LEAST_FLIPS:
+        if _flips(bits[first], both, lit) >= LEAST_FLIPS:
             raise DecodeError(
                 f"{name(second)} shows the same Gray code plane as {lower_first(name(first))}.",
                 "Check that the projector stepped on; record this group again.",
             )
+
+
+def plane_bits(images: ImageArray, reference: FloatArray, row_px: int) -> tuple[BoolArray, BoolArray, BoolArray]:
+    """Return the bits of planes, and where they are clear, (planes, rows, row_px) both; and which pixels have fringes, (rows, row_px)."""
+    mean, swing = (part.reshape(-1, row_px) for part in reference)
+    level = (images.reshape(len(images), -1, row_px) - mean) / np.where(swing > 0, swing, np.inf)
+    return level > 0, np.abs(level) > 0.2, swing > 0
 
 
 def _check_blank_planes(bits: BoolArray, clear: BoolArray, lit: BoolArray, name: Name) -> None:
@@ -279,15 +284,15 @@ def _check_blank_planes(bits: BoolArray, clear: BoolArray, lit: BoolArray, name:
                 f"{name(plane)} is {'black' if share < 0.5 else 'white'} everywhere where a coarser Gray code plane has stripes.",
                 "Check that no image was lost or taken without the pattern; record this group again.",
             )
-        changes = _mark_changes(bits[plane], clear[plane], lit).sum(axis=1)
+        changes = mark_changes(bits[plane], clear[plane], lit).sum(axis=1)
         busy = busy or int((changes >= BUSY_CHANGES * GRAY_STEP_PX).sum()) >= BUSY_ROWS
 
 
 def _flips(bits: BoolArray, clear: BoolArray, lit: BoolArray) -> int:
-    return int(_mark_changes(bits, clear, lit).sum())
+    return int(mark_changes(bits, clear, lit).sum())
 
 
-def _mark_changes(bits: BoolArray, clear: BoolArray, lit: BoolArray) -> BoolArray:
+def mark_changes(bits: BoolArray, clear: BoolArray, lit: BoolArray) -> BoolArray:
     """Mark the changes of a bit along the rows between clear pixels with lit ones between them; each is found up to GRAY_STEP_PX times."""
     step = GRAY_STEP_PX
     changed = (bits[:, step:] != bits[:, :-step]) & clear[:, step:] & clear[:, :-step]

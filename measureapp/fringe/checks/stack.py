@@ -11,6 +11,7 @@ import numpy as np
 from measureapp.arrays import ImageArray
 from measureapp.data.fringe import FringeStack, GrayCodeGroup, PatternGroup, PhaseShiftGroup
 from measureapp.errors import DecodeError
+from measureapp.fringe.checks import gray_code as gray_checks
 from measureapp.fringe.checks import sequence as sequence_checks
 from measureapp.fringe.checks.sequence import LEAST_PIXELS, MOST_PIXELS, clear_range, lower_first
 
@@ -163,6 +164,18 @@ def _check_sequence(sample: _Sample, exposure: int) -> None:
         if isinstance(one.group, GrayCodeGroup) and steps:
             reference = sequence_checks.mean_and_swing(steps[0].images, saturation)
             sequence_checks.check_planes(one.images, one.group, reference, sample.row_px, one.name)
+            _check_gray_code(one, steps, sample)
+
+
+def _check_gray_code(gray: _GroupImages, steps: list[_GroupImages], sample: _Sample) -> None:
+    """Check of which kind a code is, by the finest sinusoids of its direction: those whose periods it numbers."""
+    mine = [one for one in steps if one.group.direction == gray.group.direction]
+    if not mine or not isinstance(gray.group, GrayCodeGroup):
+        return
+    finest = min(mine, key=_pitch_px)
+    reference = sequence_checks.mean_and_swing(finest.images, sample.stack.saturation)
+    gray_checks.check_inverse(gray.images, reference, sample.row_px, gray.name)
+    gray_checks.check_kind(gray.images, gray.group, finest.images, reference, sample.row_px, gray.name)
 
 
 def _groups(sample: _Sample, exposure: int) -> Iterator[_GroupImages]:

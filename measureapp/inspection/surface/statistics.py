@@ -65,6 +65,7 @@ class DeviationStatistics:
     no_data: NoData  # shares of the nominal's area
     minimum: Extreme | None  # None where no extreme is confirmed
     maximum: Extreme | None
+    all_points_mm: tuple[float, float] | None = None  # smallest and greatest deviation of all points, also lost and unconfirmed ones
 
 
 def compute_statistics(
@@ -111,6 +112,7 @@ def compute_statistics(
         find_no_data(found, nominal, search_mm, surface, index),
         find_extreme(index, search_mm, sign=-1.0),
         find_extreme(index, search_mm, sign=1.0),
+        (found.min_mm, found.max_mm) if len(found.distances_mm) else None,
     )
 
 

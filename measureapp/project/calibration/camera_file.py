@@ -51,7 +51,10 @@ def read_cameras(path: Path) -> CameraArrayCalibration:
     try:
         document = json.loads(path.read_text(encoding="utf-8"))
     except OSError as error:
-        raise InputError(f"{path} cannot be read: {error.strerror or error}.", "Give the path of a cameras.json.") from error
+        raise InputError(
+            f"{path} cannot be read: {error.strerror or error}.",
+            "Give the path of a cameras.json: `measureapp calibrate cameras --out` writes it, `measureapp process` that of a project.",
+        ) from error
     except (ValueError, RecursionError) as error:
         raise InputError(f"{path} is not JSON: {error}.", "Give a cameras.json written by `measureapp calibrate cameras`.") from error
     return cameras_from(document, str(path))

@@ -17,11 +17,11 @@ from measureapp.data.cloud import PointCloud, StitchedCloud
 from measureapp.data.length_unit import LengthUnit
 from measureapp.data.mesh import Mesh
 from measureapp.data.view_errors import ViewErrors
-from measureapp.errors import InputError
+from measureapp.errors import InputError, UnitQuestion
 from measureapp.project.atomic import replacing
 from measureapp.project.geometry.mesh_files import read_obj, read_stl, write_stl
 from measureapp.project.geometry.ply import Ply, Ragged, read_ply, write_ply
-from measureapp.project.geometry.point_files import read_pcd, read_table
+from measureapp.project.geometry.point_files import read_pcd, read_text_points
 from measureapp.project.geometry.step_files import STEP_KINDS, read_step
 from measureapp.project.geometry.view_errors import error_elements, errors_from
 
@@ -77,9 +77,28 @@ def read_points(path: Path, unit: LengthUnit = LengthUnit.MM) -> PlainPoints:
     elif kind == ".pcd":
         points = _pcd_points(path, read_pcd(path))
     else:
-        table = read_table(path)
-        points = _sound(path, table[:, :3], {"normals": table[:, 3:6] if table.shape[1] == 6 else None})
+        table = read_text_points(path)
+        check_stated_unit(path, table.unit, unit)
+        points = _sound(path, table.points, {"normals": table.normals})
     return _points_in_mm(path, points, unit)
+
+
+def check_stated_unit(path: Path, stated: LengthUnit | None, unit: LengthUnit) -> None:
+    """Raise UnitQuestion where the columns of a file state another unit than millimetres, InputError where another than the one given."""
+    if stated in (None, unit):
+        return
+    words, given = stated.words, unit.words
+    if unit is LengthUnit.MM:
+        raise UnitQuestion(
+            f"The columns of {path} are in {words}, and would be read as millimetres.",
+            f"Give --unit {stated}.",
+            "points",
+            str(stated),
+            f"The columns of {path} are in {words}",
+        )
+    raise InputError(
+        f"The columns of {path} are in {words}, not in {given}.", f"Give --unit {stated}, or correct the names of the columns."
+    )
 
 
 def read_mesh(path: Path, frame: str = "nominal", unit: LengthUnit = LengthUnit.MM) -> Mesh:

@@ -3,48 +3,100 @@
 from __future__ import annotations
 
 import re
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
 from measureapp.arrays import FloatArray
+from measureapp.data.length_unit import LengthUnit
 from measureapp.errors import InputError
 
 PCD_TYPES = {("F", 4): "f4", ("F", 8): "f8"} | {(kind.upper(), size): f"{kind}{size}" for kind in "iu" for size in (1, 2, 4, 8)}
 PCD_HEADER_BYTES = 16384
 DAMAGED = "Export or copy the file again."
+COMMENTS = ("#", "//")
+AXES = ("x", "y", "z")
+NAMED = re.compile(r"([^\W_]+)(?:_([\wµ]+))?(?:\s*[\[(]\s*([^\])]*?)\s*[\])])?")  # name_unit or name [unit]
+UNITS = {str(unit): unit for unit in LengthUnit} | {
+    "in": LengthUnit.INCH,
+    "inches": LengthUnit.INCH,
+    "µm": LengthUnit.UM,
+    "μm": LengthUnit.UM,
+}
 SEPARATORS = re.compile(r"[;\s]+")
 NUMBER = re.compile(r"[+-]?(\d+\.?|\d*[.,]\d+)([eE][+-]?\d+)?")
 
 
-def read_table(path: Path, least_columns: int = 3) -> FloatArray:
-    """Return the numbers of a text file, one point a line, white space, commas or semicolons between them.
+@dataclass(frozen=True, slots=True, eq=False)
+class TextPoints:
+    """Points of a text file, in its unit of lengths."""
 
-    Commas within numbers that something else separates are decimal points, as spreadsheets write in many countries.
+    points: FloatArray  # (N, 3)
+    normals: FloatArray | None  # (N, 3)
+    unit: LengthUnit | None  # as the names of the columns state it
 
-    Lines without numbers at the top (column names) and lines that begin with ``#`` or ``//`` are passed over.
+
+def read_text_points(path: Path) -> TextPoints:
+    """Read a text file, one point a line, white space, commas or semicolons between the numbers.
+
+    Commas within numbers that something else separates are decimal points, as spreadsheets write in many countries. A line of names at
+    the top, also one that begins with ``#`` or ``//``, says which columns are x, y and z (nx, ny and nz of normals), and their unit, as in
+    ``x_mm`` or ``X [inch]``. Without such names the first three columns are the point, and of six the others its normal.
 
     Raises
     ------
     InputError
-        No points, a line with other than the first line's number of values, or something that is not a number.
+        No points, a line with other than the first line's number of values, something that is not a number, or an unknown unit.
     """
     text = path.read_bytes().decode("latin-1")
     lines = text.replace(",", "." if _has_decimal_commas(text) else " ").replace(";", " ").splitlines()
-    kept = [(number, line) for number, line in enumerate(lines, 1) if line.strip() and not line.lstrip().startswith(("#", "//"))]
+    kept = [(number, line) for number, line in enumerate(lines, 1) if line.strip() and not line.lstrip().startswith(COMMENTS)]
     if kept and not _is_numbers(kept[0][1]):
         kept = kept[1:]
     if not kept:
         raise InputError(f"{path} holds no points.", "Give a file with one point (x y z) a line.")
     width = len(kept[0][1].split())
-    if width < least_columns:
-        raise InputError(
-            f"{path}, line {kept[0][0]}: {width} values where a point needs {least_columns}.", "Give x, y and z on every line."
-        )
+    if width < 3:
+        raise InputError(f"{path}, line {kept[0][0]}: {width} values where a point needs 3.", "Give x, y and z on every line.")
     try:
-        return np.loadtxt([line for _, line in kept], comments=None, ndmin=2)
+        table = np.loadtxt([line for _, line in kept], comments=None, ndmin=2)
     except ValueError:
         raise _misfit(path, kept, width) from None
+    above = [line.lstrip(" #/\t") for line in text.splitlines()[: kept[0][0] - 1] if line.strip()]
+    names = _column_names(above[-1]) if above else []
+    return _by_name(path, table, names) if len(names) == width else TextPoints(table[:, :3], table[:, 3:6] if width == 6 else None, None)
+
+
+def _column_names(line: str) -> list[tuple[str, str]]:
+    r"""Return names and units of columns.
+
+    >>> _column_names("id, x_mm, Y [inch]"), _column_names("X (mm)\tz")
+    ([('id', ''), ('x', 'mm'), ('y', 'inch')], [('x', 'mm'), ('z', '')])
+    """
+    found = NAMED.findall(line.encode("latin-1").decode("utf-8", "replace").lower())
+    return [
+        (name, within or behind) if name in AXES else (name + (f"_{behind}" if behind else ""), within) for name, behind, within in found
+    ]
+
+
+def _by_name(path: Path, table: FloatArray, names: list[tuple[str, str]]) -> TextPoints:
+    words = [name for name, _ in names]
+    if not all(words.count(axis) == 1 for axis in AXES):
+        return TextPoints(table[:, :3], table[:, 3:6] if len(words) == 6 else None, None)
+    units = {unit for name, unit in names if name in AXES}
+    unknown = sorted(units - UNITS.keys() - {""})
+    if unknown or len(units) > 1:
+        stated = ", ".join(f"{name} [{unit}]" if unit else name for name, unit in names if name in AXES)
+        raise InputError(
+            f"{path} states units that are not one unit of length: {stated}.", "Name the columns x, y, z with mm, inch, m, cm or um."
+        )
+    normals = [f"n{axis}" for axis in AXES]
+    return TextPoints(
+        table[:, [words.index(axis) for axis in AXES]],
+        table[:, [words.index(one) for one in normals]] if all(one in words for one in normals) else None,
+        UNITS.get(units.pop()),
+    )
 
 
 def _has_decimal_commas(text: str) -> bool:

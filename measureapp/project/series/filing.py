@@ -6,6 +6,7 @@ import hashlib
 import json
 from collections.abc import Iterable, Iterator
 from pathlib import Path
+from typing import NamedTuple
 
 from measureapp.data.dimension import Dimension, worst_verdict
 from measureapp.data.identification import Identification, one_line
@@ -23,6 +24,13 @@ DEEPEST = 4  # levels of folders that are searched for projects
 VERSION_DIGITS = 8
 
 
+class FiledRun(NamedTuple):
+    """A run in a series, and whether it was not there before."""
+
+    run: SeriesRun
+    is_new: bool
+
+
 def file_run(
     project: ProjectFolder,
     measurement: Measurement | None = None,
@@ -31,8 +39,8 @@ def file_run(
     version: str = "",
     repeat_reason: str = "",
     root: Path | None = None,
-) -> SeriesRun:
-    """File the measurement of a project in the series of its program, and return the run; filed once more it is the same run.
+) -> FiledRun:
+    """File the measurement of a project in the series of its program; filed once more it is the same run, which changes nothing.
 
     Parameters
     ----------
@@ -64,9 +72,9 @@ def file_run(
         measured_at=measurement.measured_at,
     )
     run = run.model_copy(update={"run_id": _run_id(run), "repeat_reason": one_line(repeat_reason)})
-    SeriesStore(run.program, root).add(run)
+    is_new = SeriesStore(run.program, root).add(run)
     write_text(project.path / FOLDER / f"{run.run_id}.json", run.model_dump_json(indent=2))
-    return run
+    return FiledRun(run, is_new)
 
 
 def _run_id(run: SeriesRun) -> str:

@@ -62,8 +62,8 @@ class SeriesStore:
         self.folder = series_folder(program, root)
         self.path = self.folder / database.FILE
 
-    def add(self, run: SeriesRun) -> None:
-        """Append a run; one that is stored already is left as it is.
+    def add(self, run: SeriesRun) -> bool:
+        """Append a run, and return whether it is new; one that is stored already is left as it is.
 
         Raises
         ------
@@ -79,9 +79,11 @@ class SeriesStore:
             with database.errors_named(self.path), closing(database.connect(self.path, "rw")) as connection:
                 connection.execute("BEGIN IMMEDIATE")
                 self._require_reason(run)
-                if connection.execute("SELECT 1 FROM run WHERE run_id = ?", (run.run_id,)).fetchone() is None:
+                is_new = connection.execute("SELECT 1 FROM run WHERE run_id = ?", (run.run_id,)).fetchone() is None
+                if is_new:
                     database.insert(connection, run)
                 connection.execute("COMMIT")
+        return is_new
 
     def runs(self, *, serial_number: str | None = None, since: str | None = None) -> tuple[SeriesRun, ...]:
         """Return runs in order of measurement; none if there is no series yet.

@@ -144,6 +144,38 @@ def test_a_spoilt_stack_is_refused_by_the_image(patterns: PatternSet, change: Ch
     assert raised.value.hint
 
 
+PLAIN = PatternSet(name="p", projector_px=1024, groups=(SINE(pitch_px=32), GrayCodeGroup(planes=5)))
+
+
+@pytest.mark.parametrize(
+    ("drawn", "planes", "complementary", "words"),
+    [
+        (GRAY, 6, False, "the code is complementary, and its description does not state it"),
+        (PatternSet(name="p", projector_px=1024, groups=(SINE(pitch_px=32), GrayCodeGroup(planes=6))), 6, True, "the code is plain"),
+    ],
+)
+@pytest.mark.parametrize("turned", [0, 1])
+def test_a_gray_code_of_another_kind_than_described_is_refused(drawn, planes, complementary, words, turned) -> None:
+    """Whatever the origin of the sinusoids is: ``turned`` by a quarter of a period."""
+    images = images_of(ramp(), drawn, BRACKET)
+    images[:, :4] = np.roll(images[:, :4], turned, axis=1)
+    described = drawn.model_copy(update={"groups": (SINE(pitch_px=32), GrayCodeGroup(planes=planes, complementary=complementary))})
+    with pytest.raises(DecodeError, match=words) as refused:
+        check_stack(FringeStack("v", described, BRACKET, {"left": images}, 255))
+    assert "complementary = true" in refused.value.hint
+    check_stack(FringeStack("v", drawn, BRACKET, {"left": images}, 255))
+
+
+def test_inverse_planes_are_refused_with_the_number_of_those_to_give() -> None:
+    images = images_of(ramp(), PLAIN, BRACKET)
+    white, black = images[:, :4].max(axis=1, keepdims=True), images[:, :4].min(axis=1, keepdims=True)
+    images = np.concatenate([images, white - (images[:, 4:] - black)], axis=1)
+    described = PatternSet(name="i", projector_px=1024, groups=(SINE(pitch_px=32), GrayCodeGroup(planes=10)))
+    with pytest.raises(DecodeError, match="inverse of image 5") as refused:
+        check_stack(FringeStack("v", described, BRACKET, {"left": images}, 255))
+    assert "first 5 images" in refused.value.hint
+
+
 @pytest.mark.parametrize("patterns", [THREE, FOUR, GRAY], ids=lambda patterns: patterns.name)
 def test_exchanged_exposures_are_named(patterns: PatternSet) -> None:
     def change(images: np.ndarray) -> None:

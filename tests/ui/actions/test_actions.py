@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QKeySequence
-from PySide6.QtWidgets import QWidget
+from PySide6.QtWidgets import QMenu, QWidget
 
 from ui.actions.actions import Action, Actions
 from ui.actions.search import score
@@ -45,6 +45,10 @@ def test_a_few_letters_find_the_action_that_is_meant(actions, typed, first):
     )
     assert actions.find(typed)[0].text == first
     assert score("xyz", "Open project") is None
+
+
+def test_a_word_as_typed_comes_before_its_letters_elsewhere():
+    assert score("theme", "Change between light and dark", "night theme") > score("theme", "Edit the tolerance frame")
 
 
 def test_what_cannot_be_used_comes_last_and_says_why(actions, qtbot):
@@ -97,12 +101,68 @@ def test_the_palette_lists_the_buttons_of_the_page(window, qtbot):
     assert pressed and not window.palette_.isVisible()
 
 
+@pytest.mark.parametrize(
+    ("typed", "expected"),
+    [
+        ("language", "Settings…"),
+        ("theme", "Change between light and dark"),
+        ("tolerance", "Go to Inspect"),
+        ("delete", "Go to Inspect"),
+        ("export pdf", "PDF report…"),
+        ("pdf export", "PDF report…"),
+        ("report", "Go to Report"),
+        ("scale", "Go to Inspect"),
+        ("excel", "Table of dimensions (XLSX)…"),
+    ],
+)
+def test_what_people_call_things_is_found_on_every_page(window, typed, expected):
+    assert expected in [action.text for action in window.actions_.find(typed)][:3]
+
+
+def test_an_export_from_the_palette_needs_a_measurement(window):
+    export = window.actions_.action("report.pdf")
+    assert window.actions_.reason(export) == "No part has been measured."
+
+
+class WithMenu(QWidget):
+    """A table with a context menu that has another one inside."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.done: list[str] = []
+
+    def offered_menu(self) -> QMenu:
+        menu = QMenu(self)
+        menu.addAction("Delete the row\tDel", lambda: self.done.append("deleted"))
+        menu.addAction("Restore", list).setEnabled(False)
+        menu.addMenu("Datum letter").addAction("B", lambda: self.done.append("B"))
+        return menu
+
+
+def test_the_palette_lists_what_only_menus_have(window, qtbot):
+    window.show_page("clouds")
+    table = WithMenu()
+    window.page.layout().addWidget(table)
+    table.show()
+    for typed, words in (("delete row", "Delete the row"), ("datum", "Datum letter: B")):
+        window.actions_.perform("palette")
+        qtbot.keyClicks(window.palette_.line, typed)
+        assert window.palette_.table.texts()[0][:2] == [words, "Clouds"]
+        qtbot.keyClick(window.palette_.line, Qt.Key.Key_Return)
+    assert table.done == ["deleted", "B"]
+    window.actions_.perform("palette")
+    qtbot.keyClicks(window.palette_.line, "restore")
+    qtbot.keyClick(window.palette_.line, Qt.Key.Key_Return)
+    assert window.palette_.hint.text() == "It cannot be used at the moment."
+    window.palette_.reject()
+
+
 def test_every_shortcut_is_listed_and_every_action_has_words(window):
     window.actions_.perform("keys")
     listed = {row[0] for row in window.shortcuts.table.texts()}
     assert {"Ctrl+K", "F1", "Ctrl+N", "Ctrl+O", "?", "Esc", "Ctrl+1", "Ctrl+7"} <= listed
     for action in window.actions_.all():
-        assert action.text and action.text[0].isupper() and not action.text.endswith(".")
+        assert action.text and not action.text[0].islower() and not action.text.endswith(".")
         assert not action.shortcut or not QKeySequence(action.shortcut).isEmpty()
     window.shortcuts.close()
 

@@ -8,6 +8,10 @@ from PySide6.QtTest import QTest
 
 from measureapp.data.part_program import PartProgramFacts
 from ui.controllers.operator_codes import CodeFields, check_code, clean_code, find_program, read_code
+from ui.controllers.operator_nouns import Entered
+from ui.look.language.catalogue import read_catalogue
+from ui.look.language.sources import catalogue_file
+from ui.look.language.words import Translator, translated
 from ui.pages.operator.scanner import FEWEST, SLOWEST_S, Scanner, TypedFast
 
 CROSS = PartProgramFacts(
@@ -75,30 +79,63 @@ def test_slow_keys_are_typed_by_a_person():
     assert typed.end(now_s) == "ABCD"
 
 
-@pytest.mark.parametrize("end", [Qt.Key.Key_Return, Qt.Key.Key_Tab])
-def test_a_scan_is_taken_wherever_the_focus_is_and_the_field_is_as_before(workshop, monkeypatch, end):
-    screens = workshop.screens
+@pytest.fixture
+def scan(workshop, monkeypatch):
     now_s = [0.0]
-    monkeypatch.setattr(screens.scanner, "_clock", lambda: now_s[0])
-    handle = workshop.window.windowHandle()
-    screens.home.search.setText("old words")
-    screens.home.search.setFocus()
+    monkeypatch.setattr(workshop.screens.scanner, "_clock", lambda: now_s[0])
 
-    def scan(code):
+    def scan(code, end=Qt.Key.Key_Return):
+        handle = workshop.window.windowHandle()
         for letter in code:
             now_s[0] += 0.002
             QTest.keyClick(handle, Qt.Key.Key_F8 if letter == "\x1d" else letter)
         QTest.keyClick(handle, end)
         now_s[0] += 1.0
 
-    scan("GC-999|S9")
+    return scan
+
+
+def test_a_scan_before_the_start_presses_nothing_and_is_compared_with_the_part(workshop, scan):
+    screens, operator = workshop.screens, workshop.operator
+    scan("]d2GC-180\x1dS-9\x1dA-77")
+    screens.identify.fields["operator"].setText("Name")
+    operator.identify(screens.identify.value())
+    assert screens.screens.currentWidget() is screens.load
+    pressed = []
+    screens.load.start.pressedOnce.connect(lambda: pressed.append(True))
+    screens.load.start.setEnabled(True)
+    screens.load.start.setFocus()
+    scan("GC-180 S-1")
+    assert not pressed and "was not entered" in screens._words.text() and operator.entered.serial == "S-9"
+    scan("]d2GC-180\x1dS-9\x1dA-77")
+    assert not pressed and screens._words.text() == "The code belongs to this part."
+
+
+def test_what_an_operator_typed_is_never_translated(workshop, monkeypatch):
+    chinese = Translator()
+    chinese.use(read_catalogue(catalogue_file("zh_CN")))
+    monkeypatch.setattr("ui.look.language.words.TRANSLATOR", chinese)
+    screens, operator = workshop.screens, workshop.operator
+    operator.choose(operator.shelf.cards[0])
+    assert translated("Name") != "Name"
+    operator.entered = Entered(operator="Name")
+    operator.enteredChanged.emit()
+    assert screens.identify.fields["operator"].text() == "Name"
+
+
+@pytest.mark.parametrize("end", [Qt.Key.Key_Return, Qt.Key.Key_Tab])
+def test_a_scan_is_taken_wherever_the_focus_is_and_the_field_is_as_before(workshop, scan, end):
+    screens = workshop.screens
+    screens.home.search.setText("old words")
+    screens.home.search.setFocus()
+    scan("GC-999|S9", end)
     assert screens.home.search.text() == "old words"
     assert "belongs to no part program" in screens._words.text() and screens.screens.currentWidget() is screens.home
-    scan("]d2GC-180\x1dS-9\x1dA-77")
+    scan("]d2GC-180\x1dS-9\x1dA-77", end)
     assert screens.screens.currentWidget() is screens.identify
     assert [screens.identify.fields[name].text() for name in ("serial", "order")] == ["S-9", "A-77"]
     screens.identify.fields["remarks"].setFocus()
-    scan("GW-24|G-1")
+    scan("GW-24|G-1", end)
     assert screens._words.text() == "Wrong part: the code is of part GW-24, this program measures part GC-180."
     assert screens.identify.fields["serial"].text() == "S-9" and screens.identify.fields["remarks"].text() == ""
 

@@ -65,6 +65,17 @@ def test_keys_type_letters_digits_and_corrections_into_the_field(workshop, ident
     assert identify.value().serial == "SN-17a"
 
 
+def test_there_are_no_keys_where_nothing_can_be_typed(workshop, identify):
+    keyboard, button = workshop.screens.keyboard, workshop.screens.strip.keyboard
+    identify.next.setFocus()
+    button.click()
+    assert keyboard.isVisible() and identify.fields["serial"].hasFocus()
+    workshop.operator.identify(identify.value())
+    workshop.qtbot.waitUntil(workshop.screens.load.isVisible)
+    button.click()
+    assert not keyboard.isVisible()
+
+
 def test_enter_goes_on_as_on_a_keyboard(workshop, identify):
     workshop.screens.strip.keyboard.click()
     keyboard = workshop.screens.keyboard

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from measureapp.resources import resource
-from ui.look.field_words import field_words
+from ui.look.field_words import field_words, tip_words
 
 ROOT = resource("languages").parent.parent
 WORDS = re.compile(r"[A-Za-z]{2}")
@@ -57,7 +57,10 @@ REFUSING = {
     ("data", "standard_tolerances.py"),
     ("data", "tolerance_text.py"),
 }  # files whose `ValueError` says why what was entered cannot be used
-FORMS = ("measureapp/data/rig.py", "measureapp/data/cell.py", "measureapp/data/length_certificate.py", "plugins/*/settings.py")
+FORMS = (
+    *("measureapp/data/rig.py", "measureapp/data/cell.py", "measureapp/data/length_certificate.py", "plugins/*/settings.py"),
+    *("measureapp/simulate/options.py", "measureapp/simulate/sensor.py"),  # of the virtual rig
+)
 """Files of models whose fields the window shows as forms, labelled after their names."""
 UNTRANSLATED = {
     "TypeVar",
@@ -83,19 +86,27 @@ def window_texts() -> dict[str, str]:
             continue
         for text in _texts(ast.parse(path.read_text(encoding="utf-8"))):
             found.setdefault(text, place[1] if place[0] in ("pages", "wizards") and len(place) > 2 else place[0].removesuffix(".py"))
-    for label in _field_labels():
-        found.setdefault(label, "look")
+    for words in _field_texts():
+        found.setdefault(words, "look")
     return found
 
 
-def _field_labels() -> Iterator[str]:
-    """Yield the labels of the fields of all models that forms are made of."""
+def _field_texts() -> Iterator[str]:
+    """Yield the labels and tooltips of the fields of all models that forms are made of."""
     for path in sorted(path for pattern in FORMS for path in ROOT.glob(pattern)):
         for one in ast.parse(path.read_text(encoding="utf-8")).body:
             if isinstance(one, ast.ClassDef) and one.bases:
                 for field in one.body:
                     if isinstance(field, ast.AnnAssign) and isinstance(field.target, ast.Name):
                         yield field_words(field.target.id)[0]
+                        yield from _descriptions(field)
+
+
+def _descriptions(field: ast.AnnAssign) -> Iterator[str]:
+    if isinstance(field.value, ast.Call):
+        for given in field.value.keywords:
+            if given.arg == "description" and isinstance(given.value, ast.Constant):
+                yield tip_words(str(given.value.value)).replace("{", "{{").replace("}", "}}")
 
 
 def core_texts() -> dict[str, str]:

@@ -47,6 +47,11 @@ class DatumMenu(QObject):
         self._table.menuAsked.emit(menu)
         return menu
 
+    def offered_menu(self) -> QMenu | None:
+        """Return the menu of the feature selected last; None without one."""
+        chosen = self._table.names()
+        return self.menu(chosen[-1]) if chosen and self._programming.state is not None else None
+
     def give(self, name: str, letter: str) -> None:
         """Give a feature a letter; an empty one removes it."""
         from measureapp.inspection.programming import edits

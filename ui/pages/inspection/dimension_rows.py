@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from measureapp.data.dimension import Dimension
     from measureapp.data.feature import Feature
     from measureapp.data.measurement import Alignment
-    from ui.controllers.program_rows import Construction
+    from ui.controllers.program_rows import Construction, ProgramEntries
 
 
 ALIGNMENTS = (later("best fit"), later("datums"), later("reference points"), later("coordinates"))  # names that results state
@@ -45,6 +45,16 @@ def unit_of(dimension: Dimension) -> str:
 def dimension_words(name: str) -> str:
     """Return the name of a dimension as words; single letters are unchanged."""
     return name if len(name) == 1 else sentence_case(name)
+
+
+def removal_words(entries: ProgramEntries) -> str:
+    """Name the button that removes entries of the program: which, as a dimension and a feature may have the same name."""
+    if len(entries.names) != 1:
+        return tr("Remove {entries}", entries=several(len(entries.names), entries.kind))
+    name = dimension_words(entries.names[0])
+    if entries.kind == "dimension":
+        return tr("Remove dimension {name}", name=name)
+    return tr("Remove pattern {name}", name=name) if entries.is_pattern else tr("Remove feature {name}", name=name)
 
 
 def is_blade(feature: Feature) -> bool:

@@ -18,12 +18,15 @@ from ui.pages.inspection.dimension_model import COPIED, EDITABLE, FRAME_ROLE, HE
 from ui.viewport.overlay.control_frame import frame_width
 from ui.viewport.overlay.style import OverlayStyle
 from ui.widgets.data_table import ROW_HEIGHT, Index, bring_into_sight, is_in_sight
+from ui.widgets.empty_rows import EmptyRows
 
 STATUS_WIDTH, NAME_WIDTH, LEAST_NAME_WIDTH = 28, 150, 96
 LEFT_OUT = (Column.NOMINAL, Column.DEVIATION, Column.TOLERANCE)  # in this order, where there is little room; the properties show them
 CELL_ROOM, SIGN_ROOM, SORT_ROOM = 16, 28, 24  # px beside the text: margins, sign of the verdict, arrow of the order
 EDIT_KEYS = QAbstractItemView.EditTrigger.EditKeyPressed | QAbstractItemView.EditTrigger.AnyKeyPressed
 NONE = -1
+NO_ROWS = "No dimensions yet. Select features in the list Features, or add one with Dimension above the picture."
+NONE_FITS = "No dimension fits the filter. Clear the search, or show all verdicts."
 
 
 class DimensionTable(QTableView):
@@ -59,6 +62,7 @@ class DimensionTable(QTableView):
         self.verticalHeader().setDefaultSectionSize(ROW_HEIGHT)
         self._set_up_header()
         self.selectionModel().currentRowChanged.connect(self._follow)
+        self.empty = EmptyRows(self, NO_ROWS)
         look.changed.connect(self.viewport().update)
 
     def _set_up_header(self) -> None:
@@ -97,6 +101,7 @@ class DimensionTable(QTableView):
 
     def set_rows(self, rows: Sequence[DimensionRow]) -> None:
         """Show these rows; the selected ones stay selected, and the current one in sight where its verdict gives it another place."""
+        self.empty.say(NONE_FITS if rows else NO_ROWS)
         kept, current = self.selected_ids(), self._current
         was_in_sight = is_in_sight(self, self.currentIndex())
         blocked = self.selectionModel().blockSignals(True)
@@ -249,12 +254,18 @@ class DimensionTable(QTableView):
 
     def contextMenuEvent(self, event: Any) -> None:
         """Open the menu of a row."""
+        menu = self.offered_menu()
+        if menu is not None:
+            menu.popup(event.globalPos())
+
+    def offered_menu(self) -> QMenu | None:
+        """Return the menu of the current row; None without one."""
         if self.current_row() is None:
-            return
+            return None
         menu = QMenu(self)
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         self.menuAsked.emit(menu)
-        menu.popup(event.globalPos())
+        return menu
 
     def header_menu(self) -> QMenu:
         """Return the menu of the header: order and columns."""

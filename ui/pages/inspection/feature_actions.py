@@ -12,7 +12,7 @@ from measureapp.errors import MeasureError
 from ui.controllers.programming import ProgrammingController
 from ui.look.language.words import tr, translated
 from ui.look.look import Look
-from ui.look.wording import sentence_case, several
+from ui.look.wording import sentence_case
 from ui.pages.inspection.feature_table import FeatureTable
 from ui.pages.inspection.rename_dialog import RenameDialog
 
@@ -43,15 +43,7 @@ class FeatureActions(QObject):
 
     def remove(self) -> None:
         """Delete the selected features; refused where others need them, with their names."""
-        from measureapp.inspection.programming import edits
-        from measureapp.inspection.session.graph import Node
-
-        entries = self._table.entries()
-        if not entries:
-            return
-        name = entries[0].name if len(entries) == 1 else several(len(entries), "feature")
-        nodes = [Node("feature", one.name) for one in entries]
-        self._programming.edit(lambda program: edits.remove(program, nodes), tr("{name} removed from the inspection program.", name=name))
+        self._programming.remove(self._table.program_entries())
 
     def _refusal(self, former: str, name: str) -> str:
         """Return why a feature cannot be renamed so; empty: it can."""

@@ -9,12 +9,13 @@ from PySide6.QtCore import QItemSelectionModel, Signal
 from PySide6.QtGui import QResizeEvent
 from PySide6.QtWidgets import QAbstractItemView
 
-from ui.controllers.program_rows import Construction, constructions_by_name, entries_by_name
+from ui.controllers.program_rows import Construction, ProgramEntries, constructions_by_name, entries_by_name
 from ui.look.language.words import tr
 from ui.look.look import Look
 from ui.look.wording import NOTHING, counted, quantity, sentence_case
 from ui.pages.inspection.dimension_rows import shape_words, source_words
 from ui.widgets.data_table import Cell, DataTable, bring_into_sight, is_in_sight, number
+from ui.widgets.empty_rows import EmptyRows
 
 if TYPE_CHECKING:
     from measureapp.data.feature import Feature
@@ -34,6 +35,7 @@ class FeatureTable(DataTable):
         self.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
         self.setAccessibleName(tr("Features"))
         self.setAccessibleDescription(tr("Hold Ctrl to select several features."))
+        self.empty = EmptyRows(self, "No features yet. Press Pick faces or Feature and click the part, or write them with Program.")
         self._features: tuple[Feature, ...] = ()
         self._shown: tuple[Sequence[Feature], Mapping[str, str], Sequence[FeatureProgram]] = ((), {}, ())
         self.constructed: Mapping[str, Construction] = {}  # by name: what those that are not measured themselves are made from
@@ -74,6 +76,11 @@ class FeatureTable(DataTable):
         """Return the entries of the selected features in the edited program, that of a pattern once."""
         known = entries_by_name(self._shown[2])
         return list({known[name].name: known[name] for name in self.names() if name in known}.values())
+
+    def program_entries(self) -> ProgramEntries:
+        """Return what of the program is selected."""
+        entries = self.entries()
+        return ProgramEntries("feature", tuple(one.name for one in entries), len(entries) == 1 and entries[0].repeat is not None)
 
     def select_names(self, names: Sequence[str]) -> None:
         """Select features by name, and bring the last one into sight."""

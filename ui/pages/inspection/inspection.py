@@ -10,6 +10,7 @@ from PySide6.QtGui import QGuiApplication, QKeySequence, QShortcut, QShowEvent
 from PySide6.QtWidgets import QHBoxLayout
 
 from ui.controllers.controllers import Controllers
+from ui.controllers.program_rows import ProgramEntries
 from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.look.wording import millimetres, percent, sentence_case, several
@@ -17,7 +18,7 @@ from ui.pages.clicked_distance import ClickedPoint
 from ui.pages.inspection.clicking import ClickingTools
 from ui.pages.inspection.cutting import Cutting
 from ui.pages.inspection.deviation_display import DeviationDisplay
-from ui.pages.inspection.dimension_rows import decision_rule, dimension_properties, feature_group
+from ui.pages.inspection.dimension_rows import decision_rule, dimension_properties, feature_group, removal_words
 from ui.pages.inspection.dimension_side import TABLE_WIDTH, DimensionSide
 from ui.pages.inspection.part_picture import SHAPE_TIPS, SHAPES, filled_in, mesh_of, part_composer
 from ui.pages.inspection.picture_content import PictureContent
@@ -44,7 +45,6 @@ EMPTY = (
     "An inspection program fits features to the measured points and compares their dimensions with the nominal.",
 )
 UNDO = "Undo the last point, distance, feature or change of the program"
-REMOVE = "Remove from the program"
 FILLED = "Filled, not measured"
 
 
@@ -61,7 +61,7 @@ class InspectionPage(ViewportPage):
         self.shape = Segments(SHAPES, name="Picture", tips=SHAPE_TIPS)
         self.shape.set_available("deviation", False)
         self.shape.valueChanged.connect(self.redraw)
-        self._entry: tuple[Properties, str] | None = None  # of the program, while its properties are shown
+        self._entry: tuple[Properties, ProgramEntries] | None = None  # of the program, while its properties are shown
         self.filled = NotMeasuredLegend(look)
         self.filled.setContentsMargins(12, 4, 12, 4)
         self.display = DeviationDisplay(self)
@@ -185,19 +185,19 @@ class InspectionPage(ViewportPage):
         dimension, features = chosen.dimension, chosen.features
         if inspection is not None and dimension is not None:
             shown = dimension_properties(dimension, features, inspection.alignment, decision_rule(), self.side.features.constructed)
-            self._show_entry(shown, dimension.name)
+            self._show_entry(shown, ProgramEntries("dimension", (dimension.name,)))
         elif features:
             title = sentence_case(features[0].name) if len(features) == 1 else several(len(features), "feature")
             groups = tuple(feature_group(one, self.side.features.constructed.get(one.name)) for one in features)
-            self._show_entry(Properties(title, groups), features[-1].name)
+            self._show_entry(Properties(title, groups), self.side.features.program_entries())
             self.program.bar.take(features[-1].name)
         self.content.show()
 
-    def _show_entry(self, properties: Properties, name: str) -> None:
-        """Show an entry of the program, with the button that removes it."""
+    def _show_entry(self, properties: Properties, entries: ProgramEntries) -> None:
+        """Show entries of the program, with the button that removes them."""
         can_change = self.program.programming.can_change
-        self.show_properties(replace(properties, decision=REMOVE) if can_change else properties)
-        self._entry = properties, name
+        self.show_properties(replace(properties, decision=removal_words(entries)) if can_change else properties)
+        self._entry = properties, entries
 
     def show_properties(self, properties: Properties) -> None:
         """Show these properties; `_show_entry` marks entries of the program afterwards."""

@@ -10,7 +10,7 @@ from PySide6.QtGui import QKeySequence, QShortcut
 from PySide6.QtWidgets import QMenu
 
 from measureapp.data.control_frame import CHARACTERISTICS
-from ui.controllers.program_rows import DimensionRow
+from ui.controllers.program_rows import DimensionRow, ProgramEntries
 from ui.controllers.programming import ProgrammingController
 from ui.look.language.words import tr, translated
 from ui.look.look import Look
@@ -67,13 +67,7 @@ class RowActions(QObject):
 
     def remove(self) -> None:
         """Delete the selected dimensions."""
-        from measureapp.inspection.programming import edits
-
-        nodes = self._nodes()
-        if nodes:
-            self._programming.edit(
-                lambda program: edits.remove(program, nodes), tr("{dimensions} deleted.", dimensions=several(len(nodes), "dimension"))
-            )
+        self._programming.remove(ProgramEntries("dimension", tuple(row.name for row in self.chosen)))
 
     def move(self, steps: int) -> None:
         """Move the selected dimensions up or down in the order of the report, which is shown then."""

@@ -83,7 +83,7 @@ class IdentifyScreen(QWidget):
     def _take(self) -> None:
         entered = self._controller.entered
         for name, field in self.fields.items():
-            field.setText(translated(getattr(entered, name)))
+            field.setText(getattr(entered, name))
         self._show()
 
     def _missing(self) -> list[str]:

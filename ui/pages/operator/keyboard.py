@@ -90,8 +90,14 @@ class KeyboardCaller(QObject):
             field.installEventFilter(self)
 
     def toggle(self) -> None:
-        """Show or hide the keys, whatever the screen."""
-        self._keyboard.setVisible(not self._keyboard.isVisible())
+        """Show or hide the keys; they are shown for the field that has the focus, else for the first one, and only where there is one."""
+        fields = [field for field in self._workspace.findChildren(QLineEdit) if field.isVisible() and field.isEnabled()]
+        if self._keyboard.isVisible() or not fields:
+            self._keyboard.hide()
+            return
+        if QApplication.focusWidget() not in fields:
+            fields[0].setFocus()
+        self._keyboard.show()
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         """Note a finger on a field; the event goes on to it."""

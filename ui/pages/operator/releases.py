@@ -10,6 +10,7 @@ from ui.look.language.words import tr
 from ui.look.look import Look
 from ui.widgets.basic import Button, column, label, row
 from ui.widgets.data_table import Cell, DataTable
+from ui.widgets.empty_rows import EmptyRows
 
 HEADERS = ("Part program", "Release", "State")
 ABOUT = "Operators are offered released programs only. Whatever changes a program makes it a new one, which is released again."
@@ -24,6 +25,7 @@ class Releases(QWidget):
         self._stock = stock
         self.table = DataTable(look, HEADERS, numeric=(1,), stretch=0)
         self.table.setMinimumHeight(HEIGHT)
+        EmptyRows(self.table, "No part programs in the folder. Save one with Save as a template in the menu Project.")
         self.table.setSelectionMode(DataTable.SelectionMode.ExtendedSelection)
         self.by = QLineEdit()
         self.by.setPlaceholderText(tr("Your name, printed in every report"))

@@ -10,8 +10,6 @@ from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QKeyEvent, QWindow
 from PySide6.QtWidgets import QApplication, QLineEdit
 
-from ui.look.language.words import translated
-
 FEWEST, SLOWEST_S = 4, 0.05  # characters of a code; between two of its keys
 ENDS = (Qt.Key.Key_Return, Qt.Key.Key_Enter, Qt.Key.Key_Tab)
 GROUP_SEPARATOR = "\x1d"
@@ -80,7 +78,7 @@ class Scanner(QObject):
         if not code:
             return False
         if self._before is not None:
-            self._before[0].setText(translated(self._before[1]))
+            self._before[0].setText(self._before[1])
         self._before = None
         self.scanned.emit(code)
         return True

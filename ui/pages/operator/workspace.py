@@ -169,7 +169,7 @@ class OperatorWorkspace(QWidget):
         self._show_step(self._controllers.operator.step)
 
     def _wants_codes(self) -> bool:
-        return self.isVisible() and self.screens.currentWidget() in (self.home, self.identify)
+        return self.isVisible() and self.screens.currentWidget() in (self.home, self.identify, self.load)
 
     def _escape(self) -> None:
         """Esc stops what moves; else it leaves what is only read."""

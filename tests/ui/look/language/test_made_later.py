@@ -12,19 +12,22 @@ from PySide6.QtGui import QFontDatabase
 from PySide6.QtWidgets import QMenu, QWidget
 
 from measureapp.data.identification import LABELS, Identification
+from measureapp.data.rig import HeadRules
 from measureapp.devices.plugin_loader import load_all
 from measureapp.inspection.programming.proposals import Proposal
 from tests.ui.look.language.displayed import displayed_texts
+from ui.actions.actions import Action, Actions
 from ui.controllers.report_header import ReportHeader, TemplateChoice
 from ui.look.language.catalogue import read_catalogue
 from ui.look.language.language import load_fonts
 from ui.look.language.sources import ROOT, catalogue_file
-from ui.look.language.words import Translator
+from ui.look.language.words import Translator, translated
 from ui.pages.inspection.create_bar import CONSTRUCTIONS, CreateBar, proposal_words
 from ui.pages.plan.generate_dialog import GenerateDialog
 from ui.pages.report_header import HeaderDialog
 from ui.pages.rig.rig_editor import RigEditor
-from ui.widgets.model_form import FieldRows
+from ui.widgets.field_editors import ChoiceEditor
+from ui.widgets.model_form import FieldRows, GroupEditor
 from ui.widgets.settings_dialog import SettingsDialog
 
 SETTERS = {  # of Qt, which display what they get as it is
@@ -65,6 +68,17 @@ def test_no_setter_of_qt_gets_an_english_constant():
     assert "\n".join(english_setters()) == ""
 
 
+def test_no_message_is_merely_joined_with_its_hint():
+    """A joined text is of no template, so that it would stay in English: see `with_hint`."""
+    found = []
+    for path in sorted((ROOT / "ui").rglob("*.py")):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.JoinedStr):
+                names = {one.attr for one in ast.walk(node) if isinstance(one, ast.Attribute)}
+                found += [f"{path.relative_to(ROOT)}:{node.lineno}"] if {"message", "hint"} <= names else []
+    assert not found
+
+
 @pytest.fixture
 def chinese(application) -> Iterator[Translator]:
     made = Translator()
@@ -91,15 +105,35 @@ def test_constructions_and_proposals_are_in_the_language(application, window, sp
     assert not english_left(("proposal", words.replace("mm", "")) for words in said)
 
 
-def test_every_field_of_a_rig_and_of_its_drivers_has_a_label_in_the_language(application, rig, qtbot, speaking, english_left):
+def test_keywords_are_found_in_the_language_that_the_window_began_in(application, window, speaking):
+    speaking("zh_CN")
+    late = Actions(window)
+    late.register(Action("late", translated("Settings…"), list, window.actions_.action("settings").keywords))
+    assert [action.id for action in late.find("⟦language")] == ["late"]
+
+
+def test_every_field_of_a_rig_and_of_its_drivers_has_its_texts_in_the_language(application, rig, qtbot, speaking, english_left):
     speaking("zh_CN")
     editor = RigEditor(application.look, rig, None, load_all())
     qtbot.addWidget(editor)
     for name in editor.sections:
         editor.show_section(name)
     forms = [editor, *(form_of(model, qtbot) for model in setting_models())]
-    left = [text for form in forms for text in english_left(label_texts(form))]
-    assert len(forms) > 8 and not left
+    texts = [text for form in forms for text in field_texts(form)]
+    assert len(forms) > 8 and not english_left(texts)
+    assert sum(kind == "tooltip" and bool(text) for kind, text in texts) > 150
+    assert ("choice", "⟦Software⟧") in texts and ("choice", "⟦{bits} bit ({name})⟧".format(bits=8, name="Mono8")) in texts
+
+
+def test_values_of_choices_follow_the_language_and_names_of_cameras_do_not(application, qtbot, speaking):
+    form = form_of(HeadRules, qtbot)
+    cameras = ChoiceEditor(["left", "Name"])
+    qtbot.addWidget(cameras)
+    speaking("zh_CN")
+    boxes = form.editors["sequence"].box, cameras.box
+    assert [[box.itemText(place) for place in range(2)] for box in boxes] == [["⟦Software⟧", "⟦Hardware⟧"], ["left", "Name"]]
+    speaking("en")
+    assert form.editors["sequence"].box.currentText() == "Software" and form.raw() == {"sequence": "software"}
 
 
 def test_the_names_of_drivers_are_translated(chinese):
@@ -122,12 +156,18 @@ def form_of(model: type, qtbot) -> FieldRows:
     return made
 
 
-def label_texts(form: QWidget) -> Iterator[tuple[str, str]]:
-    """Yield the labels of fields."""
+def field_texts(form: QWidget) -> Iterator[tuple[str, str]]:
+    """Yield labels, tooltips and choices of all fields, also of those that are folded."""
     for rows in (form, *form.findChildren(FieldRows)):
         if isinstance(rows, FieldRows):
             for editor in rows.editors.values():
                 yield "accessible name", editor.accessibleName()
+                yield "tooltip", editor.toolTip()
+                if isinstance(editor, GroupEditor):
+                    yield from field_texts(editor.rows)
+                for choice in (editor, *editor.findChildren(ChoiceEditor)):
+                    if isinstance(choice, ChoiceEditor):
+                        yield from (("choice", choice.box.itemText(place)) for place in range(choice.box.count()))
 
 
 def test_the_header_of_a_report_is_in_the_language(application, qtbot, speaking, english_left, chinese):
