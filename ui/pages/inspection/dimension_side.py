@@ -14,6 +14,7 @@ from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.pages.inspection.alignment_panel import AlignmentPanel
 from ui.pages.inspection.cell_edits import apply_edit
+from ui.pages.inspection.contour_bar import ContourBar
 from ui.pages.inspection.create_bar import CreateBar
 from ui.pages.inspection.datum_menu import DatumMenu
 from ui.pages.inspection.deviation_card import DeviationCard
@@ -55,7 +56,10 @@ class DimensionSide(QWidget):
         self.filter, self.save = FilterBar(look), SaveBar(look, programming)
         self.table = DimensionTable(look, self._edit)
         self.features = FeatureTable(look)
-        self.create = CreateBar(look, controllers.creating, self.features)
+        self.create = CreateBar(look, controllers.creating, controllers.contouring, self.features)
+        self._contouring, self.contour = controllers.contouring, ContourBar(look, controllers.contouring)
+        self._contouring.changed.connect(self._show_create)
+        self._contouring.created.connect(self.features.select_names)
         self.alignment = AlignmentPanel(look, programming, controllers.creating)
         self.tolerance = ToleranceEditor(look, controllers.tolerancing, controllers.creating)
         self.create.dimensionAdded.connect(self._await)
@@ -90,6 +94,7 @@ class DimensionSide(QWidget):
             self.filter,
             self._lists,
             self.create,
+            self.contour,
             self.save,
             self.rule,
             spacing=8,
@@ -216,8 +221,11 @@ class DimensionSide(QWidget):
     def _show_create(self) -> None:
         is_list = self._lists.currentIndex() < self._lists.count() - 1  # not the editor of a tolerance
         offered = is_list and self.list.value() == "features" and self._programming.state is not None
-        self.create.setVisible(offered)
         if not offered:
+            self._contouring.cancel()
+        self.create.setVisible(offered and not self.contour.is_on)
+        self.contour.setVisible(offered and self.contour.is_on)
+        if self.create.isHidden():
             self.create.pick.setChecked(False)
         if is_list:
             self.tolerance.pick.setChecked(False)
