@@ -133,7 +133,7 @@ def test_values_with_which_nothing_is_measured_are_refused_in_words(application,
     bar.fields.vectors["point_mm"].lines[2].setText("80")
     bar.fields.vectors["point_mm"].lines[2].editingFinished.emit()
     settled(application, qtbot)
-    assert not bar.create.isEnabled() and "points were measured there" in bar.words.text() and "change the values" in bar.words.text()
+    assert not bar.create.isEnabled() and "points were measured there" in bar.problem.text() and "change the values" in bar.problem.text()
     bar.fields.vectors["point_mm"].lines[2].setText("5")
     bar.fields.vectors["point_mm"].lines[2].editingFinished.emit()
     settled(application, qtbot)
@@ -196,9 +196,14 @@ def test_a_wrong_click_is_refused_with_a_remedy_and_asked_for_again(application,
     bar = page.side.contour
     begin(page, "circle")
     click(application, page, qtbot, [20.0, 26.0, 5.0])
-    assert "not a cylinder" in bar.words.text() and "slot" in bar.words.text() and bar.create.isHidden()
+    assert (
+        "not a cylinder" in bar.problem.text()
+        and "slot" in bar.problem.text()
+        and "Click the wall" in bar.words.text()
+        and bar.create.isHidden()
+    )
     click(application, page, qtbot, None)
-    assert "nothing at the clicked place" in bar.words.text()
+    assert "nothing at the clicked place" in bar.problem.text()
     click(application, page, qtbot, [36.0, 10.0, 5.0])
     assert bar.create.isEnabled()
     click(application, page, qtbot, [10.0, 16.0, 5.0])  # another hole in its place
@@ -245,7 +250,7 @@ class TestWithoutAModel:
 
     def test_a_pattern_says_how_it_is_made(self, application, page, qtbot):
         begin(page, "pattern")
-        assert "Without a CAD model" in page.side.contour.words.text()
+        assert "Without a CAD model" in page.side.contour.problem.text()
         click(application, page, qtbot, [10.0, 16.0, 5.0])
         assert page.side.contour.create.isHidden()
 

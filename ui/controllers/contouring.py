@@ -55,7 +55,7 @@ STEPS_ON_POINTS: Mapping[str, tuple[str, ...]] = {  # without a CAD model
 NAMES = {"pattern": "hole pattern"}  # of new features, where it is not the kind
 NO_MODEL = "Without a CAD model a hole pattern is made from circles: create two or more, select them in the list, then choose Hole pattern."
 PROVE = "Check the values, then choose Create."
-NOTHING = "There is nothing at the clicked place. Click the part."
+NOTHING = "There is nothing at the clicked place: click the part."
 
 
 @dataclass(frozen=True)
@@ -201,7 +201,11 @@ class ContouringController(QObject):
         working, alignment = self.contour, inspection.alignment
         assert working is not None
         self._runner.run(
-            "Finding the feature", lambda job: try_contour(working, stitched, alignment, job), self._keep, on_failed=self._refuse, quiet=True
+            "Finding the feature",
+            lambda job: try_contour(working, stitched, alignment, job),
+            self._keep,
+            on_failed=self._refuse,
+            quiet=True,
         )
 
     @Slot(object)
@@ -250,4 +254,3 @@ def _reason(found: FoundFeature) -> str:
     """Return why a feature was not found, with a remedy."""
     why = sentence(found.reason.removeprefix(f"{found.name}: ").rstrip("."))
     return tr("{why} Click where more was measured, or change the values.", why=why)
-

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from PySide6.QtCore import Slot
@@ -20,6 +22,7 @@ from ui.widgets.basic import Button, column, label, row
 
 if TYPE_CHECKING:
     from measureapp.data.feature import Feature
+    from measureapp.inspection.features.found_feature import FoundFeature
 
 KINDS = {
     "circle": later("Circle"),
@@ -39,6 +42,7 @@ class ContourBar(QFrame):
         self.setObjectName("sunken")
         self._contouring = contouring
         self.title, self.words = label("", "strong"), label("", "body", wrap=True)
+        self.problem = label("", "problem", wrap=True)
         self.found = label("", "small", wrap=True)
         self.fields = ContourFields()
         self.create = Button("Create", look, "add", "primary", "Add the feature to the program and measure it; it can be undone")
@@ -48,7 +52,7 @@ class ContourBar(QFrame):
         self.fields.valueChanged.connect(lambda: contouring.change(self.fields.value()))
         below = row(self.found, self.cancel, self.create, spacing=8)
         below.setStretch(0, 1)
-        self.setLayout(column(row(self.title, 0), self.words, self.fields, below, margin=8, spacing=6))
+        self.setLayout(column(row(self.title, 0), self.words, self.problem, self.fields, below, margin=8, spacing=6))
         contouring.changed.connect(self.show_contour)
         self.hide()
 
@@ -64,10 +68,10 @@ class ContourBar(QFrame):
         if contour is None:
             return
         self.title.setText(translated(KINDS[contour.kind]))
-        self.words.setText(translated(_sentence(contour)))
-        self.words.setProperty("role", "problem" if contour.problem else "body")
-        self.words.style().unpolish(self.words)
-        self.words.style().polish(self.words)
+        self.words.setText(translated(_next_step(contour)))
+        self.problem.setText(translated(contour.problem))
+        for words in (self.words, self.problem):
+            words.setVisible(bool(words.text()))
         self.fields.setVisible(contour.entry is not None)
         if contour.entry is not None:
             self.fields.setValue(contour.entry)
@@ -81,17 +85,26 @@ class ContourBar(QFrame):
         if contour is None:
             return []
         drawn = [line for place in contour.places for line in cross(place)]
-        drawn += [outline(one) for one in contour.found]
+        drawn += [outline(one) for tried in contour.tried if (one := _drawn(tried, contour.entry or {})) is not None]
         return [LineLayer(tuple(np.asarray(line) for line in drawn), colour, 3.0)] if drawn else []
 
 
-def _sentence(contour: Contour) -> str:
-    """Return what to do next, or why something is not possible."""
-    if contour.problem:
-        return contour.problem
+def _next_step(contour: Contour) -> str:
+    """Return what to do next."""
     if contour.is_working:
         return WORKING
-    return PROVE if contour.entry is not None else contour.steps[len(contour.places)]
+    if contour.entry is not None:
+        return PROVE if contour.can_create else ""
+    return contour.steps[len(contour.places)] if contour.steps else ""
+
+
+def _drawn(tried: FoundFeature, entry: Mapping[str, Any]) -> Feature | None:
+    """Return what a trial found, or where it looked."""
+    if tried.feature is not None or tried.nominal is None or tried.nominal.shape != "line":
+        return tried.feature or tried.nominal
+    assert tried.nominal.direction is not None
+    half = float(entry["length_mm"]) / 2 * tried.nominal.direction
+    return replace(tried.nominal, boundary_mm=np.stack([tried.nominal.point_mm - half, tried.nominal.point_mm + half]))
 
 
 def found_words(contour: Contour) -> str:
@@ -107,9 +120,7 @@ def found_words(contour: Contour) -> str:
 
 def _size(feature: Feature) -> str:
     if feature.shape == "slot":
-        return tr(
-            "{width} × {length}", width=millimetres(2 * (feature.radius_mm or 0.0)), length=millimetres(feature.length_mm or 0.0)
-        )
+        return tr("{width} × {length}", width=millimetres(2 * (feature.radius_mm or 0.0)), length=millimetres(feature.length_mm or 0.0))
     if feature.radius_mm is not None:
         return tr("diameter {diameter}", diameter=millimetres(2 * feature.radius_mm))
     return tr("form {form}", form=millimetres(feature.form_error_mm))

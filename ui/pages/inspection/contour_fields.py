@@ -25,9 +25,9 @@ SIZES = {
     "radius_mm": later("Diameter"),
     "width_mm": later("Width"),
     "length_mm": later("Length"),
-    "height_mm": later("Slice height"),
-    "strip_mm": later("Strip width"),
-    "gap_mm": later("Gap at the edge"),
+    "height_mm": later("Slice"),
+    "strip_mm": later("Strip"),
+    "gap_mm": later("Gap"),
     "count": later("Number"),
     "angle_deg": later("Angle step"),
 }
@@ -128,5 +128,3 @@ def _field(key: str, words: str) -> NumberField:
     made.setAccessibleName(translated(words))
     made.setToolTip(translated(TIPS.get(key, words)))
     return made
-
-

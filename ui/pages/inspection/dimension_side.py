@@ -36,7 +36,7 @@ if TYPE_CHECKING:
     from measureapp.data.measurement import Inspection
     from ui.session import Comparison
 
-TABLE_WIDTH = 680  # px
+TABLE_WIDTH, LEAST_LIST = 680, 108  # px; a list shows its heading and two rows
 LISTS = {"dimensions": "Dimensions", "features": "Features", "alignment": "Alignment", "deviation": "Deviation"}
 
 
@@ -82,8 +82,10 @@ class DimensionSide(QWidget):
         self._lists.addWidget(self.table)
         self._lists.addWidget(self.features)
         self._lists.addWidget(self.alignment)
-        self._lists.addWidget(self.deviation)
-        self._lists.addWidget(scrolled(self.tolerance))
+        self._figures = scrolled(self.deviation)
+        self._lists.addWidget(self._figures)
+        self._lists.addWidget(self.tolerance)
+        self._lists.setMinimumHeight(LEAST_LIST)  # rather than that of the highest of them: the bars below are not squeezed
         self._show_create()
         self.unaligned = NoAlignment(look, programming)
         self.unaligned.choose.clicked.connect(lambda: self.list.setValue("alignment"))
@@ -185,7 +187,7 @@ class DimensionSide(QWidget):
         return apply_edit(self._programming, self.table.rows, edit)
 
     def _show_list(self) -> None:
-        shown = {"dimensions": self.table, "features": self.features, "alignment": self.alignment, "deviation": self.deviation}
+        shown = {"dimensions": self.table, "features": self.features, "alignment": self.alignment, "deviation": self._figures}
         self._lists.setCurrentWidget(shown[self.list.value()])
         self.filter.setVisible(self.list.value() == "dimensions")
         self.rule.setVisible(self.list.value() == "dimensions")
@@ -225,6 +227,7 @@ class DimensionSide(QWidget):
             self._contouring.cancel()
         self.create.setVisible(offered and not self.contour.is_on)
         self.contour.setVisible(offered and self.contour.is_on)
+        self.save.keep_away(self.contour.isVisibleTo(self))  # there is nothing to save before the feature is created
         if self.create.isHidden():
             self.create.pick.setChecked(False)
         if is_list:

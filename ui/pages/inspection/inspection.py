@@ -70,9 +70,8 @@ class InspectionPage(ViewportPage):
         tools = self._tools(look)
         self.side.selected.connect(self._select)
         self.side.closerAsked.connect(self.content.look_closer)
-        middle = row(card(self.view, self.filled, self.cut, self.grow, self.program.bar, margin=1, spacing=4), self.side, spacing=16)
-        middle.setStretch(0, 1)
-        layout = column(tools, middle, spacing=12)
+        picture = card(self.view, self.filled, self.cut, self.grow, self.program.bar, margin=1, spacing=4)
+        layout = column(tools, self.beside(picture, self.side), spacing=12)
         layout.setStretch(1, 1)
         self.body.setLayout(layout)
         programming = self.controllers.programming
