@@ -15,6 +15,8 @@ from measureapp.progress import NoProgress
 from measureapp.project.folder import ProjectFolder, ProjectSettings
 from measureapp.project.program_file import parse_program
 from ui.controllers.comparison import compute_comparison
+from ui.pages.inspection.dimension_side import TABLE_WIDTH
+from ui.pages.viewport_page import PictureSplitter
 from ui.session import Comparison
 from ui.viewport.pick import Pick
 from ui.widgets.data_table import is_in_sight
@@ -202,6 +204,7 @@ def test_a_wrong_click_is_refused_with_a_remedy_and_asked_for_again(application,
         and "Click the wall" in bar.words.text()
         and bar.create.isHidden()
     )
+    assert not [one for one in application.session.messages if one.level == "error"]  # it is said where the clicks are guided
     click(application, page, qtbot, None)
     assert "nothing at the clicked place" in bar.problem.text()
     click(application, page, qtbot, [36.0, 10.0, 5.0])
@@ -258,3 +261,30 @@ class TestWithoutAModel:
         page.side.create.pick.setChecked(True)
         click(application, page, qtbot, [30.0, 20.0, 10.0])
         assert "no CAD model" in application.session.messages[-1].text
+
+
+def test_the_picture_is_never_narrower_than_the_table_and_the_side_keeps_its_width(application, window, page, qtbot):
+    splitter = page.findChild(PictureSplitter)
+    for width in (1280, 1920, 1280):
+        window.resize(width, 720)
+        qtbot.waitUntil(lambda width=width: window.width() == width)
+        qtbot.wait(50)
+        picture, side = splitter.sizes()
+        assert picture >= side >= 400 and side <= TABLE_WIDTH
+    splitter.setSizes([5000, 430])
+    splitter.splitterMoved.emit(0, 1)
+    window.resize(1600, 720)
+    qtbot.waitUntil(lambda: window.width() == 1600)
+    qtbot.wait(50)
+    assert splitter.sizes()[1] == pytest.approx(430, abs=30)
+
+
+def test_apply_stays_in_sight_where_the_tolerance_editor_has_more_fields_than_room(application, window, page, qtbot):
+    window.resize(1280, 720)
+    page.side.features.select_names(["top 5"])
+    page.side.create.tolerance.click()
+    editor = page.side.tolerance
+    editor.kind.setCurrentIndex(editor.kind.findData("position"))
+    qtbot.wait(50)
+    below = editor.apply.mapTo(page.side, editor.apply.rect().bottomLeft()).y()
+    assert editor.apply.isVisible() and below < page.side.height()

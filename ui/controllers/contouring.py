@@ -200,13 +200,7 @@ class ContouringController(QObject):
         self._show(replace(contour, is_working=True))
         working, alignment = self.contour, inspection.alignment
         assert working is not None
-        self._runner.run(
-            "Finding the feature",
-            lambda job: try_contour(working, stitched, alignment, job),
-            self._keep,
-            on_failed=self._refuse,
-            quiet=True,
-        )
+        self._runner.run("Finding the feature", lambda job: try_contour(working, stitched, alignment, job), self._keep, quiet=True)
 
     @Slot(object)
     def _keep(self, found: tuple[Contour, Contour]) -> None:
@@ -218,14 +212,6 @@ class ContouringController(QObject):
         if creates and contour.can_create:
             self._add(contour)
 
-    @Slot(object)
-    def _refuse(self, error: MeasureError) -> None:
-        """Say why the clicks give no such feature; the last one is asked for again."""
-        contour, self._creates = self.contour, False
-        if contour is not None and contour.is_working:
-            kept = contour.places if contour.entry is not None else contour.places[:-1]
-            self._show(replace(contour, places=kept, problem=with_hint(error.message, error.hint), is_working=False))
-
     def _show(self, contour: Contour | None) -> None:
         self.contour = contour
         if contour is None:
@@ -234,18 +220,25 @@ class ContouringController(QObject):
 
 
 def try_contour(contour: Contour, stitched: StitchedCloud, alignment: Alignment, job: Job) -> tuple[Contour, Contour]:
-    """Return a contour as it was and with its entry and trial; runs on a job's thread. Raises InspectionError where clicks give none."""
+    """Return a contour as it was and with its entry and trial, or with the reason why its clicks give none; runs on a job's thread.
+
+    The reason is no failure of the job: it is said where the clicks are guided, and ends with the next one.
+    """
     from measureapp.inspection.measured_points import MeasuredPoints
     from measureapp.inspection.programming.clicking.describe import describe_on_nominal, describe_on_points, try_feature
 
     points = MeasuredPoints.of(stitched).seen_from(alignment.nominal_from_part)
     entry = contour.entry
-    if entry is None and contour.surface is None:
-        entry = describe_on_points(contour.kind, points, contour.places, contour.name)
-    elif entry is None:
-        assert contour.surface is not None
-        entry = describe_on_nominal(contour.kind, contour.surface, contour.places, contour.name)
-    tried = try_feature(entry, points, contour.surface, job)
+    try:
+        if entry is None and contour.surface is None:
+            entry = describe_on_points(contour.kind, points, contour.places, contour.name)
+        elif entry is None and contour.surface is not None:
+            entry = describe_on_nominal(contour.kind, contour.surface, contour.places, contour.name)
+        assert entry is not None
+        tried = try_feature(entry, points, contour.surface, job)
+    except MeasureError as error:
+        kept = contour.places if contour.entry is not None else contour.places[:-1]  # the last click is needed again
+        return contour, replace(contour, places=kept, problem=with_hint(error.message, error.hint), is_working=False)
     reason = "" if any(one.feature is not None for one in tried) else _reason(tried[0])
     return contour, replace(contour, entry=entry, tried=tried, problem=reason, is_working=False)
 
