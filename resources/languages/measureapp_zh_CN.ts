@@ -3910,10 +3910,6 @@
       <translation>ISO 2768-{v1} 对 {v2} mm 未规定公差：请以数字输入极限</translation>
     </message>
     <message>
-      <source>Location</source>
-      <translation>地点</translation>
-    </message>
-    <message>
       <source>Machine</source>
       <translation>测量机</translation>
     </message>
@@ -10833,6 +10829,10 @@
     <message>
       <source>List</source>
       <translation>列表</translation>
+    </message>
+    <message>
+      <source>Location</source>
+      <translation>地点</translation>
     </message>
     <message>
       <source>Long direction</source>
