@@ -3910,6 +3910,10 @@
       <translation>ISO 2768-{v1} 对 {v2} mm 未规定公差：请以数字输入极限</translation>
     </message>
     <message>
+      <source>Location</source>
+      <translation>地点</translation>
+    </message>
+    <message>
       <source>Machine</source>
       <translation>测量机</translation>
     </message>
@@ -10523,6 +10527,10 @@
       <translation>构造自 {names}</translation>
     </message>
     <message>
+      <source>Coordinates</source>
+      <translation>坐标</translation>
+    </message>
+    <message>
       <source>Copy its lines</source>
       <translation>复制其文字</translation>
     </message>
@@ -10829,10 +10837,6 @@
     <message>
       <source>List</source>
       <translation>列表</translation>
-    </message>
-    <message>
-      <source>Location</source>
-      <translation>地点</translation>
     </message>
     <message>
       <source>Long direction</source>

@@ -14,7 +14,7 @@ from ui.widgets.number_field import NumberField
 from ui.widgets.number_fields import NumberFields
 
 VECTORS = {  # key of an entry, or of its pattern -> words, unit, digits
-    "point_mm": (later("Location"), "mm", 3),
+    "point_mm": (later("Coordinates"), "mm", 3),
     "direction": (later("Direction"), "", 5),
     "along": (later("Long direction"), "", 5),
     "axis_point_mm": (later("Pattern centre"), "mm", 3),
