@@ -114,6 +114,8 @@ def type_in(page, qtbot, name, column, text, key=Qt.Key.Key_Return):
 
 def test_an_editor_that_is_opened_leaves_the_widths_of_the_columns_as_they_are(application, page, qtbot):
     table = page.side.table
+    page.window().resize(1600, 900)  # room for all columns: one that is hidden is shown to be edited
+    qtbot.waitUntil(lambda: not table.isColumnHidden(Column.NOMINAL))
     before = table.columnWidth(Column.NAME)
     for column in (Column.NOMINAL, Column.TOLERANCE):
         editor = type_in(page, qtbot, "half", column, "1", key=Qt.Key.Key_Escape)
