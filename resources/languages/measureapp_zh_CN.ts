@@ -708,6 +708,10 @@
       <translation>正在更改名义模型</translation>
     </message>
     <message>
+      <source>Check the values, then choose Create.</source>
+      <translation>请核对数值，然后选择“创建”。</translation>
+    </message>
+    <message>
       <source>Checking before the start</source>
       <translation>正在进行启动前检查</translation>
     </message>
@@ -744,6 +748,10 @@
       <translation>请选择同一工件的文件，或其他单位。</translation>
     </message>
     <message>
+      <source>Choose one by Nominal…, or click Feature above the picture and grow a shape from a measured point.</source>
+      <translation>请通过“名义模型…”选择一个，或单击图像上方的“特征”，从测量点生长出形状。</translation>
+    </message>
+    <message>
       <source>Choose one on the page Rig.</source>
       <translation>请在“测量系统”页选择一个。</translation>
     </message>
@@ -758,6 +766,66 @@
     <message>
       <source>Click another point, or choose another shape.</source>
       <translation>请单击另一点，或选择另一形状。</translation>
+    </message>
+    <message>
+      <source>Click its wall at the other end.</source>
+      <translation>单击另一端的槽壁。</translation>
+    </message>
+    <message>
+      <source>Click one face of the edge, beside it.</source>
+      <translation>单击棱边旁的一个面。</translation>
+    </message>
+    <message>
+      <source>Click one of the holes, or the face beside it; all equal ones are found.</source>
+      <translation>单击其中一个孔或其旁边的面；将找出所有相同的孔。</translation>
+    </message>
+    <message>
+      <source>Click the edge.</source>
+      <translation>单击棱边。</translation>
+    </message>
+    <message>
+      <source>Click the other face of the edge.</source>
+      <translation>单击棱边的另一个面。</translation>
+    </message>
+    <message>
+      <source>Click the second place, on the same wall.</source>
+      <translation>单击同一壁面上的第二处。</translation>
+    </message>
+    <message>
+      <source>Click the third place, on the same wall.</source>
+      <translation>单击同一壁面上的第三处。</translation>
+    </message>
+    <message>
+      <source>Click the wall of one straight side.</source>
+      <translation>单击一条直边的槽壁。</translation>
+    </message>
+    <message>
+      <source>Click the wall of the hole or pin, or the face beside it.</source>
+      <translation>单击孔或销的壁面，或其旁边的面。</translation>
+    </message>
+    <message>
+      <source>Click the wall of the hole or pin: the first of three places around it.</source>
+      <translation>单击孔或销的壁面：绕一周三处中的第一处。</translation>
+    </message>
+    <message>
+      <source>Click the wall of the other side.</source>
+      <translation>单击另一条直边的槽壁。</translation>
+    </message>
+    <message>
+      <source>Click the wall of the slot at one of its round ends.</source>
+      <translation>单击槽一个圆端处的槽壁。</translation>
+    </message>
+    <message>
+      <source>Click the wall of the slot, or the face beside it.</source>
+      <translation>单击槽的壁面，或其旁边的面。</translation>
+    </message>
+    <message>
+      <source>Click where the line begins.</source>
+      <translation>单击直线的起点。</translation>
+    </message>
+    <message>
+      <source>Click where the line ends, on the same face.</source>
+      <translation>在同一面上单击直线的终点。</translation>
     </message>
     <message>
       <source>Comparing the measurements</source>
@@ -886,6 +954,10 @@
     <message>
       <source>Finding the face</source>
       <translation>正在查找面</translation>
+    </message>
+    <message>
+      <source>Finding the feature</source>
+      <translation>正在查找特征</translation>
     </message>
     <message>
       <source>Finding the references</source>
@@ -1528,6 +1600,10 @@
       <translation>{subject}已完成。</translation>
     </message>
     <message>
+      <source>There is no CAD model whose faces could be picked.</source>
+      <translation>没有可供选取面的 CAD 模型。</translation>
+    </message>
+    <message>
       <source>There is no PDF report yet.</source>
       <translation>尚无 PDF 报告。</translation>
     </message>
@@ -1542,6 +1618,10 @@
     <message>
       <source>There is no scan plan.</source>
       <translation>没有扫描计划。</translation>
+    </message>
+    <message>
+      <source>There is nothing at the clicked place: click the part.</source>
+      <translation>单击处没有任何内容：请单击工件。</translation>
     </message>
     <message>
       <source>This document does not exist yet.</source>
@@ -1624,6 +1704,10 @@
       <translation>至今测得的内容会保留。</translation>
     </message>
     <message>
+      <source>Without a CAD model a hole pattern is made from circles: create two or more, select them in the list, then choose Hole pattern.</source>
+      <translation>没有 CAD 模型时，孔组由圆构成：先创建两个或更多圆，在列表中选中它们，再选择“孔组”。</translation>
+    </message>
+    <message>
       <source>Writing the report</source>
       <translation>正在生成报告</translation>
     </message>
@@ -1654,6 +1738,10 @@
     <message>
       <source>earlier images kept</source>
       <translation>保留了先前的图像</translation>
+    </message>
+    <message>
+      <source>hole pattern</source>
+      <translation>孔组</translation>
     </message>
     <message>
       <source>job: {title}</source>
@@ -1794,6 +1882,10 @@
     <message>
       <source>{where} of {times} ms chosen by a probe: {figures}.</source>
       <translation>{where}：{times} ms，由试测选择：{figures}。</translation>
+    </message>
+    <message>
+      <source>{why} Click where more was measured, or change the values.</source>
+      <translation>{why}请单击测量点较多之处，或修改数值。</translation>
     </message>
     <message>
       <source>{words} Not saved with the project: {message}</source>
@@ -2215,10 +2307,6 @@
     <message>
       <source>Determines the table's axis, with cameras and robot as calibrated. Fix the board on the table; the table turns it.</source>
       <translation>以已标定的相机和机器人确定转台轴线。将标定板固定在转台上；转台转动它。</translation>
-    </message>
-    <message>
-      <source>Direction</source>
-      <translation>方向</translation>
     </message>
     <message>
       <source>Direction and scale of the guide</source>
@@ -5094,6 +5182,14 @@
       <translation>3-2-1（平面 {v1}、直线 {v2}、点 {v3}）</translation>
     </message>
     <message>
+      <source>A face beside this edge is only {v1} mm wide.</source>
+      <translation>该棱边旁的一个面仅宽 {v1} mm。</translation>
+    </message>
+    <message>
+      <source>A hole pattern is found on the CAD model only, and there is none.</source>
+      <translation>孔组只能在 CAD 模型上查找，而此处没有模型。</translation>
+    </message>
+    <message>
       <source>A line profile needs a section plane: state `section` in the text of the program.</source>
       <translation>线轮廓度需要截面：请在程序文本中给出 `section`。</translation>
     </message>
@@ -5104,6 +5200,10 @@
     <message>
       <source>A material condition needs the limits of the diameter, the smaller one first.</source>
       <translation>实体要求需要直径的极限值，先小后大。</translation>
+    </message>
+    <message>
+      <source>A pattern is made of at least two holes.</source>
+      <translation>孔组至少由两个孔构成。</translation>
     </message>
     <message>
       <source>A spread needs at least two measurements.</source>
@@ -5124,6 +5224,10 @@
     <message>
       <source>Add one to the program (nominal = "…"), or set alignment = "none".</source>
       <translation>请向程序添加一个 (nominal = "…")，或设置 alignment = "none"。</translation>
+    </message>
+    <message>
+      <source>Change its values.</source>
+      <translation>请修改其数值。</translation>
     </message>
     <message>
       <source>Change the entry it names first.</source>
@@ -5170,12 +5274,96 @@
       <translation>请选择被测要素。</translation>
     </message>
     <message>
+      <source>Click an edge between two wider faces.</source>
+      <translation>请单击两个较宽的面之间的棱边。</translation>
+    </message>
+    <message>
       <source>Click another place.</source>
       <translation>请单击其他位置。</translation>
     </message>
     <message>
+      <source>Click both round ends first, then both straight sides; a slot is longer than wide.</source>
+      <translation>请先单击两个圆端，再单击两条直边；槽的长度大于宽度。</translation>
+    </message>
+    <message>
+      <source>Click closer to it; where the edge is rounded, construct the intersection of its two faces.</source>
+      <translation>请单击得更靠近棱边；若棱边已倒圆，请构造其两个面的交线。</translation>
+    </message>
+    <message>
+      <source>Click measured points.</source>
+      <translation>请单击测量点。</translation>
+    </message>
+    <message>
+      <source>Click one place on each of the two faces of the edge.</source>
+      <translation>请在棱边的两个面上各单击一处。</translation>
+    </message>
+    <message>
+      <source>Click one place on each of the two faces, a few millimetres beside the edge.</source>
+      <translation>请在两个面上各单击一处，距棱边几毫米。</translation>
+    </message>
+    <message>
+      <source>Click the other end of the line.</source>
+      <translation>请单击直线的另一端。</translation>
+    </message>
+    <message>
+      <source>Click the same wall each time, at places spread around it.</source>
+      <translation>请每次都单击同一壁面，且各处沿周向分布。</translation>
+    </message>
+    <message>
+      <source>Click the wall of the hole, or its edge on the face beside it.</source>
+      <translation>请单击孔壁，或其旁边面上的孔口棱边。</translation>
+    </message>
+    <message>
+      <source>Click the wall, at places spread around it.</source>
+      <translation>请单击壁面，且各处沿周向分布。</translation>
+    </message>
+    <message>
+      <source>Click two faces that border on each other.</source>
+      <translation>请单击两个相邻的面。</translation>
+    </message>
+    <message>
+      <source>Click two places of one face, along the straight direction of a curved one.</source>
+      <translation>请单击同一面上的两处；曲面上应沿其直母线方向。</translation>
+    </message>
+    <message>
+      <source>Click where the part follows the model, or display the model itself.</source>
+      <translation>请单击工件与模型相符之处，或显示模型本身。</translation>
+    </message>
+    <message>
       <source>Compare a cloud that has points.</source>
       <translation>请比较有点的点云。</translation>
+    </message>
+    <message>
+      <source>Compute the surface again.</source>
+      <translation>请重新计算表面。</translation>
+    </message>
+    <message>
+      <source>Create a circle if it is round; measure the sides of a square slot as planes.</source>
+      <translation>若为圆形请创建圆；方槽的侧面请按平面测量。</translation>
+    </message>
+    <message>
+      <source>Create a circle there, or a line on one of its faces.</source>
+      <translation>请在该处创建圆，或在其一个面上创建直线。</translation>
+    </message>
+    <message>
+      <source>Create a circle.</source>
+      <translation>请创建圆。</translation>
+    </message>
+    <message>
+      <source>Create a slot if it has two round ends, or grow another shape by Feature.</source>
+      <translation>若有两个圆端请创建槽，或通过“特征”生长其他形状。</translation>
+    </message>
+    <message>
+      <source>Create the holes as circles, select them, then choose Hole pattern.</source>
+      <translation>请先将各孔创建为圆，选中它们，再选择“孔组”。</translation>
+    </message>
+    <message>
+      <source>Create them one by one, as circles.</source>
+      <translation>请逐个创建为圆。</translation>
+    </message>
+    <message>
+      <source>Create this one as a circle.</source>
+      <translation>请将此孔创建为圆。</translation>
     </message>
     <message>
       <source>Datum {v1} constrains nothing beyond {v2}</source>
@@ -5274,6 +5462,10 @@
       <translation>沿截面 {v1} 没有测量到任何内容。</translation>
     </message>
     <message>
+      <source>Nothing was measured at a clicked place.</source>
+      <translation>某个单击处没有测量数据。</translation>
+    </message>
+    <message>
       <source>One of {v1} positions about the axis fits: {v2} mm rms, second best {v3} mm</source>
       <translation>绕轴的 {v1} 个位置中有一个相符：{v2} mm rms，次优 {v3} mm</translation>
     </message>
@@ -5314,6 +5506,10 @@
       <translation>请更密地扫描叶片。</translation>
     </message>
     <message>
+      <source>Scan the faces beside it, or click faces that meet.</source>
+      <translation>请扫描其旁边的面，或单击相交的面。</translation>
+    </message>
+    <message>
       <source>Scan the part first, or check the file.</source>
       <translation>请先扫描工件，或检查文件。</translation>
     </message>
@@ -5334,6 +5530,14 @@
       <translation>请扫描此特征，或按已测量的特征对齐。</translation>
     </message>
     <message>
+      <source>Select circles, cylinders or slots that are no copies of a pattern in the list of features.</source>
+      <translation>请在特征列表中选择不属于阵列副本的圆、圆柱或槽。</translation>
+    </message>
+    <message>
+      <source>Select equal holes.</source>
+      <translation>请选择相同的孔。</translation>
+    </message>
+    <message>
       <source>Simple acceptance: PASS within the tolerance, FAIL outside; the uncertainty (k = 2) is stated but not subtracted.</source>
       <translation>简单接受：在公差内为合格，在公差外为不合格；不确定度（k = 2）给出但不扣除。</translation>
     </message>
@@ -5344,6 +5548,10 @@
     <message>
       <source>Straightness of a plane needs the direction of its lines: state `along` in the text of the program.</source>
       <translation>平面的直线度需要直线的方向：请在程序文本中给出 `along`。</translation>
+    </message>
+    <message>
+      <source>The CAD model has no other hole of this size and direction.</source>
+      <translation>CAD 模型中没有其他尺寸和方向相同的孔。</translation>
     </message>
     <message>
       <source>The alignment of the program uses {v1}.</source>
@@ -5362,8 +5570,36 @@
       <translation>无法更改：{v1}。</translation>
     </message>
     <message>
+      <source>The clicked place is {v1} mm off the CAD model.</source>
+      <translation>单击处偏离 CAD 模型 {v1} mm。</translation>
+    </message>
+    <message>
+      <source>The clicked wall is as long as wide: it is round.</source>
+      <translation>所单击壁面的长度与宽度相等：它是圆形。</translation>
+    </message>
+    <message>
+      <source>The clicks are not on one wall.</source>
+      <translation>各单击处不在同一壁面上。</translation>
+    </message>
+    <message>
+      <source>The clicks are not on the ends and sides of one slot.</source>
+      <translation>各单击处不在同一个槽的两端和两侧。</translation>
+    </message>
+    <message>
+      <source>The clicks are on one flat face.</source>
+      <translation>各单击处在同一平面上。</translation>
+    </message>
+    <message>
       <source>The datums {v1} do not fix the {v2} of {v3}: free are {v4}</source>
       <translation>基准 {v1} 不能固定 {v3} 的{v2}：自由的有 {v4}</translation>
+    </message>
+    <message>
+      <source>The edge at the clicked place is curved.</source>
+      <translation>单击处的棱边是弯曲的。</translation>
+    </message>
+    <message>
+      <source>The feature cannot be used: {v1}.</source>
+      <translation>该特征无法使用：{v1}。</translation>
     </message>
     <message>
       <source>The inspection program has no {v1} {v2}.</source>
@@ -5406,6 +5642,10 @@
       <translation>截面 {v1} 既不与名义模型也不与测量点相交。</translation>
     </message>
     <message>
+      <source>The surface between the two clicks is not straight.</source>
+      <translation>两次单击之间的表面不是直的。</translation>
+    </message>
+    <message>
       <source>The tolerance from {v1} to {v2} mm is empty.</source>
       <translation>从 {v1} 到 {v2} mm 的公差为空。</translation>
     </message>
@@ -5414,8 +5654,32 @@
       <translation>公差 {v1} {v2} 小于 {v3} U ({v4} {v5})：此测量几乎无法证明</translation>
     </message>
     <message>
+      <source>The two clicked faces are parallel, or the same one.</source>
+      <translation>所单击的两个面平行，或为同一个面。</translation>
+    </message>
+    <message>
+      <source>The two clicked faces do not meet in an edge.</source>
+      <translation>所单击的两个面不相交成棱边。</translation>
+    </message>
+    <message>
+      <source>The two clicks are less than {v1} mm apart.</source>
+      <translation>两次单击的间距小于 {v1} mm。</translation>
+    </message>
+    <message>
+      <source>The wall at the clicked place is not a cylinder.</source>
+      <translation>单击处的壁面不是圆柱面。</translation>
+    </message>
+    <message>
+      <source>The wall at the clicked place is not that of a slot with two round ends.</source>
+      <translation>单击处的壁面不是带两个圆端的槽。</translation>
+    </message>
+    <message>
       <source>The width of the zone must be greater than 0.</source>
       <translation>公差带宽度必须大于 0。</translation>
+    </message>
+    <message>
+      <source>The {v1} equal holes are not on a circle, in a row or on a grid.</source>
+      <translation>这 {v1} 个相同的孔不在圆周、直线或网格上等距分布。</translation>
     </message>
     <message>
       <source>There are no deviations.</source>
@@ -5432,6 +5696,26 @@
     <message>
       <source>There is no alignment.</source>
       <translation>没有对齐。</translation>
+    </message>
+    <message>
+      <source>There is no curved wall at the clicked place.</source>
+      <translation>单击处没有曲面壁。</translation>
+    </message>
+    <message>
+      <source>There is no flat face at a clicked place.</source>
+      <translation>某个单击处没有平面。</translation>
+    </message>
+    <message>
+      <source>There is no sharp edge of the CAD model near the clicked place.</source>
+      <translation>单击处附近没有 CAD 模型的锐边。</translation>
+    </message>
+    <message>
+      <source>These points have no normals, which show on which side the material is.</source>
+      <translation>这些点没有法线，无法判断材料在哪一侧。</translation>
+    </message>
+    <message>
+      <source>Too little was measured beside this edge.</source>
+      <translation>该棱边旁的测量点太少。</translation>
     </message>
     <message>
       <source>Two datums are the same feature.</source>
@@ -5924,6 +6208,10 @@
     <message>
       <source>{v1} is inclined by {v2}° to {v3}: their distance is undefined</source>
       <translation>{v1} 对 {v3} 倾斜 {v2}°：其距离没有定义</translation>
+    </message>
+    <message>
+      <source>{v1} is not equal to {v2} in shape, size and direction.</source>
+      <translation>{v1} 与 {v2} 的形状、尺寸和方向不相同。</translation>
     </message>
     <message>
       <source>{v1} is used as a datum, which needs a letter.</source>
@@ -10091,6 +10379,10 @@
       <translation>添加到检测程序并测量</translation>
     </message>
     <message>
+      <source>Add the feature to the program and measure it; it can be undone</source>
+      <translation>将该特征加入程序并测量；可以撤销</translation>
+    </message>
+    <message>
       <source>Add the proposed dimension to the program and measure it (Enter)</source>
       <translation>将建议的尺寸添加到程序并测量 (Enter)</translation>
     </message>
@@ -10141,6 +10433,10 @@
     <message>
       <source>Angle</source>
       <translation>角度</translation>
+    </message>
+    <message>
+      <source>Angle step</source>
+      <translation>角度间隔</translation>
     </message>
     <message>
       <source>Angularity</source>
@@ -10209,6 +10505,10 @@
     <message>
       <source>Choose…</source>
       <translation>选择…</translation>
+    </message>
+    <message>
+      <source>Circle</source>
+      <translation>圆</translation>
     </message>
     <message>
       <source>Circle through the points</source>
@@ -10291,6 +10591,10 @@
       <translation>构造自 {names}</translation>
     </message>
     <message>
+      <source>Coordinates</source>
+      <translation>坐标</translation>
+    </message>
+    <message>
       <source>Copy its lines</source>
       <translation>复制其文字</translation>
     </message>
@@ -10305,6 +10609,14 @@
     <message>
       <source>Correct nothing by this length</source>
       <translation>不按此长度作任何修正</translation>
+    </message>
+    <message>
+      <source>Create</source>
+      <translation>创建</translation>
+    </message>
+    <message>
+      <source>Create a circle, slot, line, edge or hole pattern by clicking in the picture</source>
+      <translation>在图像中单击以创建圆、槽、直线、棱边或孔组</translation>
     </message>
     <message>
       <source>Cut the part by a plane and show the deviations along the section</source>
@@ -10387,12 +10699,24 @@
       <translation>尺寸</translation>
     </message>
     <message>
+      <source>Direction</source>
+      <translation>方向</translation>
+    </message>
+    <message>
+      <source>Distance from the edge within which points are not used</source>
+      <translation>距棱边此距离以内的点不使用</translation>
+    </message>
+    <message>
       <source>Distance of an offset plane or a point on the axis</source>
       <translation>偏置平面或轴上点的距离</translation>
     </message>
     <message>
       <source>Each point</source>
       <translation>逐点</translation>
+    </message>
+    <message>
+      <source>Edge</source>
+      <translation>棱边</translation>
     </message>
     <message>
       <source>Edit the inspection program as text: alignment, features, dimensions</source>
@@ -10467,6 +10791,18 @@
       <translation>形状误差</translation>
     </message>
     <message>
+      <source>Found on the part: {found} of {count}.</source>
+      <translation>在工件上找到：{count} 个中的 {found} 个。</translation>
+    </message>
+    <message>
+      <source>Found on the part: {size}, {points}.</source>
+      <translation>在工件上找到：{size}，{points}。</translation>
+    </message>
+    <message>
+      <source>Gap</source>
+      <translation>间隙</translation>
+    </message>
+    <message>
       <source>Greatest diameter</source>
       <translation>最大直径</translation>
     </message>
@@ -10475,8 +10811,16 @@
       <translation>生长</translation>
     </message>
     <message>
+      <source>Height of the slice of the wall that is measured</source>
+      <translation>所测壁面切片的高度</translation>
+    </message>
+    <message>
       <source>Hold Ctrl to select several features.</source>
       <translation>按住 Ctrl 选择多个特征。</translation>
+    </message>
+    <message>
+      <source>Hole pattern</source>
+      <translation>孔组</translation>
     </message>
     <message>
       <source>In use: {name}, {rms_mm} rms.</source>
@@ -10523,6 +10867,10 @@
       <translation>程序保持不变（Esc）</translation>
     </message>
     <message>
+      <source>Length</source>
+      <translation>长度</translation>
+    </message>
+    <message>
       <source>Lengths are corrected by {name}.</source>
       <translation>长度已按 {name} 修正。</translation>
     </message>
@@ -10553,6 +10901,10 @@
     <message>
       <source>List</source>
       <translation>列表</translation>
+    </message>
+    <message>
+      <source>Long direction</source>
+      <translation>长轴方向</translation>
     </message>
     <message>
       <source>Material condition</source>
@@ -10607,6 +10959,10 @@
       <translation>测量值，未注明单位时为 mm</translation>
     </message>
     <message>
+      <source>Measuring it…</source>
+      <translation>正在测量…</translation>
+    </message>
+    <message>
       <source>Measuring what has changed…</source>
       <translation>正在测量更改的内容…</translation>
     </message>
@@ -10637,6 +10993,10 @@
     <message>
       <source>Move up</source>
       <translation>上移</translation>
+    </message>
+    <message>
+      <source>New feature</source>
+      <translation>新建特征</translation>
     </message>
     <message>
       <source>New geometrical tolerance</source>
@@ -10765,6 +11125,10 @@
     <message>
       <source>Paste them into an inspection program.</source>
       <translation>请将其粘贴到检测程序中。</translation>
+    </message>
+    <message>
+      <source>Pattern centre</source>
+      <translation>阵列中心</translation>
     </message>
     <message>
       <source>Perpendicularity</source>
@@ -10955,8 +11319,8 @@
       <translation>截面垂直于</translation>
     </message>
     <message>
-      <source>Select features in the list, or pick faces of the CAD model in the picture. Fitting dimensions are then proposed.</source>
-      <translation>在列表中选择特征，或在图中选取 CAD 模型的面。随后会建议合适的尺寸。</translation>
+      <source>Select features in the list, pick faces of the CAD model, or create a new feature by clicking. Fitting dimensions are then proposed.</source>
+      <translation>请在列表中选择特征，选取 CAD 模型的面，或通过单击新建特征，随后会建议合适的尺寸。</translation>
     </message>
     <message>
       <source>Shape</source>
@@ -10979,6 +11343,14 @@
       <translation>大小</translation>
     </message>
     <message>
+      <source>Slice</source>
+      <translation>切片</translation>
+    </message>
+    <message>
+      <source>Slot</source>
+      <translation>槽</translation>
+    </message>
+    <message>
       <source>Smooth the colours for the eye</source>
       <translation>平滑颜色以便观察</translation>
     </message>
@@ -10995,6 +11367,14 @@
       <translation>状态：当前、正在测量、过期或无法测量</translation>
     </message>
     <message>
+      <source>Step</source>
+      <translation>步</translation>
+    </message>
+    <message>
+      <source>Step of rows</source>
+      <translation>行间距</translation>
+    </message>
+    <message>
       <source>Store</source>
       <translation>保存</translation>
     </message>
@@ -11005,6 +11385,10 @@
     <message>
       <source>Straightness</source>
       <translation>直线度</translation>
+    </message>
+    <message>
+      <source>Strip</source>
+      <translation>条带</translation>
     </message>
     <message>
       <source>Surface deviation</source>
@@ -11103,6 +11487,14 @@
       <translation>偏差线 × {gain}</translation>
     </message>
     <message>
+      <source>Width</source>
+      <translation>宽度</translation>
+    </message>
+    <message>
+      <source>Width of the strip of the surface that is measured</source>
+      <translation>所测表面条带的宽度</translation>
+    </message>
+    <message>
       <source>Width of the zone</source>
       <translation>区域宽度</translation>
     </message>
@@ -11155,6 +11547,10 @@
       <translation>基准</translation>
     </message>
     <message>
+      <source>diameter {diameter}</source>
+      <translation>直径 {diameter}</translation>
+    </message>
+    <message>
       <source>edge</source>
       <translation>边</translation>
     </message>
@@ -11169,6 +11565,10 @@
     <message>
       <source>fixes {fixed}</source>
       <translation>约束{fixed}</translation>
+    </message>
+    <message>
+      <source>form {form}</source>
+      <translation>形状 {form}</translation>
     </message>
     <message>
       <source>line</source>
@@ -17651,10 +18051,6 @@ There is no page about “{name}”.</source>
       <translation>将所有消息复制为文本</translation>
     </message>
     <message>
-      <source>Create</source>
-      <translation>创建</translation>
-    </message>
-    <message>
       <source>Dark</source>
       <translation>深色</translation>
     </message>
@@ -18057,10 +18453,6 @@ There is no page about “{name}”.</source>
     <message>
       <source>Statistical outlier removal, by the mean distance to neighbours</source>
       <translation>按到邻点的平均距离去除统计离群点</translation>
-    </message>
-    <message>
-      <source>Step</source>
-      <translation>步</translation>
     </message>
     <message>
       <source>Step in mm or degrees</source>

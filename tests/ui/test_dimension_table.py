@@ -16,6 +16,7 @@ from measureapp.project.folder import ProjectFolder, ProjectSettings
 from measureapp.project.program_file import parse_program
 from ui.controllers.program_rows import carry_ids, changed_names
 from ui.pages.inspection.dimension_model import Column
+from ui.pages.inspection.dimension_table import CELL_ROOM, WIDEST_TOLERANCE
 from ui.pages.inspection.program_dialog import ProgramDialog
 
 PATIENCE_MS = 60_000
@@ -113,6 +114,8 @@ def type_in(page, qtbot, name, column, text, key=Qt.Key.Key_Return):
 
 def test_an_editor_that_is_opened_leaves_the_widths_of_the_columns_as_they_are(application, page, qtbot):
     table = page.side.table
+    page.window().resize(1600, 900)  # room for all columns: one that is hidden is shown to be edited
+    qtbot.waitUntil(lambda: not table.isColumnHidden(Column.NOMINAL))
     before = table.columnWidth(Column.NAME)
     for column in (Column.NOMINAL, Column.TOLERANCE):
         editor = type_in(page, qtbot, "half", column, "1", key=Qt.Key.Key_Escape)
@@ -176,6 +179,19 @@ def test_a_tolerance_is_one_text_and_what_is_none_turns_red(application, page, q
     assert texts[0][2].endswith("H7")
     type_in(page, qtbot, "flat", Column.TOLERANCE, "±0.1")
     assert row_named(page, "flat").limits == (0.0, 0.1) and application.session.messages[-1].level == "error"
+
+
+def test_one_long_tolerance_does_not_take_the_room_of_the_other_columns(application, page, qtbot):
+    table = page.side.table
+    type_in(page, qtbot, "size", Column.TOLERANCE, "+0.1/-0.05")
+    settled(application, qtbot)
+    usual = table.columnWidth(Column.TOLERANCE)
+    type_in(page, qtbot, "size", Column.TOLERANCE, "+123456.789/-98765.4321")
+    settled(application, qtbot)
+    widest = table.fontMetrics().horizontalAdvance(WIDEST_TOLERANCE) + CELL_ROOM
+    assert usual <= table.columnWidth(Column.TOLERANCE) <= widest and not table.isColumnHidden(Column.VERDICT)
+    place = next(number for number, row in enumerate(table.shown_rows) if row.name == "size")
+    assert table.shown.index(place, Column.TOLERANCE).data(Qt.ItemDataRole.ToolTipRole) == table.texts()[0][2]
 
 
 def test_escape_leaves_the_value_and_no_tolerance_is_no_verdict(application, page, qtbot):

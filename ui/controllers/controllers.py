@@ -8,6 +8,7 @@ from PySide6.QtCore import QElapsedTimer, QObject
 
 from ui.controllers.calibrating import CalibratingController
 from ui.controllers.comparison import ComparisonController
+from ui.controllers.contouring import ContouringController
 from ui.controllers.creating import CreatingController
 from ui.controllers.demo import DemoController
 from ui.controllers.documents import DocumentsController
@@ -77,6 +78,7 @@ class Controllers(QObject):
         self.programming = ProgrammingController(session, self.jobs, self.inspecting, self)
         self.nominal = NominalController(session, self.jobs, self.programming, self)
         self.creating = CreatingController(session, self.drawing, self.programming, self)
+        self.contouring = ContouringController(session, self.drawing, self.programming, self)
         self.tolerancing = Tolerancing(session, self.programming)
         self.planning = PlanningController(session, self.jobs, self.predicting, self)
         self.roles = RoleController(session, self.operating, self.jobs, self)

@@ -12,6 +12,7 @@ from measureapp.errors import MeasureError
 from ui.controllers.jobs import JobRunner
 from ui.controllers.programming import ProgrammingController
 from ui.look.language.words import tr
+from ui.messages import MOMENT
 from ui.session import Session
 
 if TYPE_CHECKING:
@@ -20,6 +21,8 @@ if TYPE_CHECKING:
     from measureapp.inspection.programming.proposals import Proposal
     from measureapp.inspection.surface.nominal import NominalSurface
 
+NO_MODEL = "There is no CAD model whose faces could be picked."
+CHOOSE_ONE = "Choose one by Nominal…, or click Feature above the picture and grow a shape from a measured point."
 SAME_MM, SAME_DIRECTION = 0.01, 0.99999  # of a face that is a feature already
 
 
@@ -40,8 +43,10 @@ class CreatingController(QObject):
     def pick(self, place_mm: np.ndarray) -> None:
         """Find the face of the nominal at a place; it becomes a feature unless it is one."""
         comparison = self._session.comparison
-        if comparison is not None and comparison.surface is not None and self._programming.can_change:
-            surface = comparison.surface
+        surface = None if comparison is None else comparison.surface
+        if surface is None:
+            self._session.tell(tr(NO_MODEL), tr(CHOOSE_ONE), "warning", cause=MOMENT)
+        elif self._programming.can_change:
             self._runner.run("Finding the face", lambda _job: find_face(surface, place_mm), self._keep, quiet=True)
 
     @Slot(object)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from ui.controllers.programming import ProgrammingController
@@ -49,6 +49,13 @@ class Tolerancing:
         program = self.program
         entry = None if program is None else next((one for one in program.dimensions if one.name == name), None)
         return None if entry is None or entry.kind not in CHARACTERISTICS else ToleranceChoice.of(entry)
+
+    def first_choice(self, feature: str, datums: Sequence[str], width_mm: float) -> ToleranceChoice | None:
+        """Return what a new tolerance of a feature begins with; None without a program or a feature."""
+        from measureapp.inspection.programming.tolerance_frames import first_choice
+
+        program = self.program
+        return None if program is None or not feature else first_choice(program, feature, datums, width_mm, self._features())
 
     def shape(self, feature: str) -> str:
         """Return the shape of a feature; empty: it is not known."""

@@ -10,6 +10,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 
 from ui.look.look import Look
 from ui.look.wording import NOTHING, millimetres, quantity
+from ui.pages.layers import cross
 from ui.viewport.layers import Label, LineLayer
 from ui.widgets.basic import Button
 from ui.widgets.properties_panel import Group, Properties
@@ -19,7 +20,6 @@ if TYPE_CHECKING:
     from ui.look.theme import Theme
 
 FIRST, SECOND = "Click the first point", "Click the second point"
-MARK_MM = 1.5
 TIP = "Measure the distance between two points you click"
 WHAT_IT_IS = "Distance of two single points. A dimension of the inspection program uses thousands of points and has a smaller uncertainty."
 
@@ -122,7 +122,7 @@ class DistanceTool(QObject):
         """Return the distances as lines, with a cross at each point."""
         drawn = [np.stack([one.first.position_mm, one.second.position_mm]) for one in self.distances]
         points = [point for one in self.distances for point in (one.first, one.second)] + ([self._first] if self._first else [])
-        crosses = [point.position_mm + MARK_MM * np.outer([-1.0, 1.0], axis) for point in points for axis in np.eye(3)]
+        crosses = [line for point in points for line in cross(point.position_mm)]
         return [LineLayer((*drawn, *crosses), colour, 3.0)] if drawn or crosses else []
 
     def labels(self, theme: Theme) -> list[Label]:

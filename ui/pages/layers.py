@@ -24,8 +24,14 @@ if TYPE_CHECKING:
 DENSE_TRIANGLES = 150_000  # so dense that smoothed edges are invisible
 RESIDUAL_RANGE = 3.0  # in rms of a view: contains nearly all of its points
 SCALE_SAMPLES = 20_000  # of each cloud, for the end of the scale
+MARK_MM = 1.5  # half the size of a cross
 PROXY_SAMPLES, FAR_SPACINGS = 200_000, 6.0
 ColourBy = Literal["view", "sigma", "grey", "residual"]
+
+
+def cross(place_mm: np.ndarray) -> list[np.ndarray]:
+    """Return the lines of a mark at a clicked place."""
+    return [place_mm + MARK_MM * np.outer([-1.0, 1.0], axis) for axis in np.eye(3)]
 
 
 def rgb(theme: Theme, token: str) -> tuple[int, int, int]:

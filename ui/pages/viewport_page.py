@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from datetime import date
 
@@ -27,7 +27,7 @@ from ui.workers.job import Job
 
 ROOM_FOR_WORDS = 1150  # px
 LEAST_PICTURE, LEAST_SIDE = 556, 400  # px, the page's margins included
-LEAST_SPLIT, SPLITTER_PX, LARGE = 440, 16, 2000
+LEAST_SPLIT, SPLITTER_PX = 440, 16
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,6 +54,32 @@ class Prepared:
 Composer = Callable[[Job], Picture]
 
 
+class PictureSplitter(QSplitter):
+    """A picture with a panel at its side, whose width stays when the window changes; the picture is never the narrower of both."""
+
+    def __init__(self, side_width: int) -> None:
+        super().__init__(Qt.Orientation.Horizontal)
+        self._wanted = side_width
+        self.splitterMoved.connect(self._follow)
+
+    def setSizes(self, sizes: Sequence[int]) -> None:
+        """Set both widths, those of a former window too."""
+        self._wanted = sizes[1]
+        super().setSizes(sizes)
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        """Give the panel its width, as far as there is room for it."""
+        room, side = self.width() - self.handleWidth(), self.widget(1)
+        side.setMaximumWidth(max(side.minimumWidth(), room // 2))
+        super().resizeEvent(event)
+        width = max(side.minimumWidth(), min(self._wanted, side.maximumWidth()))
+        super().setSizes([room - width, width])
+
+    @Slot()
+    def _follow(self) -> None:
+        self._wanted = self.sizes()[1]
+
+
 class ViewportPage(Page):
     """A page with a large 3-D view; a job composes the picture when the page is visible and something changed."""
 
@@ -69,7 +95,7 @@ class ViewportPage(Page):
         self._tool_buttons: tuple[Button, ...] = ()
         self.side: QWidget | None = None  # next to the picture; narrower if the page is narrow
         self.side_width = 0
-        self._splitter: QSplitter | None = None
+        self._splitter: PictureSplitter | None = None
         QShortcut(QKeySequence.StandardKey.Undo, self, self.undo_last, context=Qt.ShortcutContext.WidgetWithChildrenShortcut)
         QShortcut(Qt.Key.Key_Escape, self, self._cancel, context=Qt.ShortcutContext.WidgetWithChildrenShortcut)
         session.graphicsChanged.connect(self._use_graphics)
@@ -114,7 +140,7 @@ class ViewportPage(Page):
 
     def beside(self, picture: QWidget, side: QWidget) -> QSplitter:
         """Return the picture with a panel at its side, between which the user moves the border; the window remembers where it is."""
-        splitter = QSplitter(Qt.Orientation.Horizontal)
+        splitter = self._splitter = PictureSplitter(self.side_width)
         splitter.setObjectName(f"{self.name}-side")
         splitter.setHandleWidth(SPLITTER_PX)
         splitter.setChildrenCollapsible(False)
@@ -124,8 +150,6 @@ class ViewportPage(Page):
         side.setMinimumWidth(LEAST_SIDE)
         splitter.setStretchFactor(0, 1)
         splitter.setStretchFactor(1, 0)
-        splitter.setSizes([LARGE, self.side_width])
-        self._splitter = splitter
         return splitter
 
     @Slot()

@@ -43,6 +43,17 @@ DATUMS: Mapping[str, tuple[str, ...]] = {
     "concentricity": (*AXES, *CENTRES),
     **dict.fromkeys(("coaxiality", "circular_runout", "total_runout"), AXES),
 }
+USUAL: Mapping[str, tuple[str, ...]] = {  # characteristics of each shape, the most usual first
+    "plane": ("flatness", "perpendicularity", "parallelism", "surface_profile"),
+    "cylinder": ("position", "coaxiality", "perpendicularity", "cylindricity"),
+    "cone": ("coaxiality", "roundness"),
+    "circle": ("position", "roundness"),
+    "slot": ("position",),
+    "sphere": ("position", "surface_profile"),
+    "point": ("position",),
+    "line": ("perpendicularity", "parallelism", "straightness"),
+    FREE_FORM: ("surface_profile",),
+}
 MOST_DATUMS = 3
 HINT = "Choose another characteristic, feature or datum."
 
@@ -267,3 +278,28 @@ def _said(shape: str) -> str:
 def _either(shapes: Sequence[str]) -> str:
     *first, last = (_said(one) for one in shapes)
     return f"{', '.join(first)} or {last}" if first else last
+
+
+def first_choice(
+    program: InspectionProgram, feature: str, datums: Sequence[str], width_mm: float, features: Mapping[str, Feature]
+) -> ToleranceChoice:
+    """Return the tolerance that a feature most usually gets and does not have yet, as far as it is allowed.
+
+    Parameters
+    ----------
+    datums : those chosen; none: the datums of the program
+    features : by name, as designed where the program says so, else as measured
+    """
+    shape = _shape(program, _one(feature), features)
+    usual = USUAL.get(shape, ())
+    letters = letters_of(program)
+    offered = tuple(datums) or tuple(sorted((one for one in letters if one != feature and one in features), key=letters.__getitem__))
+    had = {one.kind for one in program.dimensions if feature in one.features}
+    possible = [kind for kind in usual if kind not in had and not (datums and takes_datums(kind) == 0)]
+    for kind in possible:
+        for count in range(min(takes_datums(kind), len(offered)), -1, -1):
+            choice = ToleranceChoice(kind, feature, width_mm, offered[:count])
+            if not refusal(program, choice, features):
+                return choice
+    kind = "position" if datums else (usual or ("flatness",))[-1]
+    return ToleranceChoice(kind, feature, width_mm, tuple(datums))

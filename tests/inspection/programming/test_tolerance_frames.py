@@ -17,7 +17,15 @@ from measureapp.inspection.evaluate import evaluate_dimension
 from measureapp.inspection.features.found_feature import FoundFeature
 from measureapp.inspection.programming import edits
 from measureapp.inspection.programming.nominals import nominals_of
-from measureapp.inspection.programming.tolerance_frames import TOLERANCED, ToleranceChoice, frame_of, refusal, takes_datums, with_tolerance
+from measureapp.inspection.programming.tolerance_frames import (
+    TOLERANCED,
+    ToleranceChoice,
+    first_choice,
+    frame_of,
+    refusal,
+    takes_datums,
+    with_tolerance,
+)
 from measureapp.inspection.session.session import InspectionSession
 from measureapp.inspection.settings import InspectionSettings
 
@@ -178,3 +186,27 @@ def test_features_that_are_no_common_datum_are_refused(feature, datum, partner, 
 def test_faces_in_different_planes_are_no_common_datum():
     found = why(ToleranceChoice("parallelism", "mid", 0.1, ("top",), partners=("base",)))
     assert "top and base are 30.000 mm from one plane: they cannot be one datum." in found
+
+
+CIRCLE = {"name": "hole", "shape": "circle", "point_mm": [10, 5, 15], "direction": [0, 0, 1], "radius_mm": 4, "hole": True}
+FLATNESS = {"name": "flat", "kind": "flatness", "features": ["top"], "upper_tolerance": 0.1}
+LOCATION = {"name": "place", "kind": "position", "features": ["bore"], "datums": ["base", "side", "front"], "upper_tolerance": 0.2}
+
+
+@pytest.mark.parametrize(
+    ("feature", "datums", "dimensions", "kind", "chosen"),
+    [
+        ("top", (), [], "flatness", ()),
+        ("top", (), [FLATNESS], "parallelism", ("base",)),  # the program has a datum; flatness is stated already
+        ("hole", (), [], "roundness", ()),  # one datum does not fix the location
+        ("hole", (), [LOCATION], "position", ("base", "side", "front")),
+        ("bore", (), [LOCATION], "cylindricity", ()),  # position and perpendicularity are stated already
+        ("hole", ("base", "side", "front"), [], "position", ("base", "side", "front")),
+        ("side", ("base",), [], "perpendicularity", ("base",)),
+    ],
+)
+def test_a_new_tolerance_begins_with_what_suits_the_feature_and_is_not_stated_yet(feature, datums, dimensions, kind, chosen):
+    program = program_of(extra_features=[EDGE, CIRCLE], extra_dimensions=dimensions)
+    choice = first_choice(program, feature, datums, 0.1, nominals_of(program))
+    assert (choice.kind, choice.datums) == (kind, chosen)
+    assert not refusal(program, choice, nominals_of(program))

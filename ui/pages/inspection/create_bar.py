@@ -8,10 +8,12 @@ from PySide6.QtCore import Qt, Signal, Slot
 from PySide6.QtGui import QAction, QShortcut
 from PySide6.QtWidgets import QFrame, QMenu
 
+from ui.controllers.contouring import ContouringController
 from ui.controllers.creating import CreatingController
 from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.look.wording import millimetres, quantity, sentence_case
+from ui.pages.inspection.contour_bar import KINDS
 from ui.pages.inspection.feature_table import FeatureTable
 from ui.widgets.basic import Button, CalmComboBox, column, label, row
 from ui.widgets.number_field import NumberField
@@ -19,7 +21,7 @@ from ui.widgets.number_field import NumberField
 if TYPE_CHECKING:
     from measureapp.inspection.programming.proposals import Proposal
 
-HOW = "Select features in the list, or pick faces of the CAD model in the picture. Fitting dimensions are then proposed."
+HOW = "Select features in the list, pick faces of the CAD model, or create a new feature by clicking. Fitting dimensions are then proposed."
 NONE_FITS = "No dimension fits these features together."
 NONE_FITS_ONE = "No dimension fits this feature alone."
 START_MM, LARGEST_MM = 10.0, 10_000.0  # distance of an offset plane or a point on an axis, until another one is entered
@@ -45,13 +47,18 @@ class CreateBar(QFrame):
     dimensionAdded = Signal(str)
     previewed = Signal(object)  # Feature that the construction under the pointer would give; None: none is
 
-    def __init__(self, look: Look, creating: CreatingController, features: FeatureTable) -> None:
+    def __init__(self, look: Look, creating: CreatingController, contouring: ContouringController, features: FeatureTable) -> None:
         super().__init__()
         self.setObjectName("sunken")
         self._creating, self._features = creating, features
         self._proposals: tuple[Proposal, ...] = ()
         self.pick = Button("Pick faces", look, "grow", "quiet", "Click faces of the CAD model to select them as features; Esc ends")
         self.pick.setCheckable(True)
+        self.new = Button("New feature", look, "", "quiet", "Create a circle, slot, line, edge or hole pattern by clicking in the picture")
+        kinds = QMenu(self.new)
+        for kind, words in KINDS.items():
+            kinds.addAction(translated(words), lambda kind=kind: contouring.begin(kind, features.names()))
+        self.new.setMenu(kinds)
         self.words = label(HOW, "small", wrap=True)
         self.choice = CalmComboBox()
         self.choice.setAccessibleName(tr("Proposed dimension"))
@@ -78,8 +85,8 @@ class CreateBar(QFrame):
         QShortcut(Qt.Key.Key_Return, features, self.accept, context=Qt.ShortcutContext.WidgetShortcut)
         choose = row(self.choice, self.add, spacing=8)
         choose.setStretch(0, 1)
-        tools = row(self.pick, self.construct, self.distance_words, self.distance, self.tolerance, 0)
-        self.setLayout(column(tools, self.words, choose, margin=8, spacing=8))
+        tools = row(self.pick, self.new, self.construct, self.tolerance, 0)
+        self.setLayout(column(tools, row(self.distance_words, self.distance, 0), self.words, choose, margin=8, spacing=8))
         features.chosen.connect(self.show_proposals)
         creating.picked.connect(self._take)
         self.show_proposals()

@@ -14,6 +14,7 @@ from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.pages.inspection.alignment_panel import AlignmentPanel
 from ui.pages.inspection.cell_edits import apply_edit
+from ui.pages.inspection.contour_bar import ContourBar
 from ui.pages.inspection.create_bar import CreateBar
 from ui.pages.inspection.datum_menu import DatumMenu
 from ui.pages.inspection.deviation_card import DeviationCard
@@ -35,7 +36,7 @@ if TYPE_CHECKING:
     from measureapp.data.measurement import Inspection
     from ui.session import Comparison
 
-TABLE_WIDTH = 680  # px
+TABLE_WIDTH, LEAST_LIST = 680, 108  # px; a list shows its heading and two rows
 LISTS = {"dimensions": "Dimensions", "features": "Features", "alignment": "Alignment", "deviation": "Deviation"}
 
 
@@ -55,7 +56,10 @@ class DimensionSide(QWidget):
         self.filter, self.save = FilterBar(look), SaveBar(look, programming)
         self.table = DimensionTable(look, self._edit)
         self.features = FeatureTable(look)
-        self.create = CreateBar(look, controllers.creating, self.features)
+        self.create = CreateBar(look, controllers.creating, controllers.contouring, self.features)
+        self._contouring, self.contour = controllers.contouring, ContourBar(look, controllers.contouring)
+        self._contouring.changed.connect(self._show_create)
+        self._contouring.created.connect(self.features.select_names)
         self.alignment = AlignmentPanel(look, programming, controllers.creating)
         self.tolerance = ToleranceEditor(look, controllers.tolerancing, controllers.creating)
         self.create.dimensionAdded.connect(self._await)
@@ -78,8 +82,10 @@ class DimensionSide(QWidget):
         self._lists.addWidget(self.table)
         self._lists.addWidget(self.features)
         self._lists.addWidget(self.alignment)
-        self._lists.addWidget(self.deviation)
-        self._lists.addWidget(scrolled(self.tolerance))
+        self._figures = scrolled(self.deviation)
+        self._lists.addWidget(self._figures)
+        self._lists.addWidget(self.tolerance)
+        self._lists.setMinimumHeight(LEAST_LIST)  # rather than that of the highest of them: the bars below are not squeezed
         self._show_create()
         self.unaligned = NoAlignment(look, programming)
         self.unaligned.choose.clicked.connect(lambda: self.list.setValue("alignment"))
@@ -90,6 +96,7 @@ class DimensionSide(QWidget):
             self.filter,
             self._lists,
             self.create,
+            self.contour,
             self.save,
             self.rule,
             spacing=8,
@@ -180,7 +187,7 @@ class DimensionSide(QWidget):
         return apply_edit(self._programming, self.table.rows, edit)
 
     def _show_list(self) -> None:
-        shown = {"dimensions": self.table, "features": self.features, "alignment": self.alignment, "deviation": self.deviation}
+        shown = {"dimensions": self.table, "features": self.features, "alignment": self.alignment, "deviation": self._figures}
         self._lists.setCurrentWidget(shown[self.list.value()])
         self.filter.setVisible(self.list.value() == "dimensions")
         self.rule.setVisible(self.list.value() == "dimensions")
@@ -216,8 +223,12 @@ class DimensionSide(QWidget):
     def _show_create(self) -> None:
         is_list = self._lists.currentIndex() < self._lists.count() - 1  # not the editor of a tolerance
         offered = is_list and self.list.value() == "features" and self._programming.state is not None
-        self.create.setVisible(offered)
         if not offered:
+            self._contouring.cancel()
+        self.create.setVisible(offered and not self.contour.is_on)
+        self.contour.setVisible(offered and self.contour.is_on)
+        self.save.keep_away(self.contour.isVisibleTo(self))  # there is nothing to save before the feature is created
+        if self.create.isHidden():
             self.create.pick.setChecked(False)
         if is_list:
             self.tolerance.pick.setChecked(False)

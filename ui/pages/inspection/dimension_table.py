@@ -23,6 +23,7 @@ from ui.widgets.empty_rows import EmptyRows
 STATUS_WIDTH, NAME_WIDTH, LEAST_NAME_WIDTH = 28, 150, 96
 LEFT_OUT = (Column.NOMINAL, Column.DEVIATION, Column.TOLERANCE)  # in this order, where there is little room; the properties show them
 CELL_ROOM, SIGN_ROOM, SORT_ROOM = 16, 28, 24  # px beside the text: margins, sign of the verdict, arrow of the order
+WIDEST_TOLERANCE = "−0.000 / +0.000 2768-m"  # a longer one is elided, its tip states it: it would take the room of the other columns
 EDIT_KEYS = QAbstractItemView.EditTrigger.EditKeyPressed | QAbstractItemView.EditTrigger.AnyKeyPressed
 NONE = -1
 NO_ROWS = "No dimensions yet. Select features in the list Features, or add one with Dimension above the picture."
@@ -326,7 +327,8 @@ class DimensionTable(QTableView):
     def _width_of(self, row: DimensionRow, column: Column, letters: QFontMetrics) -> int:
         if column is Column.TOLERANCE and row.frame is not None:
             return int(frame_width(row.frame, OverlayStyle.of(self._look.theme)))
-        return letters.horizontalAdvance(cell_text(row, column))
+        width = letters.horizontalAdvance(cell_text(row, column))
+        return min(width, letters.horizontalAdvance(WIDEST_TOLERANCE)) if column is Column.TOLERANCE else width
 
     def _follow(self) -> None:
         """Tell which row is current, once."""

@@ -134,6 +134,8 @@ class FeatureTable(DataTable):
 def _cells(feature: Feature, letter: str, made: Construction | None) -> list[Cell]:
     """Return the cells of a feature; a constructed one has neither points nor form, whatever its features have."""
     size = NOTHING if feature.radius_mm is None else f"⌀ {quantity(2 * feature.radius_mm, '')}"
+    if feature.shape == "slot":
+        size = f"{quantity(2 * (feature.radius_mm or 0.0), '')} × {quantity(feature.length_mm or 0.0, '')}"
     measured, shape = feature.points > 0 and made is None, shape_words(feature, made)
     source = "" if made is None else tr("Constructed from {names}", names=source_words(made))
     return [

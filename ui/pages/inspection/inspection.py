@@ -70,9 +70,8 @@ class InspectionPage(ViewportPage):
         tools = self._tools(look)
         self.side.selected.connect(self._select)
         self.side.closerAsked.connect(self.content.look_closer)
-        middle = row(card(self.view, self.filled, self.cut, self.grow, self.program.bar, margin=1, spacing=4), self.side, spacing=16)
-        middle.setStretch(0, 1)
-        layout = column(tools, middle, spacing=12)
+        picture = card(self.view, self.filled, self.cut, self.grow, self.program.bar, margin=1, spacing=4)
+        layout = column(tools, self.beside(picture, self.side), spacing=12)
         layout.setStretch(1, 1)
         self.body.setLayout(layout)
         programming = self.controllers.programming
@@ -103,7 +102,9 @@ class InspectionPage(ViewportPage):
         self.labels = Button("Labels", look, "labels", "quiet", "Show the value of every dimension in the picture")
         self.labels.setCheckable(True)
         self.labels.toggled.connect(self._show_all_flags)
-        self.clicking = ClickingTools(look, self.controllers.growing, self)
+        contouring = self.controllers.contouring
+        self.clicking = ClickingTools(look, self.controllers.growing, contouring, self.side.contour, self)
+        contouring.changed.connect(self._show_contour)
         self.distance, self.grow = self.clicking.distance, self.clicking.grow
         self.distance.changed.connect(self._show_distances)
         self.undo = Button("Undo", look, "undo", "quiet", UNDO)
@@ -294,6 +295,11 @@ class InspectionPage(ViewportPage):
             self.show_properties(shown if self.program.programming.can_change else replace(shown, decision=""))
         self.content.show()
 
+    def _show_contour(self) -> None:
+        """Show the feature in the making, and whether a click of it can be undone."""
+        self._show_undo()
+        self.content.show()
+
     def act(self) -> None:
         """Copy the program lines of the last grown feature to the clipboard."""
         if self.grow.last is not None:
@@ -321,6 +327,9 @@ class InspectionPage(ViewportPage):
 
     def _pick_surface(self, pick: Pick) -> None:
         """Select the face that is clicked, or read the deviation where the coloured CAD model is clicked."""
+        if self.side.contour.is_on:
+            self.controllers.contouring.click(pick.position_mm)
+            return
         is_tool = self.distance.is_on or self.grow.is_on
         if self.side.is_picking and pick.position_mm is not None:
             self.controllers.creating.pick(pick.position_mm)
@@ -331,7 +340,7 @@ class InspectionPage(ViewportPage):
     def _show_point(self, layer: int, place: int) -> None:
         """Show source and deviation of a picked point; or measure from it, or grow a feature."""
         stitched, inspection, comparison = self.session.stitched, self.session.inspection, self.session.comparison
-        if self.side.is_picking:  # `_pick_surface` takes the click
+        if self.side.is_picking or self.side.contour.is_on:  # `_pick_surface` takes the click
             return
         if stitched is None or inspection is None or layer > 0:  # an unmeasured part of the nominal
             return

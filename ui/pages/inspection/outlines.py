@@ -16,7 +16,12 @@ DASH = 3  # steps of a dash, and of the gap behind it
 
 
 def outline(feature: Feature) -> np.ndarray:
-    """Return a polyline (K, 3) around a feature: the convex hull of its boundary in its plane, or its circle."""
+    """Return a polyline (K, 3) around a feature: the convex hull of its boundary in its plane, its circle or slot, or a line itself."""
+    if feature.shape == "slot" and feature.normal is not None:
+        return _slot(feature)
+    if feature.shape == "line" and feature.boundary_mm is not None:
+        half = float(np.abs(_axis(feature)) @ np.ptp(feature.boundary_mm, axis=0)) / 2  # of the box around its points
+        return feature.point_mm + np.outer([-half, half], _axis(feature))
     if feature.radius_mm is not None:
         return _circle(feature.point_mm, _axis(feature), feature.radius_mm)
     if feature.boundary_mm is not None and len(feature.boundary_mm) >= 3:
@@ -47,6 +52,16 @@ def _circle(centre: np.ndarray, axis: np.ndarray, radius: float) -> np.ndarray:
     u, v = _across(axis)
     angle = np.linspace(0.0, 2 * np.pi, STEPS)[:, None]
     return centre + radius * (np.cos(angle) * u + np.sin(angle) * v)
+
+
+def _slot(feature: Feature) -> np.ndarray:
+    """Return the straight sides and round ends of a slot."""
+    along, radius = _axis(feature), feature.radius_mm or 0.0
+    across = np.cross(np.asarray(feature.normal), along)
+    half = (feature.length_mm or 0.0) / 2 - radius
+    angle = np.linspace(-np.pi / 2, np.pi / 2, STEPS // 2)[:, None]
+    ends = [side * (half * along + radius * (np.cos(angle) * along + np.sin(angle) * across)) for side in (1.0, -1.0)]
+    return feature.point_mm + np.vstack([*ends, ends[0][:1]])
 
 
 def _hull(points: np.ndarray, centre: np.ndarray, axis: np.ndarray) -> np.ndarray:

@@ -24,7 +24,7 @@ class SaveBar(QFrame):
     def __init__(self, look: Look, programming: ProgrammingController) -> None:
         super().__init__()
         self.setObjectName("sunken")
-        self._programming = programming
+        self._programming, self._is_away = programming, False
         self.words = ElidedLabel(UNSAVED, "strong")
         self.redo = Button("", look, "redo", "quiet", "Redo (Ctrl+Y)")
         self.again = Button("Measure again", look, "again", "quiet", "Measure everything that is stale")
@@ -40,12 +40,18 @@ class SaveBar(QFrame):
         programming.changed.connect(self.show_state)
         self.show_state()
 
+    def keep_away(self, away: bool) -> None:
+        """Leave the room to something else, or show the state again."""
+        if away != self._is_away:
+            self._is_away = away
+            self.show_state()
+
     @Slot()
     def show_state(self) -> None:
         """Show what is not saved, being measured or stale."""
         programming = self._programming
         stale = programming.state is not None and not programming.is_current and not programming.is_measuring
-        self.setVisible(programming.is_modified or stale or programming.is_measuring)
+        self.setVisible((programming.is_modified or stale or programming.is_measuring) and not self._is_away)
         self.words.set_words(MEASURING if programming.is_measuring else STALE if stale else UNSAVED)
         if stale:
             self.words.setToolTip(tr(STALE_TIP))

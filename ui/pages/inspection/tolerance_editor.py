@@ -16,7 +16,7 @@ from ui.look.language.words import later, tr, translated
 from ui.look.look import Look
 from ui.look.wording import sentence_case
 from ui.pages.inspection.frame_picture import ICON_PX, FramePicture, symbol_icon
-from ui.widgets.basic import Button, CalmComboBox, column, label, row
+from ui.widgets.basic import Button, CalmComboBox, column, label, row, scrolled
 from ui.widgets.number_field import NumberField
 
 WORDS = {
@@ -42,7 +42,7 @@ CONDITIONS = {
 }
 PROFILES = ("line_profile", "surface_profile")
 DATUM_ROWS = 3
-LIMIT = 1000.0  # mm
+LIMIT, WIDTH_MM = 1000.0, 0.1  # mm; the width of a new zone
 
 
 class ToleranceEditor(QFrame):
@@ -112,8 +112,14 @@ class ToleranceEditor(QFrame):
             else:
                 grid.addLayout(row(*fields, *(() if key.startswith("datum") else (0,)), spacing=8), place, 1)
             self._rows[key] = (heading, *fields)
+        fields = QWidget()
+        fields.setObjectName("clear")
+        fields.setLayout(column(self.picture, grid, 0, spacing=6))
+        area = scrolled(fields)  # not the buttons: Apply stays where it can be reached
         below = row(self.pick, 0, self.cancel, self.apply, spacing=8)
-        self.setLayout(column(self.title, self.picture, grid, self.problem, below, 0, margin=8, spacing=6))
+        layout = column(self.title, area, self.problem, below, margin=8, spacing=6)
+        layout.setStretch(1, 1)
+        self.setLayout(layout)
 
     @property
     def is_open(self) -> bool:
@@ -125,8 +131,12 @@ class ToleranceEditor(QFrame):
         self._former = ""
         self.title.setText(tr("New geometrical tolerance"))
         feature, *datums = features or ("",)
-        self._fill("position" if datums else "flatness", feature, datums)
-        self.width.setValue(0.1)
+        self.width.setValue(WIDTH_MM)
+        choice = self._tolerancing.first_choice(feature, datums, WIDTH_MM)
+        if choice is None:
+            self._fill("flatness", feature, datums)
+        else:
+            self._fill(choice.kind, feature, choice.datums)
 
     def edit(self, name: str) -> bool:
         """Change the tolerance of a dimension; return False where it is no geometrical tolerance."""
