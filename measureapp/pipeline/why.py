@@ -148,8 +148,8 @@ class ExplainedView:
         faintest, least = settings.faint_modulation_grey(phase_map.saturation), settings.min_modulation_grey(phase_map.saturation)
         modulation, has_phase = float(phase_map.modulation[row, column]), phase_map.state[row, column] == PixelState.VALID
         # below the least neighbours or several exposures may settle the order; below the faintest only several exposures compensate
-        limit = faintest if modulation < faintest else least
-        limit = None if has_phase and modulation < limit else limit
+        missed = faintest if modulation < faintest else least
+        limit = None if has_phase and modulation < missed else missed
         numbers.append(Number("modulation", modulation, "grey levels", least=limit))
         for seen in (phase_map, phase_map.orthogonal):
             if seen is not None and seen.state[row, column] == PixelState.VALID:
