@@ -62,7 +62,7 @@ def test_a_painted_hole_is_explained_with_its_remedy(
     assert words in told["sentence"]
     assert main([*holes, "--pixel", f"{place[0]},{place[1]}"]) == 0
     said = capsys.readouterr().out
-    assert f"lost in decoding, {reason}" in said and "at least 10 grey levels" in said
+    assert f"lost in decoding, {reason}" in said and "at least 3 grey levels" in said
 
 
 def test_a_pixel_with_a_point_says_so(holes: list[str], capsys: pytest.CaptureFixture[str]) -> None:
