@@ -704,6 +704,10 @@
       <translation>相机 {name}</translation>
     </message>
     <message>
+      <source>Cancelled.</source>
+      <translation>已取消。</translation>
+    </message>
+    <message>
       <source>Changing the nominal</source>
       <translation>正在更改名义模型</translation>
     </message>
@@ -1262,6 +1266,10 @@
     <message>
       <source>Reading {name}</source>
       <translation>正在读取 {name}</translation>
+    </message>
+    <message>
+      <source>Ready.</source>
+      <translation>就绪。</translation>
     </message>
     <message>
       <source>Recompute the project to create its documents.</source>
@@ -16859,6 +16867,10 @@ in danger use the emergency stop.</source>
     <message>
       <source>Pause as soon as the rig is safe; nothing stored is lost</source>
       <translation>测量系统安全后立即暂停；已存内容不会丢失</translation>
+    </message>
+    <message>
+      <source>Paused.</source>
+      <translation>已暂停。</translation>
     </message>
     <message>
       <source>Pausing: the rig comes to a safe stop…</source>

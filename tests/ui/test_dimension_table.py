@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QLabel, QLineEdit
+from PySide6.QtWidgets import QLabel, QLineEdit, QStyle, QStyleOptionViewItem
 
 from measureapp.inspection.dimensions import inspect
 from measureapp.inspection.programming import edits
@@ -192,6 +192,44 @@ def test_one_long_tolerance_does_not_take_the_room_of_the_other_columns(applicat
     assert usual <= table.columnWidth(Column.TOLERANCE) <= widest and not table.isColumnHidden(Column.VERDICT)
     place = next(number for number, row in enumerate(table.shown_rows) if row.name == "size")
     assert table.shown.index(place, Column.TOLERANCE).data(Qt.ItemDataRole.ToolTipRole) == table.texts()[0][2]
+
+
+READ_AT_ONCE = (Column.NAME, Column.NOMINAL, Column.MEASURED, Column.UNCERTAINTY, Column.VERDICT)
+
+
+@pytest.mark.parametrize("language", ["en", "zh_CN"])
+@pytest.mark.parametrize("is_missed", [False, True], ids=["measured", "one-not-measured"])
+def test_name_nominal_value_u_and_verdict_are_read_in_the_smallest_window(application, page, qtbot, language, is_missed):
+    programming, table = application.controllers.programming, page.side.table
+    page.window().resize(1280, 720)
+    if is_missed:
+        lost = {"name": "lost", "shape": "sphere", "point_mm": [300, 0, 0], "radius_mm": 10}
+        size = {"name": "lost size", "kind": "diameter", "features": ["lost"], "nominal": 120, "upper_tolerance": 0.1, "lower_tolerance": -0.1}
+        programming.edit(lambda program: edits.add(edits.add(program, "feature", lost), "dimension", size), "added")
+        settled(application, qtbot)
+        assert row_named(page, "lost size").verdict == "not measured"
+    application.settings.set_text("language", language)
+    application.language.retranslation.finish()
+    qtbot.wait(30)
+    assert "\n".join(unread(table)) == ""
+
+
+def unread(table) -> list[str]:
+    """Return the cells of the columns that are read at once whose text is hidden, cut or out of sight."""
+    found = []
+    for place, row in enumerate(table.shown_rows):
+        for column in READ_AT_ONCE:
+            index = table.shown.index(place, column)
+            option = QStyleOptionViewItem()
+            table.initViewItemOption(option)
+            option.rect = table.visualRect(index)
+            table.itemDelegate().initStyleOption(option, index)
+            room = table.style().subElementRect(QStyle.SubElement.SE_ItemViewItemText, option, table).width()
+            room -= 2 * (table.style().pixelMetric(QStyle.PixelMetric.PM_FocusFrameHMargin, option, table) + 1)
+            need = option.fontMetrics.horizontalAdvance(option.text)
+            if table.isColumnHidden(column) or need > room or option.rect.right() > table.viewport().width():
+                found.append(f"{row.name}, {column.name}: {option.text!r} has {room} of {need} px, up to {option.rect.right()}")
+    return found
 
 
 def test_escape_leaves_the_value_and_no_tolerance_is_no_verdict(application, page, qtbot):

@@ -156,7 +156,7 @@ def _is_text(value: str) -> bool:
     bare = PLACEHOLDER.sub("", value).strip()
     if bare != value and " " in value and re.search(r"[a-z]{3}", bare):
         return True
-    return bool(bare) and (NAMES.fullmatch(bare) is None or re.fullmatch(r"[A-Z][a-z-]+…?", bare) is not None)
+    return bool(bare) and (NAMES.fullmatch(bare) is None or re.fullmatch(r"[A-Z][a-z-]+[….]?", bare) is not None)
 
 
 def _is_internal(node: ast.AST, parents: dict[ast.AST, ast.AST]) -> bool:

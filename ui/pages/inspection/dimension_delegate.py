@@ -53,8 +53,10 @@ class DimensionDelegate(SignDelegate):
             painter.drawRect(option.rect.adjusted(1, 1, -2, -2))
 
     def initStyleOption(self, option: QStyleOptionViewItem, index: QModelIndex | QPersistentModelIndex) -> None:
-        """Leave the text out where a frame is drawn."""
+        """Leave the text out where a frame is drawn; of a long name both ends are shown, since names often differ in the last letters."""
         super().initStyleOption(option, index)
+        if index.column() == Column.NAME:
+            option.textElideMode = Qt.TextElideMode.ElideMiddle
         if index.data(FRAME_ROLE) is not None:
             option.text = ""
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from PySide6.QtCore import QItemSelectionModel, QPoint, Qt, Signal
+from PySide6.QtCore import QItemSelectionModel, QPoint, Qt, Signal, Slot
 from PySide6.QtGui import QAction, QFontMetrics, QGuiApplication, QKeyEvent, QKeySequence, QMouseEvent, QResizeEvent
 from PySide6.QtWidgets import QAbstractItemDelegate, QAbstractItemView, QHeaderView, QMenu, QTableView, QWidget
 
@@ -20,9 +20,10 @@ from ui.viewport.overlay.style import OverlayStyle
 from ui.widgets.data_table import ROW_HEIGHT, Index, bring_into_sight, is_in_sight
 from ui.widgets.empty_rows import EmptyRows
 
-STATUS_WIDTH, NAME_WIDTH, LEAST_NAME_WIDTH = 28, 150, 96
-LEFT_OUT = (Column.NOMINAL, Column.DEVIATION, Column.TOLERANCE)  # in this order, where there is little room; the properties show them
-CELL_ROOM, SIGN_ROOM, SORT_ROOM = 16, 28, 24  # px beside the text: margins, sign of the verdict, arrow of the order
+STATUS_WIDTH, LEAST_NAME_WIDTH, WIDEST_NAME = 24, 96, 176
+# In this order, where there is little room, as the properties show them: the deviation first, which nominal and value state, too.
+LEFT_OUT = (Column.DEVIATION, Column.TOLERANCE, Column.ALIGNMENT, Column.NOMINAL)
+CELL_ROOM, SIGN_ROOM, SORT_ROOM = 14, 28, 26  # px beside the text: margins, sign of the verdict, arrow of the order
 WIDEST_TOLERANCE = "−0.000 / +0.000 2768-m"  # a longer one is elided, its tip states it: it would take the room of the other columns
 EDIT_KEYS = QAbstractItemView.EditTrigger.EditKeyPressed | QAbstractItemView.EditTrigger.AnyKeyPressed
 NONE = -1
@@ -64,7 +65,7 @@ class DimensionTable(QTableView):
         self._set_up_header()
         self.selectionModel().currentRowChanged.connect(self._follow)
         self.empty = EmptyRows(self, NO_ROWS)
-        look.changed.connect(self.viewport().update)
+        look.changed.connect(self._follow_look)
 
     def _set_up_header(self) -> None:
         header = self.horizontalHeader()
@@ -125,10 +126,6 @@ class DimensionTable(QTableView):
             return
         self._has_alignments = are_several
         self.setColumnHidden(Column.ALIGNMENT, not are_several)
-        mode = QHeaderView.ResizeMode.Interactive if are_several else QHeaderView.ResizeMode.Stretch
-        self.horizontalHeader().setSectionResizeMode(Column.NAME, mode)
-        if are_several:
-            self.setColumnWidth(Column.NAME, NAME_WIDTH)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Leave columns out where there is no room for them; the current row stays in sight."""
@@ -138,10 +135,11 @@ class DimensionTable(QTableView):
             bring_into_sight(self, self.currentIndex())
 
     def _leave_out_columns(self) -> None:
-        """Hide columns until names and verdicts are in sight; those that the user chose stay as he chose."""
-        offered = [column for column in LEFT_OUT if column not in self._chosen]
+        """Hide columns until names, values and verdicts can be read; those that the user chose stay as he chose."""
+        offered = [one for one in LEFT_OUT if one not in self._chosen and (one is not Column.ALIGNMENT or self._has_alignments)]
         shown = [column for column in COPIED if column is not Column.NAME and (column in offered or not self.isColumnHidden(column))]
-        excess = sum(map(self._width_for, shown)) - (self.viewport().width() - STATUS_WIDTH - LEAST_NAME_WIDTH)
+        names = min(max(self._needs.get(Column.NAME, 0), LEAST_NAME_WIDTH), WIDEST_NAME)
+        excess = sum(map(self._width_for, shown)) - (self.viewport().width() - STATUS_WIDTH - names)
         for column in offered:
             self.setColumnHidden(column, excess > 0)
             excess -= self._width_for(column) if excess > 0 else 0
@@ -313,12 +311,14 @@ class DimensionTable(QTableView):
     def _fit_columns(self) -> None:
         """Fit the columns to their texts, except those that the user resized."""
         header, letters = self.horizontalHeader(), self.fontMetrics()
-        for column in (one for one in COPIED if one is not Column.NAME):
+        for column in COPIED:
             cell = max((self._width_of(row, column, letters) for row in self.rows), default=0) + (
                 SIGN_ROOM if column is Column.VERDICT else 0
             )
-            heading = header.fontMetrics().horizontalAdvance(HEADERS[column]) + (SORT_ROOM if column is Column.VERDICT else 0)
+            heading = header.fontMetrics().horizontalAdvance(translated(HEADERS[column])) + (SORT_ROOM if column is Column.VERDICT else 0)
             wanted = self._needs[column] = max(cell, heading) + CELL_ROOM
+            if column is Column.NAME:  # takes what the others leave
+                continue
             if self.columnWidth(column) == self._widths.get(column, self.columnWidth(column)):
                 self.setColumnWidth(column, wanted)
                 self._widths[column] = self.columnWidth(column)
@@ -327,8 +327,14 @@ class DimensionTable(QTableView):
     def _width_of(self, row: DimensionRow, column: Column, letters: QFontMetrics) -> int:
         if column is Column.TOLERANCE and row.frame is not None:
             return int(frame_width(row.frame, OverlayStyle.of(self._look.theme)))
-        width = letters.horizontalAdvance(cell_text(row, column))
+        width = letters.horizontalAdvance(translated(cell_text(row, column)))
         return min(width, letters.horizontalAdvance(WIDEST_TOLERANCE)) if column is Column.TOLERANCE else width
+
+    @Slot()
+    def _follow_look(self) -> None:
+        """Draw anew, with the widths that the words of another language need."""
+        self._fit_columns()
+        self.viewport().update()
 
     def _follow(self) -> None:
         """Tell which row is current, once."""

@@ -6,7 +6,7 @@ import pytest
 
 from measureapp.errors import InputError
 from ui.look.language.catalogue import Catalogue, Entry, read_catalogue, write_catalogue
-from ui.look.language.sources import catalogue_file
+from ui.look.language.sources import catalogue_file, window_texts
 from ui.look.language.words import Translator
 
 WORDS = {
@@ -23,6 +23,10 @@ def translator() -> Translator:
     made = Translator()
     made.use(Catalogue("zh_CN", {source: Entry(source, words) for source, words in WORDS.items()}))
     return made
+
+
+def test_a_message_of_one_word_is_a_text_of_the_window():
+    assert {"Ready.", "Cancelled.", "Paused."} <= window_texts().keys()
 
 
 def test_values_are_put_into_the_translation(translator):
