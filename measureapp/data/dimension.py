@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
@@ -44,6 +45,17 @@ def worst_verdict(verdicts: Iterable[Verdict]) -> Verdict | None:
     return min((one for one in verdicts if one is not Verdict.NO_TOLERANCE), key=SEVERITY.index, default=None)
 
 
+def of_other_versions(dimensions: Iterable[Dimension], version: str) -> tuple[Dimension, ...]:
+    """Return the measured dimensions that were evaluated by another version than the rest; none where one version evaluated all.
+
+    The rest are those of ``version``, or of the most frequent one where it evaluated none.
+    """
+    measured = [one for one in dimensions if one.measured is not None]
+    counts = Counter(one.version for one in measured)
+    rest = version if version in counts or not counts else counts.most_common(1)[0][0]
+    return tuple(one for one in measured if one.version != rest)
+
+
 @dataclass(frozen=True, slots=True)
 class Dimension:
     """One line of the report. Lengths in mm, angles in degrees (`unit` says which)."""
@@ -68,6 +80,7 @@ class Dimension:
     group: str = ""  # heading under which tables list it
     budget: Mapping[str, float] = field(default_factory=dict)  # the `CONTRIBUTIONS` to `uncertainty`, k = 2, to be added in quadrature
     frame: ControlFrame | None = None  # of a geometrical tolerance; None: it has none, or was stored by an earlier version
+    version: str = ""  # of MeasureApp that evaluated it; empty: stored by an earlier one, which did not state it
 
     @property
     def deviation(self) -> float | None:

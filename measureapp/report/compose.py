@@ -12,7 +12,7 @@ from typing import Any
 from measureapp import __version__
 from measureapp.data.calibration import CameraCalibration, RigCalibration
 from measureapp.data.consistency import Consistency
-from measureapp.data.dimension import SEVERITY, Dimension, Verdict, worst_verdict
+from measureapp.data.dimension import SEVERITY, Dimension, Verdict, of_other_versions, worst_verdict
 from measureapp.data.measurement import Alignment, Measurement
 from measureapp.data.mesh import Mesh
 from measureapp.data.setups import JoinedSetUp
@@ -87,6 +87,7 @@ def compose(
 def _sections(measurement: Measurement, details: Details, deviation: Deviation | None, why_not: str) -> tuple[Section, ...]:
     dimensions = () if measurement.inspection is None else measurement.inspection.dimensions
     calibration = (
+        *_version_facts(dimensions),
         *_validity_facts(measurement.validity),
         Fact("Calibration age", calibration_age(measurement)),
         *_length_facts(dimensions, () if measurement.inspection is None else measurement.inspection.lengths),
@@ -216,6 +217,17 @@ def _consistency_facts(consistency: Consistency) -> tuple[Fact, ...]:
         return ()
     facts = [Fact("Result", consistency.sentence)]
     return (*facts, *(Fact(f"Deviations by {check.name}", check.sentence) for check in consistency.checks))
+
+
+def _version_facts(dimensions: Sequence[Dimension]) -> tuple[Fact, ...]:
+    """Return a warning where rows of one table were evaluated by different versions: their U may follow different error models."""
+    others = of_other_versions(dimensions, __version__)
+    if not others:
+        return ()
+    listed = ", ".join(f"{one.name} ({one.version or 'an earlier one'})" for one in others)
+    return (
+        Fact("Warning", f"Evaluated by another version of MeasureApp than the rest: {listed}. Their U may follow another error model."),
+    )
 
 
 def _validity_facts(validity: Validity) -> tuple[Fact, ...]:

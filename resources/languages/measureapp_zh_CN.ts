@@ -10751,6 +10751,18 @@
       <translation>请输入名义值</translation>
     </message>
     <message>
+      <source>Evaluate every dimension with this version; the results are stored when the program is saved</source>
+      <translation>用此版本重新评定所有尺寸；保存程序时一并保存结果</translation>
+    </message>
+    <message>
+      <source>Evaluated by an earlier version of MeasureApp</source>
+      <translation>由 MeasureApp 的早期版本评定</translation>
+    </message>
+    <message>
+      <source>Evaluated by version {version} of MeasureApp</source>
+      <translation>由 MeasureApp {version} 版评定</translation>
+    </message>
+    <message>
       <source>Expanded uncertainty (k = 2)</source>
       <translation>扩展不确定度 (k = 2)</translation>
     </message>
@@ -10945,6 +10957,10 @@
     <message>
       <source>Measure again</source>
       <translation>重新测量</translation>
+    </message>
+    <message>
+      <source>Measure all</source>
+      <translation>全部测量</translation>
     </message>
     <message>
       <source>Measure everything that is stale</source>
@@ -11519,6 +11535,10 @@
       <translation>单独</translation>
     </message>
     <message>
+      <source>an earlier version</source>
+      <translation>早期版本</translation>
+    </message>
+    <message>
       <source>angle</source>
       <translation>角度</translation>
     </message>
@@ -11561,6 +11581,10 @@
     <message>
       <source>edge</source>
       <translation>边</translation>
+    </message>
+    <message>
+      <source>evaluated by version {version} of MeasureApp</source>
+      <translation>由 MeasureApp {version} 版评定</translation>
     </message>
     <message>
       <source>feature</source>
@@ -11689,6 +11713,10 @@
     <message>
       <source>{listed}, each confirmed by its neighbours.</source>
       <translation>{listed}，均由其邻点证实。</translation>
+    </message>
+    <message>
+      <source>{mark} Evaluated by another version of MeasureApp ({named}): its U may follow another error model than those beside it.</source>
+      <translation>{mark} 由 MeasureApp 的其他版本（{named}）评定：其 U 依据的误差模型可能与其他行不同。</translation>
     </message>
     <message>
       <source>{names} and {count} more</source>

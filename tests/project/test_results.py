@@ -198,6 +198,13 @@ def test_an_inspection_comes_back_with_features_of_every_kind(inspection: Inspec
     same(inspection_from(through_json(inspection_document(inspection))), inspection)
 
 
+def test_results_of_a_version_that_did_not_state_itself_are_read_as_such(inspection: Inspection) -> None:
+    stated = replace(inspection, dimensions=tuple(replace(one, version="0.1.0") for one in inspection.dimensions))
+    document = through_json(inspection_document(stated))
+    assert [one.pop("version") for one in document["dimensions"]] == ["0.1.0"] * len(stated.dimensions)
+    assert {one.version for one in inspection_from(document).dimensions} == {""}
+
+
 def test_a_measurement_comes_back(measurement: Measurement, tmp_path: Path) -> None:
     save(tmp_path, measurement)
     found = load(tmp_path, measurement.calibration)

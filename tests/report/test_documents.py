@@ -232,6 +232,15 @@ def test_the_alignment_is_stated_once_if_it_is_common_and_per_dimension_if_not(m
     assert [one["aligned_by"] for one in several["dimensions"]][:2] == ["on the pins", "best fit"]
 
 
+def test_rows_that_another_version_evaluated_are_named(measured) -> None:
+    first, *rest = measured().inspection.dimensions
+    mixed = measured((replace(first, version="0.0.9"), *(replace(one, version="0.1.0") for one in rest)))
+    (warning,) = typst_document(compose(mixed, pictures=False))["warnings"]
+    assert f"{first.name} (0.0.9)" in warning and rest[0].name not in warning
+    alike = measured(tuple(replace(one, version="0.0.9") for one in (first, *rest)))
+    assert typst_document(compose(alike, pictures=False))["warnings"] == []
+
+
 def test_a_best_fit_is_said_to_be_for_comparison_only(measured) -> None:
     measurement = measured()
     aligned = replace(measurement.inspection, alignment=replace(measurement.inspection.alignment, method="best-fit"))

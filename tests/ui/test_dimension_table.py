@@ -10,6 +10,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QLabel, QLineEdit, QStyle, QStyleOptionViewItem
 
+from measureapp import __version__
 from measureapp.inspection.dimensions import inspect
 from measureapp.inspection.programming import edits
 from measureapp.project.folder import ProjectFolder, ProjectSettings
@@ -194,6 +195,41 @@ def test_one_long_tolerance_does_not_take_the_room_of_the_other_columns(applicat
     assert table.shown.index(place, Column.TOLERANCE).data(Qt.ItemDataRole.ToolTipRole) == table.texts()[0][2]
 
 
+def test_rows_that_another_version_evaluated_are_marked_until_all_are_measured_and_saved(application, page, qtbot, project):
+    programming, table, notice = application.controllers.programming, page.side.table, page.side.versions
+    inspection = application.session.inspection
+    older = replace(inspection, dimensions=tuple(replace(one, version="0.0.9") for one in inspection.dimensions))
+    project.update_inspection(replace(application.session.measurement, inspection=older))
+    application.controllers.project.open(project.path)
+    settled(application, qtbot)
+    assert shown_u(table) == {"size": "0.0.9", "half": "0.0.9", "flat": "0.0.9"} and notice.isHidden()  # all rows are of one version
+    type_in(page, qtbot, "half", Column.NOMINAL, "60")
+    settled(application, qtbot)
+    assert shown_u(table) == {"size": "0.0.9*", "half": __version__, "flat": "0.0.9*"}
+    assert notice.isVisibleTo(page) and "0.0.9" in notice.words.text()
+    place = next(number for number, row in enumerate(table.shown_rows) if row.name == "size")
+    assert "0.0.9" in table.shown.index(place, Column.UNCERTAINTY).data(Qt.ItemDataRole.ToolTipRole)
+    assert not any("*" in text for texts in table.texts() for text in texts)  # what is copied are numbers
+    programming.save()
+    settled(application, qtbot)
+    qtbot.mouseClick(notice.again, Qt.MouseButton.LeftButton)
+    settled(application, qtbot)
+    assert set(shown_u(table).values()) == {__version__} and notice.isHidden() and programming.is_modified
+    programming.save()
+    settled(application, qtbot)
+    stored = project.measurement().inspection.dimensions
+    assert {one.version for one in stored} == {__version__} and not programming.is_modified
+
+
+def shown_u(table) -> dict[str, str]:
+    """Return the version of each row, with the mark that U is shown with."""
+    shown = {}
+    for place, row in enumerate(table.shown_rows):
+        mark = "*" if table.shown.index(place, Column.UNCERTAINTY).data().endswith("*") else ""
+        shown[row.name] = row.found.version + mark
+    return shown
+
+
 READ_AT_ONCE = (Column.NAME, Column.NOMINAL, Column.MEASURED, Column.UNCERTAINTY, Column.VERDICT)
 
 
@@ -204,7 +240,14 @@ def test_name_nominal_value_u_and_verdict_are_read_in_the_smallest_window(applic
     page.window().resize(1280, 720)
     if is_missed:
         lost = {"name": "lost", "shape": "sphere", "point_mm": [300, 0, 0], "radius_mm": 10}
-        size = {"name": "lost size", "kind": "diameter", "features": ["lost"], "nominal": 120, "upper_tolerance": 0.1, "lower_tolerance": -0.1}
+        size = {
+            "name": "lost size",
+            "kind": "diameter",
+            "features": ["lost"],
+            "nominal": 120,
+            "upper_tolerance": 0.1,
+            "lower_tolerance": -0.1,
+        }
         programming.edit(lambda program: edits.add(edits.add(program, "feature", lost), "dimension", size), "added")
         settled(application, qtbot)
         assert row_named(page, "lost size").verdict == "not measured"

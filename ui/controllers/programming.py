@@ -208,6 +208,15 @@ class ProgrammingController(QObject):
         self.changed.emit()
 
     @Slot()
+    def measure_all(self) -> None:
+        """Measure every dimension again, also those whose results belong to the program; the results can be saved."""
+        if self.state is not None and self.can_change:
+            self._measured = None
+            self.stack.resetClean()
+            self.measure()
+            self._show_edit()
+
+    @Slot()
     def undo(self) -> None:
         """Undo the last edit."""
         if self.can_undo:

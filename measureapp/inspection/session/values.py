@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from measureapp import __version__
 from measureapp.data.control_frame import control_frame
 from measureapp.data.datum_letters import common_datums
 from measureapp.data.dimension import CONTRADICTED, Dimension, Verdict
@@ -249,6 +250,7 @@ def _make_dimension(
         alignment=described.alignment or "",
         group=described.group,
         traceability=_describe_traceability(described, [found[name] for name in (*features, *datums)], how),
+        version=__version__,
     )
 
 

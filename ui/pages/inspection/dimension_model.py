@@ -10,7 +10,9 @@ from typing import Any
 from PySide6.QtCore import QAbstractTableModel, QObject, Qt
 from PySide6.QtGui import QFont
 
+from measureapp import __version__
 from measureapp.data.datum_letters import common_datums
+from measureapp.data.dimension import of_other_versions
 from ui.controllers.program_rows import STATUS_WORDS, DimensionRow
 from ui.look.language.words import tr, translated
 from ui.look.wording import NOTHING, quantity, sentence_case
@@ -22,6 +24,7 @@ SORT_ROLE = Qt.ItemDataRole.UserRole + 2  # what a column is sorted by
 STATUS_ROLE = Qt.ItemDataRole.UserRole + 3
 FRAME_ROLE = Qt.ItemDataRole.UserRole + 4  # the feature control frame that is drawn in place of the text
 DIGITS = 3
+OTHER_VERSION = "*"  # behind U of a row that another version evaluated than the rest; the notice above the lists explains it
 WORST_FIRST = ("fail", "not proven", "not measured", "", "pass", "no tolerance")
 
 
@@ -156,14 +159,19 @@ class DimensionModel(QAbstractTableModel):
         super().__init__(parent)
         self._edit = edit
         self.rows: tuple[DimensionRow, ...] = ()
+        self.of_other_versions = frozenset[int]()  # numbers of the rows that another version evaluated than the rest
 
     def set_rows(self, rows: Sequence[DimensionRow]) -> bool:
         """Show these rows; return whether rows came, went or moved, which resets the view."""
-        now = tuple(rows)
+        now, marked = tuple(rows), self.of_other_versions
+        others = of_other_versions((row.found for row in now if row.found is not None), __version__)
+        self.of_other_versions = frozenset(row.id for row in now if any(row.found is one for one in others))
         if [row.id for row in now] == [row.id for row in self.rows]:
             before, self.rows = self.rows, now
             for place, (old, new) in enumerate(zip(before, now, strict=True)):
                 self._tell_changes(place, old, new)
+            if marked != self.of_other_versions and now:
+                self.dataChanged.emit(self.index(0, Column.UNCERTAINTY), self.index(len(now) - 1, Column.UNCERTAINTY))
             return False
         self.beginResetModel()
         self.rows = now
@@ -182,6 +190,22 @@ class DimensionModel(QAbstractTableModel):
         ]
         if touched:
             self.dataChanged.emit(self.index(place, min(touched)), self.index(place, max(touched)))
+
+    def shown_text(self, row: DimensionRow, column: Column) -> str:
+        """Return what a cell shows, in the language of the window and with its marks."""
+        return translated(cell_text(row, column)) + (OTHER_VERSION if self._is_marked(row, column) else "")
+
+    def _is_marked(self, row: DimensionRow, column: Column) -> bool:
+        return column is Column.UNCERTAINTY and row.id in self.of_other_versions
+
+    def _version_tip(self, row: DimensionRow) -> str:
+        known = "" if row.found is None else row.found.version
+        words = (
+            tr("Evaluated by version {version} of MeasureApp", version=known)
+            if known
+            else tr("Evaluated by an earlier version of MeasureApp")
+        )
+        return "\n".join(filter(None, (words, translated(_tip(row, Column.UNCERTAINTY)))))
 
     def place_of(self, row_id: int) -> int:
         """Return the place of a row by its number; -1: there is none."""
@@ -223,13 +247,13 @@ class DimensionModel(QAbstractTableModel):
         """Return what a cell shows."""
         row, column = self.rows[index.row()], Column(index.column())
         if role == Qt.ItemDataRole.DisplayRole:
-            return translated(cell_text(row, column))
+            return self.shown_text(row, column)
         if role == Qt.ItemDataRole.EditRole:
             return edit_text(row, column) if column in EDITABLE else cell_text(row, column)
         if role == Qt.ItemDataRole.TextAlignmentRole:
             return _alignment(column)
         if role == Qt.ItemDataRole.ToolTipRole:
-            return translated(_tip(row, column))
+            return self._version_tip(row) if self._is_marked(row, column) else translated(_tip(row, column))
         if role == SIGN_ROLE:
             return row.verdict if column is Column.VERDICT else ""
         if role == SORT_ROLE:

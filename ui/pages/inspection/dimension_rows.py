@@ -148,7 +148,10 @@ def dimension_properties(
             ("Uncertainty (k = 2)", quantity(dimension.round_uncertainty(), unit)),
         ),
     )
-    taken = tuple(("", sentence(part)) for part in dimension.traceability.split("; ") if part and not part.startswith("datums "))
+    evaluated = tr("evaluated by version {version} of MeasureApp", version=dimension.version) if dimension.version else ""
+    taken = tuple(
+        ("", sentence(part)) for part in (*dimension.traceability.split("; "), evaluated) if part and not part.startswith("datums ")
+    )
     groups = [values]
     if contributions := dimension.rank_contributions():
         rows = tuple((sentence_case(name), quantity(size, unit, CONTRIBUTION_DIGITS)) for name, size in contributions)

@@ -25,6 +25,7 @@ from ui.pages.inspection.feature_actions import FeatureActions
 from ui.pages.inspection.feature_table import FeatureTable
 from ui.pages.inspection.filter_bar import FilterBar
 from ui.pages.inspection.no_alignment import NoAlignment
+from ui.pages.inspection.other_versions import OtherVersions
 from ui.pages.inspection.row_actions import RowActions
 from ui.pages.inspection.save_bar import SaveBar
 from ui.pages.inspection.tolerance_editor import ToleranceEditor
@@ -88,10 +89,12 @@ class DimensionSide(QWidget):
         self._lists.setMinimumHeight(LEAST_LIST)  # rather than that of the highest of them: the bars below are not squeezed
         self._show_create()
         self.unaligned = NoAlignment(look, programming)
+        self.versions = OtherVersions(look, programming)
         self.unaligned.choose.clicked.connect(lambda: self.list.setValue("alignment"))
         beside = column(
             self.checks,
             self.unaligned,
+            self.versions,
             row(self.list, 0),
             self.filter,
             self._lists,
@@ -101,7 +104,7 @@ class DimensionSide(QWidget):
             self.rule,
             spacing=8,
         )
-        beside.setStretch(4, 1)
+        beside.setStretch(5, 1)
         self.setLayout(beside)
 
     @property
@@ -162,6 +165,7 @@ class DimensionSide(QWidget):
         had_none = self.table.current_id() < 0
         self.table.set_rows(rows)
         self.filter.show_rows(rows)
+        self.versions.show_rows(rows, self.table.dimensions.of_other_versions)
         added = next((row.id for row in rows if row.name == self._awaited), None)
         if added is not None:
             self._awaited = ""

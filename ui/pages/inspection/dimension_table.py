@@ -327,7 +327,7 @@ class DimensionTable(QTableView):
     def _width_of(self, row: DimensionRow, column: Column, letters: QFontMetrics) -> int:
         if column is Column.TOLERANCE and row.frame is not None:
             return int(frame_width(row.frame, OverlayStyle.of(self._look.theme)))
-        width = letters.horizontalAdvance(translated(cell_text(row, column)))
+        width = letters.horizontalAdvance(self.dimensions.shown_text(row, column))
         return min(width, letters.horizontalAdvance(WIDEST_TOLERANCE)) if column is Column.TOLERANCE else width
 
     @Slot()
