@@ -357,6 +357,10 @@
       <translation>尚无视图。</translation>
     </message>
     <message>
+      <source>No views yet. Each viewpoint is listed here once it has been scanned and processed.</source>
+      <translation>尚无视图。每个视点扫描并处理后列在此处。</translation>
+    </message>
+    <message>
       <source>Noise</source>
       <translation>噪声</translation>
     </message>
@@ -10475,6 +10479,10 @@
       <translation>证书长度…</translation>
     </message>
     <message>
+      <source>Change</source>
+      <translation>更改</translation>
+    </message>
+    <message>
       <source>Change nothing</source>
       <translation>不作更改</translation>
     </message>
@@ -10603,6 +10611,10 @@
       <translation>坐标</translation>
     </message>
     <message>
+      <source>Copies</source>
+      <translation>数量</translation>
+    </message>
+    <message>
       <source>Copy its lines</source>
       <translation>复制其文字</translation>
     </message>
@@ -10719,6 +10731,10 @@
       <translation>偏置平面或轴上点的距离</translation>
     </message>
     <message>
+      <source>Distance…</source>
+      <translation>距离…</translation>
+    </message>
+    <message>
       <source>Each point</source>
       <translation>逐点</translation>
     </message>
@@ -10804,7 +10820,7 @@
     </message>
     <message>
       <source>Form</source>
-      <translation>形状</translation>
+      <translation>形状误差</translation>
     </message>
     <message>
       <source>Form deviation</source>
@@ -10983,12 +10999,12 @@
       <translation>测量值，未注明单位时为 mm</translation>
     </message>
     <message>
-      <source>Measuring it…</source>
-      <translation>正在测量…</translation>
-    </message>
-    <message>
       <source>Measuring what has changed…</source>
       <translation>正在测量更改的内容…</translation>
+    </message>
+    <message>
+      <source>Measuring…</source>
+      <translation>正在测量…</translation>
     </message>
     <message>
       <source>Merged points</source>
@@ -11039,8 +11055,8 @@
       <translation>没有符合筛选条件的尺寸。请清除搜索，或显示所有判定。</translation>
     </message>
     <message>
-      <source>No dimension fits these features together.</source>
-      <translation>没有尺寸适合这些特征的组合。</translation>
+      <source>No dimension fits these features together. Select one or two of them, or press Tolerance…</source>
+      <translation>没有适合这些特征组合的尺寸。请选择其中一个或两个，或按“公差…”</translation>
     </message>
     <message>
       <source>No dimension fits this feature alone.</source>
@@ -11368,7 +11384,7 @@
     </message>
     <message>
       <source>Slice</source>
-      <translation>切片</translation>
+      <translation>切片厚度</translation>
     </message>
     <message>
       <source>Slot</source>
@@ -11392,7 +11408,7 @@
     </message>
     <message>
       <source>Step</source>
-      <translation>步</translation>
+      <translation>步距</translation>
     </message>
     <message>
       <source>Step of rows</source>
@@ -11505,6 +11521,10 @@
     <message>
       <source>Undo the last point, distance, feature or change of the program</source>
       <translation>撤销上一个点、距离、特征或程序更改</translation>
+    </message>
+    <message>
+      <source>What depends on the feature is measured again; it can be undone</source>
+      <translation>依赖该特征的内容将重新测量；可以撤销</translation>
     </message>
     <message>
       <source>Whiskers × {gain}</source>
@@ -11741,6 +11761,10 @@
     <message>
       <source>{program}. Aligned by {name}, {rms_mm} rms.</source>
       <translation>{program}。按{name}对齐，均方根 {rms_mm}。</translation>
+    </message>
+    <message>
+      <source>{program}. Not aligned: the part frame is taken as that of the nominal.</source>
+      <translation>{program}。未对齐：以工件坐标系作为名义坐标系。</translation>
     </message>
     <message>
       <source>{shape_words}, constructed</source>
@@ -18319,6 +18343,10 @@ There is no page about “{name}”.</source>
       <translation>无公差</translation>
     </message>
     <message>
+      <source>No viewpoints yet. Generate a plan, add a viewpoint above, or open the file of a plan.</source>
+      <translation>尚无视点。请生成计划、在上方添加视点，或打开计划文件。</translation>
+    </message>
+    <message>
       <source>Not checked yet</source>
       <translation>尚未检查</translation>
     </message>
@@ -18798,10 +18826,6 @@ Click to see all messages.</source>
     <message>
       <source>Calibrated and stored in the project.</source>
       <translation>已标定并随项目保存。</translation>
-    </message>
-    <message>
-      <source>Change</source>
-      <translation>更改</translation>
     </message>
     <message>
       <source>Check the board</source>

@@ -161,6 +161,8 @@ def test_slot_line_and_edge_are_created_by_clicks(application, page, qtbot, kind
     assert found.shape == shape and page.side.features.names() == (f"{kind} 1",)
     if kind == "slot":
         assert (found.length_mm, 2 * found.radius_mm) == pytest.approx((SLOT_LENGTH_MM, SLOT_WIDTH_MM), abs=FACETS_MM)
+        shown = dict(page.properties.groups[0].rows)
+        assert {"Width", "Length"} <= shown.keys() and "Radius" not in shown
         assert page.side.features.texts()[-1][3] == f"{2 * found.radius_mm:.3f} × {found.length_mm:.3f}"
 
 

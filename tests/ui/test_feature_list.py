@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
+from PySide6.QtWidgets import QMenu
 
 from measureapp.inspection.dimensions import inspect
 from measureapp.project.folder import ProjectFolder, ProjectSettings
@@ -104,6 +105,36 @@ def test_a_constructed_feature_is_made_at_its_distance_and_listed_with_what_it_i
         ("Distance", "\u22122.500 mm"),
     ]
     assert bar.choice.count() == 0 and "alone" in bar.words.text()  # it has no form of its own
+
+
+def test_the_distance_of_an_offset_plane_is_changed_from_its_menu(application, page, qtbot):
+    table, programming = page.side.features, application.controllers.programming
+    assert "Distance…" not in offered(table)  # nothing is selected
+    table.select_names(["plate"])
+    assert "Distance…" not in offered(table)
+    page.side.create.menu.actions()[0].trigger()
+    settled(application, qtbot)
+    assert application.session.messages[-1].text == "Offset 1 added to the inspection program."
+    assert table.names() == ("offset 1",) and "Distance…" in offered(table)
+    page.side.feature_actions.change_distance()
+    dialog = page.side.feature_actions.dialog
+    assert dialog.field.value() == 10.0
+    dialog.field.lineEdit().setText("-4,25 mm")
+    dialog.use.click()
+    settled(application, qtbot)
+    assert programming.state.program.features[-1].distance_mm == -4.25
+    moved = next(one for one in application.session.inspection.features if one.name == "offset 1")
+    plate = next(one for one in application.session.inspection.features if one.name == "plate")
+    assert (moved.point_mm - plate.point_mm) @ plate.direction == pytest.approx(-4.25)
+    page.undo_last()
+    settled(application, qtbot)
+    assert programming.state.program.features[-1].distance_mm == 10.0
+
+
+def offered(table) -> list[str]:
+    menu = QMenu(table)
+    table.menuAsked.emit(menu)
+    return [one.text() for one in menu.actions()]
 
 
 def test_a_feature_is_renamed_and_deleted_from_its_list(application, page, qtbot):

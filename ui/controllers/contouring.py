@@ -11,7 +11,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 
 from measureapp.errors import MeasureError
 from ui.controllers.jobs import JobRunner
-from ui.controllers.programming import ProgrammingController
+from ui.controllers.programming import ProgrammingController, added_words
 from ui.look.language.words import later, tr
 from ui.look.wording import sentence, with_hint
 from ui.session import Session
@@ -181,8 +181,7 @@ class ContouringController(QObject):
 
         entry = contour.entry
         assert entry is not None
-        words = tr("{name} added to the inspection program.", name=contour.name)
-        if self._programming.edit(lambda program: edits.add(program, "feature", entry), words):
+        if self._programming.edit(lambda program: edits.add(program, "feature", entry), added_words(contour.name)):
             self._show(None)
             self.created.emit(copies_of(entry))
 

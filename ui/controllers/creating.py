@@ -10,7 +10,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 
 from measureapp.errors import MeasureError
 from ui.controllers.jobs import JobRunner
-from ui.controllers.programming import ProgrammingController
+from ui.controllers.programming import ProgrammingController, added_words
 from ui.look.language.words import tr
 from ui.messages import MOMENT
 from ui.session import Session
@@ -62,9 +62,7 @@ class CreatingController(QObject):
             return
         name = edits.unique_name(program, "feature", f"{str(entry['shape']).replace('_', ' ')} 1")
         new = {**entry, "name": name}
-        if self._programming.edit(
-            lambda program: edits.add(program, "feature", new), tr("{name} added to the inspection program.", name=name)
-        ):
+        if self._programming.edit(lambda program: edits.add(program, "feature", new), added_words(name)):
             self.picked.emit(name)
 
     def proposals(self, names: Sequence[str]) -> tuple[Proposal, ...]:
@@ -88,7 +86,7 @@ class CreatingController(QObject):
             program = edits.add(program, "dimension", *proposal.dimensions)
             return _linked(program, [str(one["name"]) for one in proposal.dimensions])
 
-        return name if self._programming.edit(change, tr("{name} added to the inspection program.", name=name)) else ""
+        return name if self._programming.edit(change, added_words(name)) else ""
 
     def constructions(self, names: Sequence[str]) -> tuple[str, ...]:
         """Return the shapes that can be constructed from features."""
@@ -132,9 +130,7 @@ class CreatingController(QObject):
             return ""
         name = edits.unique_name(self.program, "feature", f"{shape.replace('_', ' ')} 1")
         entry = _construction(name, shape, names, distance_mm)
-        added = self._programming.edit(
-            lambda program: edits.add(program, "feature", entry), tr("{name} added to the inspection program.", name=name)
-        )
+        added = self._programming.edit(lambda program: edits.add(program, "feature", entry), added_words(name))
         return name if added else ""
 
     def _features(self, program: InspectionProgram) -> dict[str, Feature]:

@@ -153,7 +153,7 @@ class ProgrammingController(QObject):
         document = tomllib.loads(lines)
         kind = "feature" if "features" in document else "dimension"
         entries = document[f"{kind}s"]
-        self.edit(lambda program: edits.add(program, kind, *entries), tr("{name} added to the inspection program.", name=name))
+        self.edit(lambda program: edits.add(program, kind, *entries), added_words(name))
 
     @Slot(str)
     def remove(self, entries: ProgramEntries) -> None:
@@ -330,6 +330,11 @@ class ProgrammingController(QObject):
         if self.state is not read:
             self.measure()
         self.changed.emit()
+
+
+def added_words(name: str) -> str:
+    """Return what is told of a new entry, by its name as tables show it."""
+    return tr("{name} added to the inspection program.", name=sentence_case(name))
 
 
 def _current(found: Dimension) -> Status:

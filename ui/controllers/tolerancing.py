@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from ui.controllers.programming import ProgrammingController
+from ui.controllers.programming import ProgrammingController, added_words
 from ui.look.language.words import tr
+from ui.look.wording import sentence_case
 from ui.session import Session
 
 if TYPE_CHECKING:
@@ -88,7 +89,7 @@ class Tolerancing:
         if program is None or self.refusal(choice, former):
             return ""
         name = with_tolerance(program, choice, former)[1]
-        words = tr("Tolerance of {name} changed.", name=name) if former else tr("{name} added to the inspection program.", name=name)
+        words = tr("Tolerance of {name} changed.", name=sentence_case(name)) if former else added_words(name)
         return name if self._programming.edit(lambda program: with_tolerance(program, choice, former)[0], words) else ""
 
     def _features(self) -> Mapping[str, Feature]:

@@ -20,6 +20,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from ui.look.language.retranslating import remember
 from ui.look.language.words import tr, translated
 from ui.look.look import Look
 
@@ -38,6 +39,7 @@ def label(text: str = "", role: TextRole = "body", *, wrap: bool = False) -> QLa
     made.setTextInteractionFlags(Qt.TextInteractionFlag.NoTextInteraction)
     if wrap:
         made.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Minimum)
+    remember(made)
     return made
 
 
@@ -50,6 +52,7 @@ class ElidedLabel(QLabel):
         self.setProperty("role", role)
         self.words = translated(text)
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        remember(self)
 
     def set_words(self, words: str) -> None:
         """Set the text."""
@@ -113,6 +116,7 @@ class Button(QPushButton):
         self.setAccessibleName(translated(text) or translated(tip))
         self.setProperty("role", role)
         self.setToolTip(translated(tip))
+        remember(self)
         self.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         self.setAutoDefault(False)  # Enter in a dialog triggers its default button only
         self.setCursor(Qt.CursorShape.PointingHandCursor)
@@ -179,6 +183,7 @@ class Form(QFormLayout):
         """Add an editor; a label as its name can be changed later."""
         named = QLabel(translated(name)) if isinstance(name, str) else name
         named.setProperty("role", "field")
+        remember(named)
         self.addRow(named, editor)
 
 

@@ -12,11 +12,13 @@ from ui.look.language.words import tr
 from ui.look.look import Look
 from ui.widgets.data_table import ROW_HEIGHT
 from ui.widgets.data_tree import INDENT, RowDelegate
+from ui.widgets.empty_rows import EmptyRows
 from ui.widgets.plan_tree_model import NAME, TOP, Aims, PlanTreeModel, RowState
 
 if TYPE_CHECKING:
     from measureapp.data.plan import ScanPlan, Viewpoint
 
+NO_ROWS = "No viewpoints yet. Generate a plan, add a viewpoint above, or open the file of a plan."
 WIDTHS = (0, 64, 80, 100, 78, 84)
 OPENED_GROUPS = 4  # of a new plan; more would hide each other
 
@@ -38,6 +40,7 @@ class PlanTree(QTreeView):
         self.setVerticalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
         self.setIndentation(INDENT)
         self.setUniformRowHeights(True)
+        EmptyRows(self, NO_ROWS)
         header = self.header()
         header.setStretchLastSection(False)
         header.setFixedHeight(ROW_HEIGHT)

@@ -8,6 +8,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QButtonGroup, QHBoxLayout, QPushButton, QWidget
 
+from ui.look.language.retranslating import remember
 from ui.look.language.words import tr, translated
 
 
@@ -33,6 +34,7 @@ class Segments(QWidget):
             made.setCheckable(True)
             made.setAccessibleName(tr("{name}: {text}", name=name, text=text) if name else translated(text))
             made.setToolTip(translated((tips or {}).get(key, "")))
+            remember(made)
             made.setAutoDefault(False)
             made.setProperty("role", "segment")
             made.setProperty("place", "first" if place == 0 else "last" if place == last else "middle")

@@ -35,6 +35,17 @@ Getter = Callable[[], str]
 Setter = Callable[[str], object]
 
 
+def remember(one: QObject) -> None:
+    """Keep what the texts of a widget were translated from, just after it was made: later another English text may have the same one."""
+    if TRANSLATOR.catalogue is None:  # English texts are their own sources
+        return
+    origins = ORIGINS.setdefault(one, {})
+    for place, (read, _) in enumerate(_texts(one)):
+        bare = read().removeprefix(THIN)
+        if (issued := TRANSLATOR.origin(bare)) is not None:
+            origins[place] = bare, issued
+
+
 class Retranslation(QObject):
     """Goes through all widgets and actions, those in sight first; ``finish`` does the rest at once."""
 

@@ -14,6 +14,7 @@ from ui.look.look import Look
 from ui.look.wording import NOTHING, counted, millimetres
 from ui.pages.clouds.view_words import REFUSED, view_verdict
 from ui.widgets.data_table import Cell, DataTable, number, verdict_cell
+from ui.widgets.empty_rows import EmptyRows
 
 if TYPE_CHECKING:
     from measureapp.data.cloud import ViewPlacement
@@ -39,6 +40,7 @@ class ViewTable(DataTable):
         self.horizontalHeader().setSectionResizeMode(EYE_COLUMN, QHeaderView.ResizeMode.Fixed)
         self.setColumnWidth(EYE_COLUMN, EYE_WIDTH)
         self.cellClicked.connect(self._toggle)
+        EmptyRows(self, "No views yet. Each viewpoint is listed here once it has been scanned and processed.")
 
     def show_views(self, views: Sequence[ViewResult], placements: Mapping[str, ViewPlacement]) -> None:
         """Show these views with their placements, as far as registered."""

@@ -31,7 +31,7 @@ KINDS = {
     "edge": later("Edge"),
     "pattern": later("Hole pattern"),
 }
-WORKING = "Measuring it…"
+WORKING = "Measuring…"
 
 
 class ContourBar(QFrame):

@@ -28,7 +28,7 @@ SIZES = {
     "height_mm": later("Slice"),
     "strip_mm": later("Strip"),
     "gap_mm": later("Gap"),
-    "count": later("Number"),
+    "count": later("Copies"),
     "angle_deg": later("Angle step"),
 }
 TIPS = {

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from measureapp.inspection.programming.proposals import Proposal
 
 HOW = "Select features in the list, pick faces of the CAD model, or create a new feature by clicking. Fitting dimensions are then proposed."
-NONE_FITS = "No dimension fits these features together."
+NONE_FITS = "No dimension fits these features together. Select one or two of them, or press Tolerance…"
 NONE_FITS_ONE = "No dimension fits this feature alone."
 START_MM, LARGEST_MM = 10.0, 10_000.0  # distance of an offset plane or a point on an axis, until another one is entered
 CONSTRUCTIONS = {
@@ -70,13 +70,7 @@ class CreateBar(QFrame):
         self.tolerance = Button(
             "Tolerance…", look, "", "quiet", "Define a geometrical tolerance of the first selected feature, the others as its datums"
         )
-        self.distance = NumberField()
-        self.distance.setAccessibleName(tr("Distance of an offset plane or a point on the axis"))
-        self.distance.setToolTip(tr("Distance of an offset plane or a point on the axis"))
-        self.distance.setDecimals(3)
-        self.distance.setRange(-LARGEST_MM, LARGEST_MM)
-        self.distance.setSuffix(" mm")
-        self.distance.setProperty("plain", True)
+        self.distance = distance_field()
         self.distance.setValue(START_MM)
         self.distance_words = label("Distance", "soft")
         self.menu.hovered.connect(self._preview)
@@ -138,6 +132,18 @@ class CreateBar(QFrame):
     def _distance_of(self, shape: str) -> float:
         """Return the distance at which a shape is constructed, 0 where it has none."""
         return self.distance.value() if self._creating.has_distance(shape) else 0.0
+
+
+def distance_field() -> NumberField:
+    """Return an editor of the distance of a constructed feature."""
+    made = NumberField()
+    made.setAccessibleName(tr("Distance of an offset plane or a point on the axis"))
+    made.setToolTip(tr("Distance of an offset plane or a point on the axis"))
+    made.setDecimals(3)
+    made.setRange(-LARGEST_MM, LARGEST_MM)
+    made.setSuffix(" mm")
+    made.setProperty("plain", True)
+    return made
 
 
 def proposal_words(proposal: Proposal) -> str:

@@ -116,6 +116,18 @@ def quantity_with_unit(words: str, unit: str) -> str:
     return f"{words}{unit}" if unit in {"", "°"} else f"{words}\u00a0{unit}"
 
 
+def alignment_words(program: str, alignment: Alignment) -> str:
+    """Return the state of an inspection: program and alignment; without one there is no residual to state."""
+    if alignment.name.startswith("none"):
+        return tr("{program}. Not aligned: the part frame is taken as that of the nominal.", program=sentence_case(program))
+    return tr(
+        "{program}. Aligned by {name}, {rms_mm} rms.",
+        program=sentence_case(program),
+        name=alignment.name,
+        rms_mm=millimetres(alignment.rms_mm),
+    )
+
+
 def alignment_group(alignment: Alignment) -> Group:
     """Return the alignment to the nominal, and the motions it does not determine."""
     rows = [
@@ -184,9 +196,18 @@ def feature_group(feature: Feature, made: Construction | None = None) -> Group:
             ("Rejected", counted(feature.left_out)),
             *([] if is_blade(feature) else [("Form deviation", millimetres(feature.form_error_mm))]),
             ("Residual (rms)", millimetres(feature.rms_mm)),
-            *([("Radius", millimetres(feature.radius_mm))] if feature.radius_mm is not None else []),
+            *_sizes(feature),
         ),
     )
+
+
+def _sizes(feature: Feature) -> list[tuple[str, str]]:
+    """Return the sizes of a feature; a slot is toleranced by its width and length."""
+    if feature.radius_mm is None:
+        return []
+    if feature.shape == "slot" and feature.length_mm is not None:
+        return [("Width", millimetres(2 * feature.radius_mm)), ("Length", millimetres(feature.length_mm))]
+    return [("Radius", millimetres(feature.radius_mm))]
 
 
 def rule_name() -> str:

@@ -13,10 +13,12 @@ from ui.controllers.programming import ProgrammingController
 from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.look.wording import sentence_case
+from ui.pages.inspection.distance_dialog import DistanceDialog
 from ui.pages.inspection.feature_table import FeatureTable
 from ui.pages.inspection.rename_dialog import RenameDialog
 
 if TYPE_CHECKING:
+    from measureapp.data.feature_program import ConstructedFeature
     from measureapp.data.inspection_program import FeatureProgram
 
 
@@ -40,6 +42,29 @@ class FeatureActions(QObject):
         dialog.chosen.connect(lambda name: self._rename(entry, name))
         dialog.finished.connect(dialog.deleteLater)
         dialog.open()
+
+    def change_distance(self) -> None:
+        """Ask for another distance of the selected offset plane or point on an axis."""
+        entry = self._with_distance()
+        if entry is None or not self._programming.can_change:
+            return
+        dialog = self.dialog = DistanceDialog(self._look, entry.name, entry.distance_mm, self._table.window())
+        dialog.chosen.connect(lambda distance_mm: self._set_distance(entry.name, distance_mm))
+        dialog.finished.connect(dialog.deleteLater)
+        dialog.open()
+
+    def _with_distance(self) -> ConstructedFeature | None:
+        """Return the selected feature if it is a single one with a distance."""
+        entries = self._table.entries()
+        (entry,) = entries if len(entries) == 1 else (None,)
+        return entry if getattr(entry, "distance_mm", None) is not None else None
+
+    def _set_distance(self, name: str, distance_mm: float) -> None:
+        from measureapp.inspection.programming import edits
+        from measureapp.inspection.session.graph import Node
+
+        words = tr("{what} of {name} changed.", what="Distance", name=sentence_case(name))
+        self._programming.edit(lambda program: edits.change(program, Node("feature", name), {"distance_mm": distance_mm}), words)
 
     def remove(self) -> None:
         """Delete the selected features; refused where others need them, with their names."""
@@ -65,7 +90,7 @@ class FeatureActions(QObject):
         from measureapp.inspection.session.graph import Node
 
         chosen = self._table.names()
-        words = tr("{what} of {name} changed.", what="Name", name=entry.name)
+        words = tr("{what} of {name} changed.", what="Name", name=sentence_case(entry.name))
         if self._programming.edit(lambda program: edits.rename(program, Node("feature", entry.name), name), words):
             renamed = dict(zip(copy_names(entry.name, entry.repeat), copy_names(name, entry.repeat), strict=True))
             self._table.select_names([renamed.get(one, one) for one in chosen])
@@ -75,6 +100,8 @@ class FeatureActions(QObject):
         patterns = [one.name for one in entries if one.repeat is not None]
         words = tr("Delete the pattern {name}", name=sentence_case(patterns[0])) if len(patterns) == len(entries) == 1 else "Delete"
         menu.addSeparator()
+        if self._with_distance() is not None:
+            menu.addAction(tr("Distance…"), self.change_distance).setEnabled(can)
         for text, key, act, is_possible in (
             ("Rename…", Qt.Key.Key_F2, self.rename, len(entries) == 1),
             (words, Qt.Key.Key_Delete, self.remove, bool(entries)),

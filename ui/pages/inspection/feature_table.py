@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from measureapp.data.inspection_program import FeatureProgram
 
 HEADERS = ["Feature", "Datum", "Shape", "Size", "Form", "Points"]
+DATUM = HEADERS.index("Datum")
 
 
 class FeatureTable(DataTable):
@@ -57,6 +58,7 @@ class FeatureTable(DataTable):
         arrived = [name for name in self._awaited if name in measured]
         kept = [name for name in self.names() if name in measured or name in coming]
         blocked = self.selectionModel().blockSignals(True)
+        self.setColumnHidden(DATUM, not any(letters.get(one.name) for one in features))  # names need its room
         self.set_rows([_cells(one, letters.get(one.name, ""), self.constructed.get(one.name)) for one in features])
         self.selectionModel().clearSelection()
         self.selectionModel().blockSignals(blocked)

@@ -18,7 +18,7 @@ from ui.pages.clicked_distance import ClickedPoint
 from ui.pages.inspection.clicking import ClickingTools
 from ui.pages.inspection.cutting import Cutting
 from ui.pages.inspection.deviation_display import DeviationDisplay
-from ui.pages.inspection.dimension_rows import decision_rule, dimension_properties, feature_group, removal_words
+from ui.pages.inspection.dimension_rows import alignment_words, decision_rule, dimension_properties, feature_group, removal_words
 from ui.pages.inspection.dimension_side import TABLE_WIDTH, DimensionSide
 from ui.pages.inspection.part_picture import SHAPE_TIPS, SHAPES, filled_in, mesh_of, part_composer
 from ui.pages.inspection.picture_content import PictureContent
@@ -166,14 +166,7 @@ class InspectionPage(ViewportPage):
         if (measurement := self.session.measurement) is not None:
             self.side.show_checks(measurement.consistency)
         alignment = inspection.alignment
-        self.state.setText(
-            tr(
-                "{program}. Aligned by {name}, {rms_mm} rms.",
-                program=sentence_case(inspection.program),
-                name=alignment.name,
-                rms_mm=millimetres(alignment.rms_mm),
-            )
-        )
+        self.state.setText(alignment_words(inspection.program, alignment))
         self.program.show_inspection(inspection)
         self._select()
         if self.isVisible():
@@ -305,7 +298,9 @@ class InspectionPage(ViewportPage):
         if self.grow.last is not None:
             QGuiApplication.clipboard().setText(translated(self.grow.last.entry))
             self.session.tell(
-                tr("Lines of {name} copied.", name=self.grow.last.feature.name), "Paste them into an inspection program.", "done"
+                tr("Lines of {name} copied.", name=sentence_case(self.grow.last.feature.name)),
+                "Paste them into an inspection program.",
+                "done",
             )
 
     def _show_distances(self) -> None:

@@ -11,6 +11,9 @@ from PySide6.QtWidgets import QAbstractItemView, QDialog, QWidget
 from measureapp.calibrate.kinds.table import KINDS
 from tests.ui.look.language.displayed import chart_texts, displayed_texts, painted_texts
 from ui.viewport.backend import missing_graphics
+from ui.widgets.basic import label
+from ui.widgets.empty_rows import EmptyRows
+from ui.widgets.segments import Segments
 
 PATIENCE_MS = 60_000
 
@@ -113,3 +116,22 @@ def test_open_dialogs_follow_the_language(application, sample, qtbot, tongues):
         for one in opened:
             one.close()
     assert "\n".join(sorted(tongues.found)) == ""
+
+
+def test_texts_with_one_translation_become_what_they_were(application, window, qtbot):
+    application.settings.set_text("language", "zh_CN")
+    made = {words: label(words) for words in ("Dimensions", "Dimension", "Features", "Feature")}
+    list_, heading = Segments({"d": "Dimensions", "f": "Features"}, name="List"), label("Dimension")
+    for one in (*made.values(), list_, heading):
+        qtbot.addWidget(one)
+    assert made["Dimension"].text() == made["Dimensions"].text() == "尺寸"
+    application.settings.set_text("language", "en")
+    application.language.retranslation.finish()
+    assert {words: one.text() for words, one in made.items()} == {words: words for words in made}
+    assert [list_.button(one).text() for one in "df"] == ["Dimensions", "Features"]
+
+
+def test_lists_without_rows_say_how_they_are_filled(window):
+    for view in (window.pages["plan"].tree, window.pages["clouds"].table):
+        words = view.viewport().findChild(EmptyRows)
+        assert not words.isHidden() and "yet" in words.text()
