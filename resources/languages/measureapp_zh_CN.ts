@@ -15289,6 +15289,10 @@ The first run of this part counts.</source>
       <translation>打开示例</translation>
     </message>
     <message>
+      <source>Opening the project…</source>
+      <translation>正在打开项目…</translation>
+    </message>
+    <message>
       <source>PNG, JPEG or SVG</source>
       <translation>PNG、JPEG 或 SVG</translation>
     </message>
@@ -15527,6 +15531,10 @@ The first run of this part counts.</source>
     <message>
       <source>Views that measured this point</source>
       <translation>测量此点的视图</translation>
+    </message>
+    <message>
+      <source>What it holds appears here.</source>
+      <translation>项目内容将显示在此处。</translation>
     </message>
     <message>
       <source>With the company and the logo below, for all your projects.</source>

@@ -51,6 +51,16 @@ def test_an_empty_page_says_it_in_a_sentence_with_one_filled_button(window):
         assert [one for one in buttons if one.isVisible() and one.property("role") == "primary"] == [page.empty.button], name
 
 
+@pytest.mark.parametrize("title", ["Opening project", "Opening the sample project"])
+def test_an_empty_page_claims_no_work_while_a_project_is_opened(application, window, title):
+    for name in ("calibration", "plan", "scan", "clouds", "inspection", "report"):
+        window.show_page(name)
+        application.session.set_busy(title)
+        assert window.pages[name].empty.heading.text() == "Opening the project…"
+        application.session.set_busy("")
+        assert window.pages[name].empty.heading.text() != "Opening the project…"
+
+
 def test_an_empty_page_in_a_running_job_waits_without_a_button(application, window):
     for name in WITH_DATA:
         window.show_page(name)

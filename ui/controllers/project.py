@@ -23,8 +23,10 @@ if TYPE_CHECKING:
     from measureapp.data.rig import RigDescription
     from measureapp.data.validity import Validity
     from measureapp.pipeline import Outcome
+    from measureapp.project.folder import ProjectFolder
     from measureapp.register.clouds.filter_chain import FilterChain
     from ui.workers.job import Job
+OPENING, OPENING_SAMPLE = "Opening project", "Opening the sample project"  # titles of the jobs that only read
 IN_USE = "Nothing can be scanned or recomputed here until that has ended. Then open the project again."
 
 
@@ -62,7 +64,7 @@ class ProjectController(QObject):
         """Open the project in ``folder``; refused while a job runs, because its results would go to the wrong project."""
         if self._session.refuse_during_job() or self._session.ask_about_unsaved(lambda: self.open(folder)):
             return
-        self._runner.run("Opening project", lambda job: read_project(folder, job), self._show)
+        self._runner.run(OPENING, lambda job: read_project(folder, job), self._show)
 
     @Slot(object, str)
     def create(self, folder: Path, part: str) -> None:
@@ -110,7 +112,7 @@ class ProjectController(QObject):
             job.report(0, 1, "Unpacking the sample project")
             return read_project(unpack_sample(name, sample_folder(name)).path, job)
 
-        self._runner.run("Opening the sample project", work, self._show)
+        self._runner.run(OPENING_SAMPLE, work, self._show)
 
     @Slot(object)
     def save_template(self, path: Path) -> None:
@@ -207,7 +209,6 @@ class ProjectController(QObject):
 def read_project(folder: Path, job: Job) -> ReadProject:
     """Read a project folder, which is then one of the last ones opened; runs on a job's thread."""
     job.report(0, 3, "Reading the project")
-    from measureapp.pipeline.validity import known_validity
     from measureapp.project.folder import ProjectFolder
     from measureapp.project.folder_lock import holder_of
     from measureapp.project.recent_projects import recent_file, remember_project
@@ -246,9 +247,16 @@ def read_project(folder: Path, job: Job) -> ReadProject:
         project.stored_viewpoints(),
         measurement,
         {name: path for name, path in files.items() if path.exists()},
-        None if calibration is None else known_validity(project, calibration, None if measurement is None else measurement.validity),
+        None if calibration is None else _validity(project, calibration, measurement),
         filters,
         damage,
         lost,
         holder_of(folder),
     )
+
+
+def _validity(project: ProjectFolder, calibration: RigCalibration, measurement: Measurement | None) -> Validity:
+    """Return what is known of the validity of a calibration; imports the kernels, for which a folder that is no project needs not wait."""
+    from measureapp.pipeline.validity import known_validity
+
+    return known_validity(project, calibration, None if measurement is None else measurement.validity)

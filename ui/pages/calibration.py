@@ -148,7 +148,7 @@ class CalibrationPage(Page):
 
     def _show_busy(self) -> None:
         if self.session.busy_with and self.session.calibration is None:
-            self.empty.say("Calibrating…", "The board is recorded from many sides. The solutions appear here.", offer=False)
+            self.say_running("Calibrating…", "The board is recorded from many sides. The solutions appear here.")
         else:
             self.empty.say("No calibration yet", EMPTY_TEXT)
 

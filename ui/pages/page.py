@@ -8,6 +8,7 @@ from PySide6.QtCore import Qt, Signal
 from PySide6.QtWidgets import QStackedWidget, QWidget
 
 from ui.controllers.controllers import Controllers
+from ui.controllers.project import OPENING, OPENING_SAMPLE
 from ui.look.look import Look
 from ui.session import Session
 from ui.widgets.basic import Button, column, label, row
@@ -68,6 +69,12 @@ class Page(QWidget):
             widget = item.widget() if item is not None else None
             if widget is not None:
                 widget.setVisible(filled)
+
+    def say_running(self, heading: str, text: str) -> None:
+        """Say on the empty page what the running job brings; one that reads a project calibrates, plans and measures nothing."""
+        if self.session.busy_with in (OPENING, OPENING_SAMPLE):
+            heading, text = "Opening the project…", "What it holds appears here."
+        self.empty.say(heading, text, offer=False)
 
     def show_properties(self, properties: Properties) -> None:
         """Show these properties in the panel on the right."""

@@ -112,7 +112,7 @@ class ReportPage(Page):
 
     def _show_busy(self) -> None:
         if self.session.busy_with and self.session.measurement is None:
-            self.empty.say("No report yet", "The report is written when the dimensions have been evaluated.", offer=False)
+            self.say_running("No report yet", "The report is written when the dimensions have been evaluated.")
         else:
             self.empty.say(*EMPTY)
 

@@ -149,7 +149,7 @@ class CloudsPage(ViewportPage):
 
     def _show_busy(self) -> None:
         if self.session.busy_with and not self.session.views:
-            self.empty.say("No clouds yet", "The first cloud appears when the first viewpoint is processed.", offer=False)
+            self.say_running("No clouds yet", "The first cloud appears when the first viewpoint is processed.")
         else:
             self.empty.say(*EMPTY)
         self.filters.button.setEnabled(not self.session.busy_with)

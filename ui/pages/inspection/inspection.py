@@ -129,7 +129,7 @@ class InspectionPage(ViewportPage):
 
     def _show_busy(self) -> None:
         if self.session.busy_with and self.session.inspection is None:
-            self.empty.say("Nothing measured yet", "The dimensions appear here when the surface is complete.", offer=False)
+            self.say_running("Nothing measured yet", "The dimensions appear here when the surface is complete.")
         else:
             self.empty.say(*EMPTY)
         self._show_undo()

@@ -145,7 +145,7 @@ class PlanPage(ViewportPage):
     @Slot()
     def _show_busy(self) -> None:
         if self.session.busy_with and self.planning.plan is None:
-            self.empty.say("Planning…", "The plan is being made.", offer=False)
+            self.say_running("Planning…", "The plan is being made.")
         else:
             self.empty.say(*EMPTY)
 

@@ -167,7 +167,7 @@ class ScanPage(ViewportPage):
         busy = bool(self.session.busy_with)
         if busy:
             self._timer.start()
-            self.empty.say("The rig is being prepared…", "The viewpoints appear here when the scan begins.", offer=False)
+            self.say_running("The rig is being prepared…", "The viewpoints appear here when the scan begins.")
         else:
             self._timer.stop()
             self._tick()
