@@ -10367,6 +10367,10 @@
       <translation>平面确定三个自由度，直线或轴线再确定两个，点确定最后一个。</translation>
     </message>
     <message>
+      <source>A size cannot be negative.</source>
+      <translation>大小不能为负。</translation>
+    </message>
+    <message>
       <source>A, B and C in their order; each fixes what the earlier ones leave free.</source>
       <translation>依次为 A、B、C；每个确定前面留下的自由度。</translation>
     </message>

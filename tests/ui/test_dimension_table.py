@@ -131,6 +131,15 @@ def test_an_entry_that_is_refused_is_told_and_leaves_nothing_open(application, p
     assert told.level == "error" and not application.session.messages.is_open(told)
 
 
+@pytest.mark.parametrize("text", ["-120", "1e308", "nan", "120 inch", ""])
+def test_a_nominal_that_no_size_has_is_refused(application, page, qtbot, text):
+    editor = type_in(page, qtbot, "size", Column.NOMINAL, text or "\b", key=None)
+    assert editor.property("invalid")
+    qtbot.keyClick(editor, Qt.Key.Key_Return)
+    qtbot.waitUntil(lambda: not page.side.table.is_editing)
+    assert row_named(page, "size").nominal == 120 and not application.controllers.programming.is_modified
+
+
 def test_changes_of_the_program_outlive_a_closed_dialog(page, project):
     dialog = ProgramDialog(page.look, page.controllers.programming, page)
     dialog.show_program()

@@ -11,6 +11,7 @@ from ui.controllers.program_rows import DimensionRow
 from ui.look.language.words import tr
 from ui.look.wording import sentence
 from ui.pages.inspection.dimension_model import CellEdit, Column
+from ui.pages.inspection.dimension_rows import dimension_words
 
 if TYPE_CHECKING:
     from measureapp.data.inspection_program import InspectionProgram
@@ -18,6 +19,8 @@ if TYPE_CHECKING:
 
     Change = Callable[[InspectionProgram], InspectionProgram]
 
+NEVER_NEGATIVE = ("diameter", "radius", "cone_angle", "slot_width", "slot_length", "thickness")
+NEGATIVE = "A size cannot be negative."
 NOT_A_NUMBER = "Enter a number, such as 24.5."
 
 
@@ -41,6 +44,8 @@ def change_of(row: DimensionRow, column: Column, text: str) -> Change:
         return lambda program: edits.rename(program, Node("dimension", row.name), text)
     if column is Column.NOMINAL:
         value = _number(text)
+        if value < 0 and row.kind in NEVER_NEGATIVE:
+            raise ValueError(NEGATIVE)
         return lambda program: edits.set_nominal(program, row.name, value)
     from measureapp.data.tolerance_text import parse_tolerance
 
@@ -63,7 +68,7 @@ def apply_edit(programming: ProgrammingController, rows: Sequence[DimensionRow],
 
     what = {Column.NAME: "Name", Column.NOMINAL: "Nominal", Column.TOLERANCE: "Tolerance"}[edit.column]
     words = (
-        tr("{what} of {name} changed.", what=what, name=chosen[0].name)
+        tr("{what} of {name} changed.", what=what, name=dimension_words(chosen[0].name))
         if len(chosen) == 1
         else tr("{what} of {count} dimensions changed.", what=what, count=len(chosen))
     )
