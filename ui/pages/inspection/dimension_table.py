@@ -23,7 +23,7 @@ from ui.widgets.empty_rows import EmptyRows
 STATUS_WIDTH, LEAST_NAME_WIDTH, WIDEST_NAME = 24, 96, 176
 # In this order, where there is little room, as the properties show them: the deviation first, which nominal and value state, too.
 LEFT_OUT = (Column.DEVIATION, Column.TOLERANCE, Column.ALIGNMENT, Column.NOMINAL)
-CELL_ROOM, SIGN_ROOM, SORT_ROOM = 14, 28, 26  # px beside the text: margins, sign of the verdict, arrow of the order
+CELL_ROOM, SIGN_ROOM, SORT_ROOM = 16, 28, 26  # px beside the text: margins, sign of the verdict, arrow of the order
 WIDEST_TOLERANCE = "−0.000 / +0.000 2768-m"  # a longer one is elided, its tip states it: it would take the room of the other columns
 EDIT_KEYS = QAbstractItemView.EditTrigger.EditKeyPressed | QAbstractItemView.EditTrigger.AnyKeyPressed
 NONE = -1
