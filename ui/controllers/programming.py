@@ -128,17 +128,12 @@ class ProgrammingController(QObject):
                 entry.name,
                 entry,
                 results.get(number),
-                self._status(entry.name in stale, results.get(number)),
+                _status(entry.name in stale, results.get(number), self.is_measuring),
                 control_frame(entry, shapes, letters),
                 entry.alignment or inspection.alignment.name,
             )
             for number, entry in zip(state.ids, state.program.dimensions, strict=True)
         )
-
-    def _status(self, is_stale: bool, found: Dimension | None) -> Status:
-        if is_stale or found is None:
-            return "calculating" if self.is_measuring else "stale"
-        return _current(found)
 
     def text(self) -> str:
         """Return the text of the edited program."""
@@ -335,6 +330,12 @@ class ProgrammingController(QObject):
 def added_words(name: str) -> str:
     """Return what is told of a new entry, by its name as tables show it."""
     return tr("{name} added to the inspection program.", name=sentence_case(name))
+
+
+def _status(is_stale: bool, found: Dimension | None, is_measuring: bool) -> Status:
+    if is_stale or found is None:
+        return "calculating" if is_measuring else "stale"
+    return _current(found)
 
 
 def _current(found: Dimension) -> Status:
