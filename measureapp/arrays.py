@@ -1,7 +1,8 @@
-"""Array types, read-only arrays, and loops in parallel bands."""
+"""Array types, read-only arrays, arrays mapped from files, and loops in parallel bands."""
 
 from __future__ import annotations
 
+import mmap
 import os
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor, wait
@@ -18,6 +19,7 @@ BoolArray = npt.NDArray[np.bool_]
 ImageArray = npt.NDArray[np.unsignedinteger[Any]]
 
 BAND_THREADS = "band"  # name of the threads that `in_bands` keeps
+DROP_PAGES: int | None = getattr(mmap, "MADV_DONTNEED", None)  # of a mapped file; unknown to some systems
 
 
 def read_only(array: npt.ArrayLike, dtype: npt.DTypeLike | None = None, shape: tuple[int | None, ...] | None = None) -> Any:
@@ -40,6 +42,20 @@ def read_only(array: npt.ArrayLike, dtype: npt.DTypeLike | None = None, shape: t
     view = made.view()
     view.flags.writeable = False
     return view
+
+
+def give_up_pages(*arrays: npt.NDArray[Any]) -> None:
+    """Take arrays that are mapped from a file, read-only, out of this program's memory; used again, they come back from the file.
+
+    Others stay as they are, and so do all of them where the system has no such request: it takes them itself when memory is short.
+    """
+    for array in arrays:
+        base: Any = array
+        while isinstance(base, np.ndarray):
+            base = base.base
+        mapped = base.obj if isinstance(base, memoryview) else base
+        if isinstance(mapped, mmap.mmap) and memoryview(mapped).readonly and DROP_PAGES is not None:
+            mapped.madvise(DROP_PAGES)
 
 
 def in_bands(work: Callable[[int, int], Any], count: int, bands: int | None = None) -> list[Any]:

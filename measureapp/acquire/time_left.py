@@ -21,10 +21,10 @@ from measureapp.acquire.events import (
 from measureapp.acquire.run_states import ACTIVE, CLOSED, ViewpointState
 from measureapp.data.plan import ScanPlan, Viewpoint
 from measureapp.data.rig import RigDescription
+from measureapp.data.scan_cost import viewpoint_time_s
 from measureapp.planning.travel import travel_times_s
 
 OVERHEAD_S = 1.0  # of a viewpoint: read-backs, storing
-OVERHEAD_PER_IMAGE_S = 0.06  # switching of the pattern, and read-out
 FIRST_WEIGHT = 6.0  # of the first viewpoint among the later ones: a few slow ones at the beginning must not double what was said
 MOST_SLOW = 3.0  # times the usual duration; a viewpoint that took longer counts as one that took that long
 MARGIN_FIRST, MARGIN_BEFORE = 0.5, 1.0  # share added to the bound after one viewpoint, and before any
@@ -46,13 +46,9 @@ def planned_seconds(plan: ScanPlan, viewpoints: Sequence[Viewpoint], rig: RigDes
     The robot's moves are those of its flange: no inverse kinematics, which would take longer than the caller may.
     """
     moves = [0.0, *(float(travel_times_s(pair, rig, None)[0, 1]) for pair in pairwise(viewpoints))]
-    settles = [plan.settle_of(viewpoint) for viewpoint in viewpoints]
     return {
-        viewpoint.id: OVERHEAD_S
-        + move_s
-        + (settle_s or 0.0)
-        + plan.patterns.count * sum(exposure_us * 1e-6 + OVERHEAD_PER_IMAGE_S for exposure_us in plan.exposures_of(viewpoint))
-        for viewpoint, move_s, settle_s in zip(viewpoints, moves, settles, strict=True)
+        viewpoint.id: OVERHEAD_S + move_s + viewpoint_time_s(plan, viewpoint, rig)
+        for viewpoint, move_s in zip(viewpoints, moves, strict=True)
     }
 
 

@@ -11,8 +11,8 @@ from measureapp.campaign.jobs import DemoJob, Finished, Job, ProcessJob
 from measureapp.campaign.tasks import complete, compute_view, do_alone, prepare, views_to_compute
 from measureapp.data.plan import ScanPlan
 from measureapp.data.rig import RigDescription
+from measureapp.data.scan_cost import stack_bytes
 from measureapp.errors import InputError, MeasureError, StorageError
-from measureapp.pipeline.measure import stack_bytes
 from measureapp.pipeline.recording.stages import is_recording
 from measureapp.pipeline.sample import sample_request
 from measureapp.pipeline.setups import is_joined
@@ -94,7 +94,7 @@ def _largest_stack(job: Job) -> int:
 
 
 def _of_plan(rig: RigDescription, plan: ScanPlan) -> int:
-    return max((stack_bytes(rig, plan, viewpoint) for viewpoint in plan), default=0)
+    return max((stack_bytes(plan, viewpoint, rig) for viewpoint in plan), default=0)
 
 
 def _submit(client: Client, job: Job) -> tuple[Future[Any], list[Future[Any]]]:

@@ -25,10 +25,10 @@ def register(app: typer.Typer) -> None:
     @app.command()
     def bracket(
         manifest: Annotated[Path, typer.Argument(help="MANIFEST.toml of a recorded probe: the patterns at one or a few exposures.")],
-        budget_s: Annotated[float, typer.Option("--budget-s", min=0.001, help="Time for all images of one viewpoint.")] = 3.2,
+        budget_s: Annotated[float, typer.Option("--budget-s", min=0.001, help="Time for all images of one viewpoint.")] = 5.2,
         most: Annotated[int, typer.Option("--max-exposures", min=1, max=16, help="Greatest number of exposures.")] = 5,
         noise: Annotated[Path | None, typer.Option("--noise", help="Noise models of the cameras, from `measureapp noise`.")] = None,
-        readout_ms: Annotated[float, typer.Option("--readout-ms", min=0.0, help="Least time per image.")] = 71.0,
+        readout_ms: Annotated[float, typer.Option("--readout-ms", min=0.0, help="Read-out of an image, after its exposure.")] = 69.0,
         longest_us: Annotated[int, typer.Option("--longest-us", min=1, help="Longest exposure of the cameras.")] = 500_000,
         multiple_us: MultipleOption = None,
         as_json: JsonOption = False,

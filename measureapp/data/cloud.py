@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from measureapp.arrays import BoolArray, FloatArray, IntArray, read_only
+from measureapp.arrays import BoolArray, FloatArray, IntArray, give_up_pages, read_only
 from measureapp.data.view_errors import ViewErrors
 from measureapp.errors import FrameMismatch
 from measureapp.geometry.transform import RigidTransform
@@ -46,6 +46,10 @@ class PointCloud:
 
     def __len__(self) -> int:
         return len(self.points_mm)
+
+    def give_up_pages(self) -> None:
+        """Take a cloud that is mapped from a file out of memory until it is used again; any other stays as it is."""
+        give_up_pages(self.points_mm, self.normals, self.sigma_mm, self.grey, self.pixel, self.cameras)
 
     def seen_from(self, transform: RigidTransform) -> PointCloud:
         """Return the same points in ``transform.to_frame``; raises FrameMismatch."""

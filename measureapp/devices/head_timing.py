@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from measureapp.data.scan_cost import image_time_s
 from measureapp.devices.camera import Camera
 from measureapp.devices.projector import Projector
 from measureapp.errors import DeviceError, LimitError
@@ -15,9 +16,8 @@ FRAME_TOLERANCE = 0.02  # of one frame of the projector
 
 def period_us(cameras: Mapping[str, Camera], exposure_us: int) -> int:
     """Return the shortest time between two triggers for all cameras: exposure and read-out, and no less than the transfer of the images."""
-    busy_s = max(exposure_us * 1e-6 + camera.readout_s for camera in cameras.values())
-    transfer_s = max(camera.transfer_s for camera in cameras.values())
-    return round(max(busy_s * 1e6 + MARGIN_US, transfer_s * 1e6))
+    readout_s, transfer_s = (max(times) for times in zip(*((one.readout_s, one.transfer_s) for one in cameras.values()), strict=True))
+    return round(1e6 * image_time_s(exposure_us + MARGIN_US, readout_s, transfer_s))
 
 
 def frame_timeout_s(camera: Camera, exposure_us: int) -> float:

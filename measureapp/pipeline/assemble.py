@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import UTC, datetime
+from itertools import chain
 from typing import Any
 
 import numpy as np
@@ -169,6 +170,8 @@ def _stitched(
     good = _require_usable(views, choices, validity)
     with watch.stage("surroundings"):
         part, surroundings = _without_surroundings(project, calibrated, good, choices)
+        for view in chain(views, part):  # all of which were read
+            view.cloud.give_up_pages()
     with watch.stage("stitching"):
         stitched = _stitch(project, calibrated, part, choices, progress, registration_cache)
     with watch.stage("checks"):

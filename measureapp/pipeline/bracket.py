@@ -54,6 +54,12 @@ def propose_bracket(
     return bracket.propose_bracket(probe, patterns, limits, compare={"rig": rig.description.exposures_us, **(compare or {})})
 
 
+def limits_of(rig: Rig, budget_s: float, planned: Sequence[int]) -> BracketLimits:
+    """Return the limits of a bracket with no more exposures than ``planned``, at the speed of the connected cameras."""
+    readout_s, transfer_s = (max(times) for times in zip(*((one.readout_s, one.transfer_s) for one in rig.cameras.values()), strict=True))
+    return BracketLimits(budget_s, len(planned), 1e3 * readout_s, 1e3 * transfer_s, longest_us=max(rig.description.exposures_us))
+
+
 def choose_at(
     rig: Rig,
     plan: ScanPlan,
@@ -67,7 +73,7 @@ def choose_at(
     """
 
     def choose(probe: FringeStack, planned: tuple[int, ...]) -> tuple[int, ...]:
-        limits = BracketLimits(bracket_s, len(planned), longest_us=max(rig.description.exposures_us))
+        limits = limits_of(rig, bracket_s, planned)
         try:
             proposal = bracket.propose_bracket(read_probe(probe, noise or {}), plan.patterns, limits, compare={"plan": planned})
         except DecodeError as error:

@@ -13,8 +13,9 @@ from measureapp.data.calibration import RigCalibration
 from measureapp.data.fringe import FringeStack
 from measureapp.data.measurement import ViewResult
 from measureapp.data.phase import PhaseMap, PixelState
-from measureapp.data.plan import ScanPlan, Viewpoint
+from measureapp.data.plan import ScanPlan
 from measureapp.data.rig import RigDescription
+from measureapp.data.scan_cost import stack_bytes
 from measureapp.errors import DecodeError, InputError, ReconstructError, StorageError
 from measureapp.fringe.checks.stack import check_stack
 from measureapp.fringe.decode import decode
@@ -196,10 +197,4 @@ def _completeness(maps: Mapping[str, PhaseMap], pixels: np.typing.NDArray[Any]) 
 def check_space(project: ProjectFolder, rig: RigDescription, plan: ScanPlan, retake: Collection[str] = ()) -> None:
     """Check that the missing images fit on the disk, and those to be retaken; the project need not exist yet. Raises StorageError."""
     stored = set(project.stored_viewpoints()).difference(retake)
-    project.frames.require_space(sum(stack_bytes(rig, plan, viewpoint) for viewpoint in plan if viewpoint.id not in stored))
-
-
-def stack_bytes(rig: RigDescription, plan: ScanPlan, viewpoint: Viewpoint) -> int:
-    """Return the size of the images of one viewpoint."""
-    images = plan.patterns.count * len(plan.exposures_of(viewpoint))
-    return sum(camera.width_px * camera.height_px * (1 if camera.bit_depth == 8 else 2) * images for camera in rig.cameras)
+    project.frames.require_space(sum(stack_bytes(plan, viewpoint, rig) for viewpoint in plan if viewpoint.id not in stored))

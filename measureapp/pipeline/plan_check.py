@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Literal
 
 from measureapp.data.plan import FlangePose, ScanPlan, Viewpoint
 from measureapp.data.rig import RigDescription
+from measureapp.data.scan_cost import stack_bytes, viewpoint_time_s
 from measureapp.errors import LimitError, MeasureError
-from measureapp.fringe.exposures.bracket import READOUT_MS
 from measureapp.fringe.patterns.draw import check_determines_phase
 from measureapp.geometry.kinematics.arm import ArmModel
 from measureapp.planning.collision.build import PartSolid
@@ -99,7 +98,8 @@ class PlanChecker:
             problems += found
         moves_s = self._moves_s(viewpoints, PartOf(told, CHECKING, TIMING))
         told.report(1, 1)
-        images_s, size = images_time_s(plan, viewpoints, self._rig), stack_bytes_of(plan, viewpoints, self._rig)
+        images_s = sum(viewpoint_time_s(plan, viewpoint, self._rig) for viewpoint in viewpoints)
+        size = sum(stack_bytes(plan, viewpoint, self._rig) for viewpoint in viewpoints)
         return PlanCheck(tuple(problems), images_s, size, moves_s, speeds_note(self._rig, self._arm))
 
     def _problems_at(self, viewpoint: Viewpoint) -> tuple[PlanProblem, ...]:
@@ -136,22 +136,6 @@ class PlanChecker:
         progress.check()
         times = travel_times_s(reached, self._rig, self._arm)
         return path_time_s(range(len(reached)), times) if len(reached) > 1 else 0.0
-
-
-def images_time_s(plan: ScanPlan, viewpoints: Iterable[Viewpoint], rig: RigDescription) -> float:
-    """Return the least time for the images of viewpoints, with the wait before them; cameras read out as the paper's."""
-    total_s = 0.0
-    for viewpoint in viewpoints:
-        settle_s = plan.settle_of(viewpoint)
-        exposures_s = sum(max(exposure_us * 1e-6, READOUT_MS * 1e-3) for exposure_us in plan.exposures_of(viewpoint))
-        total_s += plan.patterns.count * exposures_s + (rig.motion.settle_s if settle_s is None else settle_s)
-    return total_s
-
-
-def stack_bytes_of(plan: ScanPlan, viewpoints: Iterable[Viewpoint], rig: RigDescription) -> int:
-    """Return the size of the images of viewpoints."""
-    image = sum(camera.width_px * camera.height_px * (1 if camera.bit_depth == 8 else 2) for camera in rig.cameras)
-    return sum(image * plan.patterns.count * len(plan.exposures_of(viewpoint)) for viewpoint in viewpoints)
 
 
 def _patterns(plan: ScanPlan, rig: RigDescription) -> list[PlanProblem]:

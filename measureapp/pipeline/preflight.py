@@ -12,6 +12,7 @@ from measureapp.data.calibration import RigCalibration
 from measureapp.data.fringe import AxisReadback
 from measureapp.data.plan import ScanPlan
 from measureapp.data.rig import RigDescription
+from measureapp.data.scan_cost import stack_bytes
 from measureapp.devices.head_timing import check_timing, period_us
 from measureapp.devices.link_budget import OnLink, check_link
 from measureapp.devices.projector import TriggeringProjector
@@ -19,7 +20,7 @@ from measureapp.devices.rig import Rig
 from measureapp.devices.robot import JointRobot
 from measureapp.errors import DeviceError, LimitError, MeasureError, PlanError
 from measureapp.fringe.patterns.draw import check_determines_phase
-from measureapp.pipeline.measure import check_space, stack_bytes
+from measureapp.pipeline.measure import check_space
 from measureapp.pipeline.validity import check_before_scan
 from measureapp.planning.collision.build import PartSolid
 from measureapp.planning.collision.cell import Cell
@@ -78,7 +79,7 @@ def check_plan(
         lambda: notes.extend(_check_collisions(plan, rig, part, start, progress)),
         lambda: check_space(project, rig, plan),
     )
-    return Preflight(problems, tuple(notes), sum(stack_bytes(rig, plan, viewpoint) for viewpoint in plan), None)
+    return Preflight(problems, tuple(notes), sum(stack_bytes(plan, viewpoint, rig) for viewpoint in plan), None)
 
 
 def check_connected(

@@ -15,9 +15,8 @@ from measureapp.data.measurement import ViewResult
 from measureapp.data.plan import ScanPlan, Viewpoint
 from measureapp.devices.rig import Rig
 from measureapp.errors import CalibrationError, InputError, StorageError
-from measureapp.fringe.exposures.bracket import BracketLimits
 from measureapp.fringe.patterns.draw import pattern_images
-from measureapp.pipeline.bracket import choose_at, propose_bracket
+from measureapp.pipeline.bracket import choose_at, limits_of, propose_bracket
 from measureapp.pipeline.events import Event, ExposuresChosen, ValidityKnown
 from measureapp.pipeline.first_cloud import watch_part
 from measureapp.pipeline.kept_views import views_without_images
@@ -146,8 +145,7 @@ def _check_kept(project: ProjectFolder, expected: set[str]) -> None:
 def _choose_exposures(rig: Rig, project: ProjectFolder, plan: ScanPlan, bracket_s: float, on_event: OnEvent) -> ScanPlan:
     """Choose the exposures by a probe at the first viewpoint, and store the plan with them."""
     planned = plan.bracket.exposures_us
-    limits = BracketLimits(bracket_s, len(planned), longest_us=max(rig.description.exposures_us))
-    proposal = propose_bracket(rig, plan.patterns, limits, plan[0], project.noise(), compare={"plan": planned})
+    proposal = propose_bracket(rig, plan.patterns, limits_of(rig, bracket_s, planned), plan[0], project.noise(), compare={"plan": planned})
     chosen = plan.model_copy(update={"bracket": proposal.bracket})
     project.save_plan(chosen)
     planned_share = proposal.compared["plan"].decodable_share

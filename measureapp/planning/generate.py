@@ -15,6 +15,7 @@ from measureapp.data.model import Model
 from measureapp.data.pattern_sets import DEFAULT_NAME, make_pattern_sets
 from measureapp.data.plan import ExposureBracket, ScanPlan, StationPose, Viewpoint, ViewpointGroup
 from measureapp.data.rig import RigDescription
+from measureapp.data.scan_cost import stack_bytes, viewpoint_time_s
 from measureapp.errors import PlanError
 from measureapp.geometry.transform import RigidTransform
 from measureapp.planning.coverage.aimed import aimed_candidates
@@ -35,7 +36,6 @@ from measureapp.planning.order import path_time_s, shortest_order
 from measureapp.planning.travel import speeds_note, travel_times_s
 from measureapp.progress import NoProgress, PartOf, Progress
 
-READOUT_S = 0.069  # of an image of a camera with a rolling shutter
 BLOCKED_S = 1e4  # added to a way that is not free
 REROUTES = 8
 MOST_PAIRS = 60_000_000  # of candidates and samples: about 0.6 GB
@@ -120,23 +120,11 @@ def generate_plan(
         unreachable=areas,
         candidates=len(found.free),
         moves_s=moves_s,
-        images_s=images_time_s(plan),
-        bytes=image_bytes(plan, cell.rig),
+        images_s=sum(viewpoint_time_s(plan, viewpoint, cell.rig) for viewpoint in plan),
+        bytes=sum(stack_bytes(plan, viewpoint, cell.rig) for viewpoint in plan),
         problems=(*_shortfalls(problem, chosen, settings), *blocked),
         note=speeds_note(cell.rig, cell.arm),
     )
-
-
-def images_time_s(plan: ScanPlan) -> float:
-    """Return the least time of all images of a plan, all cameras together, with their read-out."""
-    exposures = [plan.exposures_of(viewpoint) for viewpoint in plan]
-    return sum(plan.patterns.count * (sum(one) * 1e-6 + len(one) * READOUT_S) for one in exposures)
-
-
-def image_bytes(plan: ScanPlan, rig: RigDescription) -> int:
-    """Return the size of all images of a plan."""
-    images = sum(plan.patterns.count * len(plan.exposures_of(viewpoint)) for viewpoint in plan)
-    return images * sum(camera.width_px * camera.height_px * (1 if camera.bit_depth == 8 else 2) for camera in rig.cameras)
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -75,7 +75,7 @@ def speeds_note(rig: RigDescription, arm: ArmModel | None) -> str:
 def travel_times_s(
     viewpoints: Sequence[Viewpoint], rig: RigDescription, arm: ArmModel | None, speeds: AxisSpeeds | None = None
 ) -> FloatArray:
-    """Return the times (V, V) from the viewpoint of the row to that of the column.
+    """Return the times (V, V) from the viewpoint of the row to that of the column, without the wait there before images are taken.
 
     The robot takes the shortest way between any of its configurations, all joints moving at once.
 
@@ -91,8 +91,7 @@ def travel_times_s(
     flanges = list(dict.fromkeys(one.flange for one in viewpoints))
     place = np.array([flanges.index(one.flange) for one in viewpoints], int)
     times += _robot_s(flanges, arm, speeds)[np.ix_(place, place)]
-    wait = rig.motion.settle_s * (times > 0.0)
-    return np.asarray(times + wait)
+    return times
 
 
 def _ramp_s(places: FloatArray, speed: float, acceleration: float, settle_s: float) -> FloatArray:

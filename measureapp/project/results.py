@@ -63,6 +63,7 @@ def save(
     with replacing_together(folder, Entry(RESULTS, {}, "", {"inputs": dict(inputs or {})}), stale=(MESH, f"{CLOUDS}/*.ply")) as staging:
         for view in measurement.views:
             write_cloud(cloud_path(staging, view.viewpoint_id), view.cloud)
+            view.cloud.give_up_pages()
         write_cloud(staging / STITCHED, measurement.stitched)
         if measurement.mesh is not None:
             write_mesh(staging / MESH, measurement.mesh)

@@ -109,6 +109,7 @@ def _sum_cloud(cloud: PointCloud, pose: RigidTransform | None, origin_mm: FloatA
     for start in range(0, len(cloud), CHUNK):  # a row is larger than a point
         part = cloud.where(slice(start, start + CHUNK))
         single.add(*_weight_points(part if pose is None else part.seen_from(pose), np.asarray(origin_mm), voxel_mm))
+    cloud.give_up_pages()
     return single.pop_sorted()
 
 

@@ -99,7 +99,7 @@ def test_the_plan_gives_the_first_estimate_from_moves_exposures_and_settling():
     guide = rig.guide.model_copy(update={"speed_mm_s": 5.0, "acceleration_mm_s2": 5.0})
     table = rig.table.model_copy(update={"speed_deg_s": 17.0, "acceleration_deg_s2": 17.0})
     seconds = planned_seconds(plan, plan.viewpoints, rig.model_copy(update={"guide": guide, "table": table}))
-    images_s = plan.patterns.count * (0.1 + 0.06)
+    images_s = plan.patterns.count * (0.1 + 0.069)
     guide_s, table_s, settle_s = 10.0 / 5.0 + 5.0 / 5.0, 17.0 / 17.0 + 17.0 / 17.0, 0.3  # at full speed, and ramps
     assert seconds == pytest.approx({"v0": 1.0 + images_s, "v1": 1.0 + images_s + guide_s + table_s + 2 * settle_s})
     settled = plan.model_copy(update={"settle_s": 4.0})

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from measureapp.data.plan import ScanPlan, Viewpoint
-from measureapp.pipeline.plan_check import PlanChecker, images_time_s
+from measureapp.pipeline.plan_check import PlanChecker
 from measureapp.pipeline.plan_coverage import place_on_table, predict_coverage
 from measureapp.planning import edit
 from measureapp.planning.aim import Aim, flange_aimed
@@ -108,7 +108,7 @@ def test_time_counts_images_waiting_and_moves(checker):
     plan = edit.set_plan(SAMPLE, settle_s=2.0)
     before, after = checker.check(SAMPLE), checker.check(plan)
     assert after.images_s - before.images_s == pytest.approx(2.0 * len(SAMPLE))
-    assert images_time_s(SAMPLE, tuple(SAMPLE)[:1], RIG) == pytest.approx(12 * (0.1 + 0.08 + 3 * 0.071))
+    assert before.images_s == pytest.approx(len(SAMPLE) * 12 * (0.3 + 5 * 0.069))
     assert before.moves_s is not None and before.time_s == before.images_s + before.moves_s > before.images_s
     assert before.bytes == 36 * 12 * 5 * 3 * 2592 * 1944
 

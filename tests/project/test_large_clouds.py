@@ -55,3 +55,28 @@ def test_a_small_cloud_stays_as_it_is_and_so_does_one_without_room(tmp_path: Pat
     assert map_large(small, tmp_path) is small
     monkeypatch.setattr(large_clouds, "LARGE_BYTES", 1000)
     assert map_large(small, tmp_path / "not there") is small
+
+
+@pytest.mark.skipif(not Path("/proc/self/smaps").exists(), reason="the system does not state what is in memory")
+def test_it_leaves_memory_until_it_is_used_again(on_disk: tuple[PointCloud, PointCloud]) -> None:
+    cloud, mapped = on_disk
+    np.testing.assert_array_equal(mapped.points_mm, cloud.points_mm)
+    assert _mapped_kib(mapped) > 0
+    mapped.give_up_pages()
+    assert _mapped_kib(mapped) == 0
+    cloud.give_up_pages()  # has no file to come back from
+    for name in ARRAYS:
+        np.testing.assert_array_equal(getattr(mapped, name), getattr(cloud, name))
+
+
+def _mapped_kib(cloud: PointCloud) -> int:
+    """Return how much of the mapping that holds a cloud is in memory."""
+    address, inside = cloud.points_mm.ctypes.data, False
+    for line in Path("/proc/self/smaps").read_text().splitlines():
+        first = line.split()[0]
+        if "-" in first and ":" not in first:
+            start, end = (int(part, 16) for part in first.split("-"))
+            inside = start <= address < end
+        elif inside and first == "Rss:":
+            return int(line.split()[1])
+    raise AssertionError("not mapped")

@@ -339,8 +339,8 @@ def test_the_plan_page_says_the_predicted_performance_of_the_patterns_and_what_a
     assert float(predicted["σ of the column"].split()[0]) == pytest.approx(0.03, abs=0.01)
     assert predicted["Wrong fringe orders"] == "None expected"
     assert cost["Images"] == "60 × 3 cameras"
-    # 12 images of 100, 80 and three times the 71 ms that an image takes at least
-    assert cost["Acquisition time"] == "At least 4.7 s"
+    # 12 images of 100, 80, 60, 40 and 20 ms, each followed by 69 ms of read-out
+    assert cost["Acquisition time"] == "At least 7.7 s"
     assert cost["Disk space"] == "907 MB"
 
 

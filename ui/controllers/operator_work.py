@@ -139,7 +139,7 @@ def _check_calibration(rig: RigDescription, settings: OperatorSettings) -> None:
 
 
 def _check_disk(rig: RigDescription, program: PartProgram, settings: OperatorSettings) -> None:
-    from measureapp.pipeline.measure import stack_bytes
+    from measureapp.data.scan_cost import stack_bytes
 
     folder = settings.parts_folder
     try:
@@ -150,7 +150,7 @@ def _check_disk(rig: RigDescription, program: PartProgram, settings: OperatorSet
         free = shutil.disk_usage(folder).free
     except OSError as error:
         raise InputError(tr("{folder} cannot be written to: {value}.", folder=folder, value=error.strerror or error), CALL) from error
-    needed = sum(stack_bytes(rig, program.plan, viewpoint) for viewpoint in program.plan) + RESERVE_BYTES
+    needed = sum(stack_bytes(program.plan, viewpoint, rig) for viewpoint in program.plan) + RESERVE_BYTES
     if free < needed:
         raise InputError(
             tr("The disk has {value:.1f} GB free, and this part needs {value_2:.1f} GB.", value=free / 1e9, value_2=needed / 1e9), CALL

@@ -55,11 +55,11 @@ def odds(probability: float) -> str:
 
 def cost(plan: ScanPlan, rig: RigDescription) -> Group:
     """Return number of images, time and disk space per viewpoint, without the motion of the axes."""
-    from measureapp.fringe.exposures.bracket import READOUT_MS
+    from measureapp.data.scan_cost import image_time_s
 
     exposures, cameras = plan.bracket.exposures_us, rig.cameras
     images = plan.patterns.count * len(exposures)
-    seconds = plan.patterns.count * sum(max(exposure_us / 1e6, READOUT_MS / 1e3) for exposure_us in exposures)
+    seconds = plan.patterns.count * sum(image_time_s(exposure_us) for exposure_us in exposures)
     size = sum(camera.width_px * camera.height_px * (1 if camera.bit_depth == 8 else 2) for camera in cameras) * images
     return Group(
         "Per viewpoint",

@@ -12,13 +12,13 @@ from scipy.special import erf
 from measureapp.arrays import BoolArray, FloatArray
 from measureapp.data.fringe import GrayCodeGroup, PatternSet, PhaseShiftGroup
 from measureapp.data.plan import ExposureBracket
+from measureapp.data.scan_cost import READOUT_S, image_time_s
 from measureapp.errors import DecodeError
 from measureapp.fringe.exposures.probe import ProbedCamera
 from measureapp.fringe.exposures.weights import exposure_weights
 from measureapp.fringe.settings import DecodeSettings
 from measureapp.fringe.unwrap import plan_heterodyne
 
-READOUT_MS = 71.0  # of the paper's cameras: shortest time of an image
 GRID_RATIO = 2.0**0.25
 SIGMA_WORTH = 0.02  # what e times less phase noise is worth, as a share of decodable pixels
 TIME_WORTH = 0.004  # what the whole budget of time is worth, likewise
@@ -34,10 +34,15 @@ class BracketLimits:
 
     budget_s: float
     most: int = 5  # exposures
-    readout_ms: float = READOUT_MS
+    readout_ms: float = 1e3 * READOUT_S  # after each exposure
+    transfer_ms: float = 0.0  # of the images of all cameras, beside the next exposure
     shortest_us: int = 100
     longest_us: int = 500_000
     multiple_us: float | None = None  # exposures must be multiples of this: the projector's frame, or 10 000 µs against 50 Hz flicker
+
+    def image_time_s(self, exposure_us: float) -> float:
+        """Return the least time from an image to the next, in s."""
+        return image_time_s(exposure_us, 1e-3 * self.readout_ms, 1e-3 * self.transfer_ms)
 
 
 @dataclass(frozen=True, slots=True)
@@ -161,12 +166,12 @@ def _note(best: BracketFigures, by_count: Sequence[BracketFigures], unknown: flo
 
 def _grid(patterns: PatternSet, limits: BracketLimits) -> list[int]:
     """Return the exposures to choose from: quarter octaves from the shortest allowed to the longest that fits into the budget."""
-    longest = min(limits.longest_us, 1e6 * limits.budget_s / patterns.count)
-    if limits.readout_ms * 1e3 > 1e6 * limits.budget_s / patterns.count or longest < limits.shortest_us:
+    least_s = patterns.count * limits.image_time_s(limits.shortest_us)
+    if least_s > limits.budget_s:
         raise DecodeError(
-            f"{limits.budget_s:g} s do not suffice for one exposure of {patterns.count} images.",
-            f"Allow at least {patterns.count * limits.readout_ms / 1e3:.2f} s.",
+            f"{limits.budget_s:g} s do not suffice for one exposure of {patterns.count} images.", f"Allow at least {least_s:.2f} s."
         )
+    longest = min(limits.longest_us, 1e6 * limits.budget_s / patterns.count - 1e3 * limits.readout_ms)
     count = ceil(np.log(longest / limits.shortest_us) / np.log(GRID_RATIO)) + 1
     exposures = longest / GRID_RATIO ** np.arange(count)
     if limits.multiple_us is None:
@@ -198,8 +203,7 @@ class _Scene:
         self._worths: dict[tuple[int, ...], float] = {}
 
     def time_s(self, exposures: Sequence[int]) -> float:
-        """Images cannot follow each other faster than they are exposed, nor than they are read out."""
-        return self._images * sum(max(exposure * 1e-6, self._limits.readout_ms * 1e-3) for exposure in exposures)
+        return self._images * sum(self._limits.image_time_s(exposure) for exposure in exposures)
 
     def best_of(self, brackets: Sequence[tuple[int, ...]]) -> tuple[int, ...] | None:
         """Return the bracket of the highest worth that fits into the budget."""

@@ -14,6 +14,7 @@ from measureapp.data.mesh import Mesh
 from measureapp.data.model import Model
 from measureapp.data.plan import ScanPlan, Viewpoint
 from measureapp.data.rig import RigDescription
+from measureapp.data.scan_cost import viewpoint_time_s
 from measureapp.geometry.kinematics.arm import ArmModel
 from measureapp.pipeline.closed_loop.causes import CAUSES, Explained
 from measureapp.pipeline.closed_loop.coverage import WIDE, MeasuredCoverage, incidence_deg
@@ -25,7 +26,6 @@ from measureapp.planning.coverage.candidates import grid_candidates
 from measureapp.planning.coverage.extent import extent_on_table
 from measureapp.planning.coverage.head import heads_at
 from measureapp.planning.coverage.visibility import seen_by
-from measureapp.planning.generate import images_time_s
 from measureapp.planning.next_views import Gain, Holes, between_angles, choose_by_gain, free_id, numbered_id
 from measureapp.planning.travel import travel_times_s
 from measureapp.progress import NoProgress, PartOf, Progress
@@ -119,7 +119,7 @@ def propose(
     candidates = candidates + _exposures(coverage, explained, plan)
     least_mm2 = settings.least_share * coverage.samples.area_mm2
     areas, missing = coverage.samples.areas_mm2, (~coverage.sufficient).astype(float)
-    seconds = _seconds(candidates.viewpoints, plan)
+    seconds = _seconds(candidates.viewpoints, plan, cell.rig)
     problem_at = _collisions(coverage, cell)
     overlap = candidates.overlap.copy()
     chosen: tuple[Gain, ...] = ()
@@ -197,15 +197,11 @@ def _exposures(coverage: MeasuredCoverage, explained: Explained, plan: ScanPlan)
     return _Candidates(tuple(viewpoints), kinds, chance, seen_mm2, np.ones(len(viewpoints)))
 
 
-def _seconds(viewpoints: tuple[Viewpoint, ...], plan: ScanPlan) -> FloatArray:
+def _seconds(viewpoints: tuple[Viewpoint, ...], plan: ScanPlan, rig: RigDescription) -> FloatArray:
     """Return the approximate time of each viewpoint, (C,)."""
     known = {viewpoint.flange for viewpoint in plan}
     moves = [SAME_STATION_S if viewpoint.flange in known else NEW_STATION_S for viewpoint in viewpoints]
-    return np.array([_images_s(viewpoint, plan) for viewpoint in viewpoints]) + moves
-
-
-def _images_s(viewpoint: Viewpoint, plan: ScanPlan) -> float:
-    return images_time_s(plan.model_copy(update={"viewpoints": (viewpoint,), "groups": ()}))
+    return np.array([viewpoint_time_s(plan, viewpoint, rig) for viewpoint in viewpoints]) + moves
 
 
 def _collisions(coverage: MeasuredCoverage, cell: ScanCell) -> Callable[[Viewpoint], str]:
@@ -224,7 +220,7 @@ def _as_proposals(
         name = numbered_id("next", taken) if kind == "viewpoint" else free_id(viewpoint.id, taken)
         taken.add(name)
         moves = travel_times_s((viewpoint, *plan), cell.rig, cell.arm)[1:, 0]
-        seconds = _images_s(viewpoint, plan) + float(moves.min())
+        seconds = viewpoint_time_s(plan, viewpoint, cell.rig) + float(moves.min())
         reason = _reason(candidates.chance[one.candidate] > 0, explained, coverage, kind)
         renamed = viewpoint.model_copy(update={"id": name})
         found.append(Proposal(renamed, kind, one.area_mm2 / coverage.samples.area_mm2, one.area_mm2, seconds, reason))

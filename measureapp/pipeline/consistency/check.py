@@ -57,6 +57,8 @@ def _check_properties(views: Sequence[ViewResult], deviations: Deviations, stitc
     checks = []
     for name, (classify, cause) in PROPERTIES.items():
         own, other = classify(views, deviations, stitched.placements)
+        for view in views:  # of all of which one column was read
+            view.cloud.give_up_pages()
         found = estimate_dependence(deviations.distance_mm, deviations.expected_mm, own, other)
         if found is not None:
             checks.append(_check(name, found, cause))

@@ -81,6 +81,7 @@ class _View:
     def of(cls, number: int, cloud: PointCloud, part_from_camera: RigidTransform, wanted: int) -> _View:
         in_cloud = np.arange(0, len(cloud), max(1, -(-len(cloud) // MOST_POINTS)))
         placed = cloud.where(in_cloud).seen_from(part_from_camera)
+        cloud.give_up_pages()
         points = np.asarray(placed.points_mm)
         tree = cKDTree(points)
         rng = np.random.default_rng(number)  # the same sample every time

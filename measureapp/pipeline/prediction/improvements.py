@@ -13,6 +13,7 @@ from measureapp.data.dimension import Dimension
 from measureapp.data.measurement import ViewResult
 from measureapp.data.mesh import Mesh
 from measureapp.data.plan import ExposureBracket, ScanPlan, Viewpoint
+from measureapp.data.scan_cost import viewpoint_time_s
 from measureapp.geometry.transform import RigidTransform
 from measureapp.pipeline.prediction.drawn_errors import displace, draw_error
 from measureapp.pipeline.prediction.uncertainty import Job, Prediction, evaluate, exposing_of, predict_views
@@ -20,7 +21,6 @@ from measureapp.pipeline.prediction.views import PredictedScene, table_top_mm
 from measureapp.planning.coverage.samples import SurfaceSamples
 from measureapp.planning.coverage.scene import PartScene
 from measureapp.planning.coverage.visibility import seen_by
-from measureapp.planning.generate import images_time_s
 from measureapp.planning.next_views import between_angles, repeats
 from measureapp.planning.travel import travel_times_s
 from measureapp.progress import PartOf, Progress
@@ -113,7 +113,7 @@ def _try_exposures(plan: ScanPlan, scene: PredictedScene, job: Job, drawn: Float
     longer = _with_longer_exposures(plan)
     brighter = scene.with_brightness(LONGER)  # the light of the part refers to the longest exposure of the plan, which is now longer
     views = displace(predict_views(longer, brighter, progress), scene.rig, drawn)
-    seconds = images_time_s(longer) - images_time_s(plan)
+    seconds = _at_viewpoints_s(longer, scene) - _at_viewpoints_s(plan, scene)
     return Trial(f"all exposures {LONGER} times as long", seconds, None, _known(evaluate(views, scene, job)))
 
 
@@ -216,7 +216,10 @@ def _with_longer_exposures(plan: ScanPlan) -> ScanPlan:
 
 def _seconds(plan: ScanPlan, viewpoint: Viewpoint, scene: PredictedScene) -> float:
     """Return the time that a viewpoint adds: its images, and the shortest move from another one."""
-    alone = plan.model_copy(update={"viewpoints": (viewpoint,), "groups": ()})
     rig = scene.rig.description
     moves = travel_times_s((viewpoint, *plan), rig, arm_of(rig))[1:, 0]
-    return images_time_s(alone) + float(moves.min())
+    return viewpoint_time_s(plan, viewpoint, rig) + float(moves.min())
+
+
+def _at_viewpoints_s(plan: ScanPlan, scene: PredictedScene) -> float:
+    return sum(viewpoint_time_s(plan, viewpoint, scene.rig.description) for viewpoint in plan)

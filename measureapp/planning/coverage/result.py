@@ -24,7 +24,7 @@ class GeneratedPlan:
     unreachable: tuple[UnreachableArea, ...]  # what none sees, and why
     candidates: int  # number of feasible candidates
     moves_s: float  # predicted time of all moves
-    images_s: float  # least time of all images
+    images_s: float  # least time of all images, and the waiting before them
     bytes: int  # of all images
     problems: tuple[str, ...]  # that a person should know before the scan
     note: str = ""  # speeds that the time assumes, in a sentence

@@ -120,7 +120,13 @@ class RegistrationCache:
 
     def prepare(self, cloud: PointCloud, voxel_mm: float) -> PreparedCloud:
         """Return the cloud prepared for registration."""
-        return self._once(cloud, ("prepared", voxel_mm), lambda: prepare(cloud, voxel_mm))
+
+        def work() -> PreparedCloud:
+            prepared = prepare(cloud, voxel_mm)
+            cloud.give_up_pages()  # of a large cloud, until it is merged
+            return prepared
+
+        return self._once(cloud, ("prepared", voxel_mm), work)
 
     def overlap(self, a: PlacedCloud, b: PlacedCloud, voxel_mm: float) -> float:
         """Return the overlap at the kinematic positions: share of the smaller view's occupied cells that the other view occupies too."""

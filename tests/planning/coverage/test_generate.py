@@ -8,7 +8,6 @@ import pytest
 from measureapp.data.mesh import Mesh
 from measureapp.errors import PlanError
 from measureapp.geometry.transform import RigidTransform, rotation_about
-from measureapp.planning import generate
 from measureapp.planning.coverage.candidates import checked_grid
 from measureapp.planning.coverage.extent import extent_on_table, standing
 from measureapp.planning.coverage.limits import VisibilityLimits
@@ -18,7 +17,7 @@ from measureapp.planning.coverage.scene import PartScene
 from measureapp.planning.coverage.unreachable import Cause
 from measureapp.planning.coverage.visibility import seen_by
 from measureapp.planning.feasibility import Feasibility
-from measureapp.planning.generate import GeneratorSettings, generate_plan, image_bytes
+from measureapp.planning.generate import GeneratorSettings, generate_plan
 from measureapp.planning.reach import limit_violations
 from measureapp.progress import Cancelled, NoProgress
 from measureapp.project.geometry.robot_file import arm_of
@@ -103,7 +102,7 @@ def test_the_bottom_touches_the_support_and_the_reasons_cover_all_that_is_never_
 
 def test_time_and_disk_are_those_of_the_plan(made: GeneratedPlan) -> None:
     images = made.plan.patterns.count * 5 * len(made.plan)
-    assert made.bytes == image_bytes(made.plan, RIG) == images * 3 * 2592 * 1944
+    assert made.bytes == images * 3 * 2592 * 1944
     assert made.images_s == pytest.approx(images * (0.3 / 5 + 0.069))
     assert made.time_s > made.images_s > 0.0
 
@@ -268,4 +267,3 @@ def test_a_non_watertight_and_inverted_nominal_gives_the_same_coverage(made: Gen
 def test_samples_of_the_generator_are_those_of_the_public_function(made: GeneratedPlan) -> None:
     samples = sample_surface(PartScene.of(placed(casting()), RIG), QUICK.samples, QUICK.seed)
     assert np.array_equal(samples.points_mm, made.samples.points_mm)
-    assert generate.READOUT_S > 0.0
