@@ -128,8 +128,12 @@ def _running() -> list[Any]:
         return []
     from shiboken6 import getAllValidWrappers
 
-    # Of Qt's objects alone: to look through the whole heap takes a hundred times as long.
-    found = [item for item in getAllValidWrappers() if isinstance(item, (core.QThread, core.QTimer))]
+    # Of Qt's objects alone: to look through the whole heap takes a hundred times as long. By their types, of which there are
+    # few: to ask each of the 14,000 objects of a window what it is an instance of takes twenty times as long.
+    kinds = core.QThread, core.QTimer
+    wrappers = getAllValidWrappers()
+    sought = {kind for kind in set(map(type, wrappers)) if issubclass(kind, kinds)}
+    found = [item for item in wrappers if type(item) in sought]
     main_thread = core.QCoreApplication.instance().thread() if core.QCoreApplication.instance() else None
     return [item for item in found if item is not main_thread and (item.isRunning() if isinstance(item, core.QThread) else item.isActive())]
 

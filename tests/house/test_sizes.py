@@ -18,7 +18,13 @@ def sources() -> list[Path]:
     return [path for room in ROOMS for path in sorted((ROOT / room).rglob("*.py"))]
 
 
-def functions() -> Iterator[tuple[str, Function]]:
+@pytest.fixture(scope="module")
+def functions() -> list[tuple[str, Function]]:
+    """All functions with their places, parsed once for all caps."""
+    return list(_functions())
+
+
+def _functions() -> Iterator[tuple[str, Function]]:
     for path in sources():
         for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
             if isinstance(node, Function):
@@ -30,9 +36,9 @@ def test_no_file_is_longer_than_its_cap() -> None:
     assert {path: lines for path, lines in lengths.items() if lines > FILE_LINES} == {}
 
 
-def test_no_function_is_longer_than_its_cap_without_its_docstring() -> None:
+def test_no_function_is_longer_than_its_cap_without_its_docstring(functions: list[tuple[str, Function]]) -> None:
     long = {}
-    for where, node in functions():
+    for where, node in functions:
         documented = ast.get_docstring(node, clean=False)
         lines = (node.end_lineno or node.lineno) - node.lineno + 1 - (documented.count("\n") + 1 if documented else 0)
         if lines > FUNCTION_LINES:
@@ -40,10 +46,10 @@ def test_no_function_is_longer_than_its_cap_without_its_docstring() -> None:
     assert long == {}
 
 
-def test_no_function_has_more_parameters_than_its_cap() -> None:
+def test_no_function_has_more_parameters_than_its_cap(functions: list[tuple[str, Function]]) -> None:
     """Kernels are free, since a compiled loop takes its arrays one by one; so are commands, whose options are parameters."""
     many = {}
-    for where, node in functions():
+    for where, node in functions:
         count = len([one for one in (*node.args.posonlyargs, *node.args.args, *node.args.kwonlyargs) if one.arg not in ("self", "cls")])
         if count > PARAMETERS and "kernel" not in where and not _is_compiled(node) and not _is_command(node):
             many[where] = count

@@ -135,17 +135,17 @@ def test_kernels_that_do_not_compile_fail_the_whole_suite(installer, called, cap
 @pytest.mark.parametrize(
     ("processors", "free_gb", "limit", "workers"),
     [
-        (2, 20, "max", 2),
+        (2, 20, "max", 3),
         (16, 100, "max", 4),
         (4, 7, "max", 2),
         (4, 1, "max", 1),
-        (1, 20, "max", 1),
+        (1, 20, "max", 2),
         (4, 20, "8000000000", 2),
         (4, None, "max", 4),
     ],
     ids=["two processors", "many", "little memory", "very little memory", "one processor", "a container's limit", "memory unknown"],
 )
-def test_there_are_as_many_workers_as_processors_and_memory_allow(
+def test_there_is_a_worker_more_than_processors_where_memory_allows_it(
     installer, monkeypatch, tmp_path, processors, free_gb, limit, workers
 ) -> None:
     for name in ("MEMORY", "LIMIT", "USED"):

@@ -14,6 +14,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from shiboken6 import delete, isValid
 
 from measureapp.data.calibration import (
     CameraArrayCalibration,
@@ -186,6 +187,18 @@ def application(qapp, qtbot, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) ->
     built.window.close()
     built.language.choose("en")
     built.language.retranslation.finish()
+    delete_all(built)
+
+
+def delete_all(built: Application) -> None:
+    """Delete what a window is made of: slots of Qt refer to each other where Python's collection cannot look.
+
+    Left over, some hundred windows make every later collection and every search for objects of Qt take longer.
+    """
+    for left in (built.window, built.controllers, built.session, built.look):
+        if isValid(left):
+            delete(left)
+    vars(built.look).clear()  # its icons, which its signals keep
 
 
 @cache

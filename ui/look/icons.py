@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from weakref import ref
 
 from PySide6.QtCore import QRect, QSize, Qt
 from PySide6.QtGui import QColor, QIcon, QIconEngine, QPainter, QPixmap
@@ -102,21 +103,25 @@ class IconSet:
 
 
 class ThemedIcon(QIconEngine):
-    """Paints one glyph in the present colour of a token."""
+    """Paints one glyph in the present colour of a token, as long as its set exists."""
 
     def __init__(self, icons: IconSet, glyph: str, token: str) -> None:
         super().__init__()
-        self._icons, self._glyph, self._token = icons, glyph, token
+        self._icons = ref(icons)  # the set holds the icon through Qt, where no collection finds the circle
+        self._glyph, self._token = glyph, token
 
-    def paint(self, painter: QPainter, rect: QRect, mode: QIcon.Mode, _state: QIcon.State) -> None:
+    def paint(self, painter: QPainter, rect: QRect, mode: QIcon.Mode, state: QIcon.State) -> None:
         """Paint the icon."""
         ratio = painter.device().devicePixelRatioF()
-        width, height = round(rect.width() * ratio), round(rect.height() * ratio)
-        painter.drawPixmap(rect, self._icons.pixmap(self._glyph, self._token, width, height, enabled=mode != QIcon.Mode.Disabled))
+        size = QSize(round(rect.width() * ratio), round(rect.height() * ratio))
+        painter.drawPixmap(rect, self.pixmap(size, mode, state))
 
     def pixmap(self, size: QSize, mode: QIcon.Mode, _state: QIcon.State) -> QPixmap:
         """Return the icon as a picture."""
-        return self._icons.pixmap(self._glyph, self._token, size.width(), size.height(), enabled=mode != QIcon.Mode.Disabled)
+        icons = self._icons()
+        if icons is None:
+            return QPixmap()
+        return icons.pixmap(self._glyph, self._token, size.width(), size.height(), enabled=mode != QIcon.Mode.Disabled)
 
 
 def _drawn(glyph: str, colour: QColor, width: int, height: int) -> QPixmap:
