@@ -12,7 +12,8 @@ from ui.charts.deviation_histogram import BINS, DeviationHistogram
 from ui.controllers import comparison as comparisons
 from ui.look.look import Look
 from ui.pages.inspection.deviation_card import DeviationCard
-from ui.pages.inspection.deviation_display import DeviationDisplay, usual_legend
+from ui.pages.inspection.deviation_display import NOT_COMPARED, DeviationDisplay, usual_legend
+from ui.pages.inspection.part_picture import SHAPE_TIPS
 from ui.pages.inspection.section_bar import CutPlane, cut_lines
 from ui.pages.layers import deviation_layers, deviation_surface, vertex_normals
 from ui.session import Comparison
@@ -166,8 +167,10 @@ def test_the_inspection_page_cuts_where_the_bar_says_and_labels_all_dimensions(q
     window.show_page("inspection")
     page = window.pages["inspection"]
     assert not page.cut.button.isEnabled()
+    assert page.shape.button("deviation").toolTip() == page.side.list.button("deviation").toolTip() == NOT_COMPARED
     application.session.set_stitched(compared.stitched)
     application.session.set_comparison(compared)
+    assert page.shape.button("deviation").toolTip() == SHAPE_TIPS["deviation"] and not page.side.list.button("deviation").toolTip()
     before = len(page.view._lines)
     for place_mm in (-20.0, 5.0, 0.0):  # each is cut on a thread; the last wish is what is shown in the end
         page.cut.setValue(CutPlane("x", place_mm))

@@ -28,12 +28,13 @@ class Segments(QWidget):
         layout.setSpacing(0)
         self._group = QButtonGroup(self)
         self._buttons: dict[str, QPushButton] = {}
+        self._tips = dict(tips or {})
         last = len(options) - 1
         for place, (key, text) in enumerate(options.items()):
             made = QPushButton(translated(text))
             made.setCheckable(True)
             made.setAccessibleName(tr("{name}: {text}", name=name, text=text) if name else translated(text))
-            made.setToolTip(translated((tips or {}).get(key, "")))
+            made.setToolTip(translated(self._tips.get(key, "")))
             remember(made)
             made.setAutoDefault(False)
             made.setProperty("role", "segment")
@@ -61,9 +62,11 @@ class Segments(QWidget):
         """Return the button of an option."""
         return self._buttons[name]
 
-    def set_available(self, name: str, available: bool) -> None:
-        """Enable or disable an option."""
-        self._buttons[name].setEnabled(available)
+    def set_available(self, name: str, available: bool, why: str = "") -> None:
+        """Enable or disable an option; ``why`` takes the place of its tooltip while it is disabled."""
+        made = self._buttons[name]
+        made.setEnabled(available)
+        made.setToolTip(translated(self._tips.get(name, "") if available or not why else why))
 
     def showEvent(self, event: QShowEvent) -> None:
         """Set minimum widths so that labels are never cut; the fonts are known only when the widget is shown."""

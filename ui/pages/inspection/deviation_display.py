@@ -18,6 +18,10 @@ if TYPE_CHECKING:
     from ui.session import Comparison
 
 QUANTITY = "Surface deviation"
+NOT_COMPARED = (
+    "Available when the points have been compared with the nominal (CAD). "
+    "After the installation the program first prepares itself for some minutes."
+)
 Carrier = Literal["cad", "points"]
 
 

@@ -18,7 +18,7 @@ from ui.pages.inspection.contour_bar import ContourBar
 from ui.pages.inspection.create_bar import CreateBar
 from ui.pages.inspection.datum_menu import DatumMenu
 from ui.pages.inspection.deviation_card import DeviationCard
-from ui.pages.inspection.deviation_display import DeviationDisplay
+from ui.pages.inspection.deviation_display import NOT_COMPARED, DeviationDisplay
 from ui.pages.inspection.dimension_rows import Selection, decision_rule, features_of, rule_name
 from ui.pages.inspection.dimension_table import DimensionTable
 from ui.pages.inspection.feature_actions import FeatureActions
@@ -90,6 +90,7 @@ class DimensionSide(QWidget):
         self._show_create()
         self.unaligned = NoAlignment(look, programming)
         self.versions = OtherVersions(look, programming)
+        self.list.set_available("deviation", False, NOT_COMPARED)
         self.unaligned.choose.clicked.connect(lambda: self.list.setValue("alignment"))
         beside = column(
             self.checks,
@@ -177,7 +178,7 @@ class DimensionSide(QWidget):
     def show_comparison(self, comparison: Comparison | None) -> None:
         """Show the deviations from the nominal, if there are any."""
         self.deviation.show_comparison(comparison)
-        self.list.set_available("deviation", comparison is not None)
+        self.list.set_available("deviation", comparison is not None, NOT_COMPARED)
         if comparison is None and self.list.value() == "deviation":
             self.list.setValue("dimensions")
 

@@ -17,7 +17,7 @@ from ui.look.wording import millimetres, percent, sentence_case, several
 from ui.pages.clicked_distance import ClickedPoint
 from ui.pages.inspection.clicking import ClickingTools
 from ui.pages.inspection.cutting import Cutting
-from ui.pages.inspection.deviation_display import DeviationDisplay
+from ui.pages.inspection.deviation_display import NOT_COMPARED, DeviationDisplay
 from ui.pages.inspection.dimension_rows import alignment_words, decision_rule, dimension_properties, feature_group, removal_words
 from ui.pages.inspection.dimension_side import TABLE_WIDTH, DimensionSide
 from ui.pages.inspection.part_picture import SHAPE_TIPS, SHAPES, filled_in, mesh_of, part_composer
@@ -59,7 +59,7 @@ class InspectionPage(ViewportPage):
         self.measure_file = Button("Measure a file…", look, "file", tip="Measure a cloud or mesh by a nominal or an inspection program")
         self.empty.add_quiet(self.measure_file)
         self.shape = Segments(SHAPES, name="Picture", tips=SHAPE_TIPS)
-        self.shape.set_available("deviation", False)
+        self.shape.set_available("deviation", False, NOT_COMPARED)
         self.shape.valueChanged.connect(self.redraw)
         self._entry: tuple[Properties, ProgramEntries] | None = None  # of the program, while its properties are shown
         self.filled = NotMeasuredLegend(look)
@@ -148,7 +148,7 @@ class InspectionPage(ViewportPage):
         self.side.show_comparison(comparison)
         self.display.show_comparison(comparison)
         self.cut.show_extent(None if comparison is None or comparison.surface is None else comparison.surface)
-        self.shape.set_available("deviation", comparison is not None)
+        self.shape.set_available("deviation", comparison is not None, NOT_COMPARED)
         if comparison is not None:
             self.shape.setValue("deviation")
         elif self.shape.value() == "deviation":
