@@ -10475,6 +10475,10 @@
       <translation>截面所垂直的轴</translation>
     </message>
     <message>
+      <source>Before the change: {value}, {verdict}</source>
+      <translation>更改前：{value}，{verdict}</translation>
+    </message>
+    <message>
       <source>Best fit</source>
       <translation>最佳拟合</translation>
     </message>
@@ -11409,6 +11413,10 @@
     <message>
       <source>Sphere</source>
       <translation>球</translation>
+    </message>
+    <message>
+      <source>Stale</source>
+      <translation>已过期</translation>
     </message>
     <message>
       <source>Status: current, being measured, stale, or not measurable</source>

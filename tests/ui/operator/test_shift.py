@@ -153,6 +153,19 @@ def test_start_is_disabled_with_the_reason_in_sight(workshop, monkeypatch):
     assert workshop.screens.call.isVisible() and "GB free" in workshop.screens.call.words.text()
 
 
+def test_a_check_before_the_start_that_takes_a_moment_is_no_error(workshop):
+    workshop.identify("GC-0010")
+    workshop.screens.identify.next.click()
+    load, operator = workshop.screens.load, workshop.operator
+    workshop.wait(lambda: operator.obstacles is not None)
+    operator.obstacles = None
+    operator.obstaclesChanged.emit()
+    assert load.why.text() == "The calibration and the disk are being checked." and load.why.property("op") == "strong"
+    operator.obstacles = ("The disk is full.",)
+    operator.obstaclesChanged.emit()
+    assert load.why.text() == "The disk is full." and load.why.property("op") == "error"
+
+
 def test_a_rig_without_calibration_does_not_start(workshop, rig):
     real = rig.model_copy(update={"driver": "recorded", "name": "Cell 2"})
     workshop.application.session.set_rig(real)
