@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 import json
 import logging
 import os
@@ -75,3 +76,13 @@ def test_an_import_that_another_thread_disturbed_is_tried_again(monkeypatch):
     calls.clear()
     with pytest.raises(RuntimeError, match="changed size"):
         startup.import_with_retry("open3d")
+
+
+def test_what_is_imported_meanwhile_is_never_searched_for_garbage():
+    usual, frozen = gc.get_threshold(), gc.get_freeze_count()
+    kept = []
+    with startup.made_to_last():
+        assert gc.get_threshold()[2] > 1000 * usual[2]
+        kept.extend([one] for one in range(1000))
+    assert gc.get_threshold() == usual
+    assert gc.get_freeze_count() >= frozen + len(kept)
