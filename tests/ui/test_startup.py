@@ -8,6 +8,7 @@ import logging
 import os
 import subprocess
 import sys
+import threading
 from pathlib import Path
 
 import pytest
@@ -86,3 +87,16 @@ def test_what_is_imported_meanwhile_is_never_searched_for_garbage():
         kept.extend([one] for one in range(1000))
     assert gc.get_threshold() == usual
     assert gc.get_freeze_count() >= frozen + len(kept)
+
+
+def test_nothing_waits_behind_the_preparation_which_takes_minutes_at_the_first_start(application, qtbot, monkeypatch):
+    done, reached = threading.Event(), []
+    monkeypatch.setattr(startup, "load_graphics", lambda _job: "")
+    monkeypatch.setattr(startup, "warm_up", lambda _progress: done.wait(20.0))
+    controllers = application.controllers
+    controllers.startup.begin()
+    controllers.background.run("Comparing with the nominal", lambda _job: "compared", reached.append, quiet=True)
+    qtbot.waitUntil(lambda: reached == ["compared"], timeout=10_000)
+    assert controllers.preparing.queue.busy
+    done.set()
+    qtbot.waitUntil(lambda: not controllers.preparing.queue.busy, timeout=10_000)
