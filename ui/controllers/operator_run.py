@@ -10,7 +10,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 
 from measureapp.errors import MeasureError
 from ui.controllers import operator_work as work
-from ui.controllers.jobs import JobRunner
+from ui.controllers.jobs import CANCELLED, JobRunner
 from ui.controllers.operator_nouns import Fault, Filed, ToMeasure
 from ui.controllers.operator_shelf import ShelfController
 from ui.controllers.rig_connection import VIRTUAL
@@ -28,7 +28,7 @@ if TYPE_CHECKING:
 
 TITLE = "Measurement"
 STORED = {"stored", "processed"}
-STOPPED = Fault("The measurement was stopped.", "What was measured so far is kept.", 0, 0)
+STOPPED = "The measurement was stopped."
 
 
 class OperatorRun(QObject):
@@ -54,6 +54,7 @@ class OperatorRun(QObject):
         self.fault: Fault | None = None
         self.filed: Filed | None = None
         self.waits = False  # for the end of a run
+        self.calibrates = False  # before the scan; only a virtual rig does
         self._wanted: ToMeasure | None = None
         self._folder: Path | None = None
         self._began_s = 0.0
@@ -86,12 +87,14 @@ class OperatorRun(QObject):
         if session.cell.stopped == BY_BUTTON:
             self._rig.reset()
         self.fault, self.filed, self._told = None, None, []
-        self._began_s, self.waits = time.monotonic(), True
+        self._began_s, self.waits, self.calibrates = time.monotonic(), True, False
         session.open_project(wanted.program.facts.name, wanted.program.facts.name, folder)
 
         def request(job: Job) -> ScanRequest:
             job.check()
-            return work.scan_request(rig, wanted.program, wanted.entered, settings, folder)
+            made = work.scan_request(rig, wanted.program, wanted.entered, settings, folder)
+            self.calibrates = made.calibrate
+            return made
 
         self.began.emit()
         self._scanning.run(TITLE, request, "measurement")
@@ -140,9 +143,7 @@ class OperatorRun(QObject):
         stored = sum(status in STORED for status in states.values())
         following = next((id_ for id_, status in states.items() if status not in STORED), "")
         errors = [message for message in self._told if message.level == "error"] or self._told
-        cause, remedy = (errors[-1].text, errors[-1].hint) if errors else (STOPPED.cause, STOPPED.remedy)
-        if cause == "Cancelled.":
-            cause, remedy = STOPPED.cause, STOPPED.remedy
+        cause, remedy = (errors[-1].text, errors[-1].hint) if errors and errors[-1].text != CANCELLED else (STOPPED, "")
         return Fault(cause, remedy, stored, len(states), following)
 
     @Slot()

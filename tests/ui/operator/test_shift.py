@@ -8,6 +8,7 @@ from measureapp.project.folder import ProjectFolder
 from measureapp.project.identification_file import read_identification
 from measureapp.project.series.store import SeriesStore
 from tests.ui.conftest import graphics_are_missing
+from tests.ui.operator.conftest import Ticket
 from ui.controllers.operator_nouns import UNREASONED
 from ui.session import RunNow
 
@@ -139,6 +140,29 @@ def test_after_a_fault_it_says_what_is_kept_and_resumes_in_the_same_folder(works
     workshop.wait(lambda: workshop.operator.filed is not None)
 
 
+def test_a_stop_before_the_first_viewpoint_offers_what_it_speaks_of(workshop, monkeypatch):
+    session = workshop.application.session
+
+    def stop(_title, make, _subject) -> None:
+        request = make(Ticket())
+        workshop.requests.append(request)
+        session.set_run(RunNow("running"))
+        session.set_plan(request.plan)
+        session.tell("Cancelled.", "Data stored so far is kept.", "warning")
+        session.set_run(RunNow("idle"))
+
+    monkeypatch.setattr(workshop.application.controllers.scanning, "run", stop)
+    workshop.identify("GC-0011")
+    workshop.screens.identify.next.click()
+    workshop.load_and_start()
+    run = workshop.screens.run
+    assert run.cause.text() == "The measurement was stopped." and not run.remedy.isVisible()
+    assert run.kept.text() == "No viewpoint was stored yet."
+    assert "hold Resume" in run.press.text() and run.resume.isVisible()
+    run.resume.held.emit()
+    assert workshop.requests[1].folder == workshop.requests[0].folder  # with the calibration that was begun there
+
+
 def test_start_is_disabled_with_the_reason_in_sight(workshop, monkeypatch):
     monkeypatch.setattr("ui.controllers.operator_work.RESERVE_BYTES", 1e18)
     workshop.identify("GC-0008")
@@ -207,6 +231,9 @@ def test_until_the_first_viewpoint_the_screen_says_what_happens(workshop, monkey
     run = workshop.screens.run
     workshop.wait(run.isVisible)
     assert run.words.text() == "The measurement is being prepared"  # a calibration may be there already
+    workshop.application.controllers.jobs.progressed.emit(0.0, "Preparing the scan")
+    assert run.words.text() == "Preparing the scan"  # nor is it read at once
+    workshop.operator.run.calibrates = True
     workshop.application.controllers.jobs.progressed.emit(0.01, "Images of the board from pose01")
     assert run.words.text() == "The rig is calibrated first"
     assert run.time.text().endswith(" s so far")

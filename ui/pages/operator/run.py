@@ -162,9 +162,10 @@ class RunScreen(QWidget):
     def _show_fault(self, fault: Fault) -> None:
         self.cause.setText(translated(fault.cause))
         self.remedy.setText(translated(fault.remedy))
+        self.remedy.setVisible(bool(fault.remedy))
         self.kept.setText(tr(KEPT, stored=fault.stored, planned=fault.planned) if fault.stored else translated(NOTHING_KEPT))
         self.press.setText(tr(PRESS, following=fault.following) if fault.following else translated(PRESS_PROCESS) if fault.stored else "")
-        self.resume.setVisible(bool(fault.stored))
+        self.resume.setVisible(bool(self.press.text()))  # images of a calibration are kept, too, before any viewpoint is stored
         self.resume.restore()
 
     def _show_progress(self) -> None:
@@ -187,7 +188,7 @@ class RunScreen(QWidget):
     def _step_words(self) -> str:
         points = list(self._session.viewpoints.values())
         present = next((place for place, point in enumerate(points) if point.status in STEPS), None)
-        if present is None and self._note and self._session.calibration is None:
+        if present is None and self._controllers.operator.run.calibrates and self._session.calibration is None:
             return CALIBRATED_FIRST
         if present is None:
             return self._note.partition(": ")[0] or "The measurement is being prepared"
