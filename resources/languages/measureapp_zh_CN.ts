@@ -14930,6 +14930,10 @@ The first run of this part counts.</source>
       <translation>“停止”不是急停。</translation>
     </message>
     <message>
+      <source>Stopping…</source>
+      <translation>正在停止…</translation>
+    </message>
+    <message>
       <source>The images are checked</source>
       <translation>正在检查图像</translation>
     </message>
@@ -14938,8 +14942,8 @@ The first run of this part counts.</source>
       <translation>正在保存图像</translation>
     </message>
     <message>
-      <source>The measured points appear here after the first viewpoint.</source>
-      <translation>第一个视点测量后，测得的点将显示在此处。</translation>
+      <source>The measured points appear here when the first viewpoint is computed.</source>
+      <translation>计算出第一个视点后，测量点显示在此处。</translation>
     </message>
     <message>
       <source>The measurement has ended early</source>
@@ -18689,10 +18693,6 @@ There is no page about “{name}”.</source>
     <message>
       <source>Stop everything that moves, then close the window</source>
       <translation>停止一切运动，然后关闭窗口</translation>
-    </message>
-    <message>
-      <source>Stopping…</source>
-      <translation>正在停止…</translation>
     </message>
     <message>
       <source>Stops when the present step ends; nothing new is begun.</source>

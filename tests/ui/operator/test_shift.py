@@ -10,6 +10,7 @@ from measureapp.project.series.store import SeriesStore
 from tests.ui.conftest import graphics_are_missing
 from tests.ui.operator.conftest import Ticket
 from ui.controllers.operator_nouns import UNREASONED
+from ui.messages import STOPPED
 from ui.session import RunNow
 
 
@@ -161,6 +162,21 @@ def test_a_stop_before_the_first_viewpoint_offers_what_it_speaks_of(workshop, mo
     assert "hold Resume" in run.press.text() and run.resume.isVisible()
     run.resume.held.emit()
     assert workshop.requests[1].folder == workshop.requests[0].folder  # with the calibration that was begun there
+
+
+def test_stop_is_answered_at_once_and_an_operator_is_not_sent_to_a_page_he_has_not(workshop, monkeypatch):
+    session = workshop.application.session
+    monkeypatch.setattr(workshop.application.controllers.scanning, "run", lambda *_: session.set_run(RunNow("running")))
+    workshop.identify("GC-0012")
+    workshop.screens.identify.next.click()
+    workshop.load_and_start()
+    run = workshop.screens.run
+    run.stop.click()
+    assert run.words.text() == "Stopping…" and not run.stop.isEnabled() and not run.pause.isEnabled()
+    session.tell("Cancelled.", "Data stored so far is kept.", "warning")
+    session.tell("Everything was stopped.", "Reset the stop on the Rig page before anything moves again.", "warning", cause=STOPPED)
+    session.set_run(RunNow("idle"))
+    assert run.cause.text() == "The measurement was stopped." and not run.remedy.isVisible()
 
 
 def test_start_is_disabled_with_the_reason_in_sight(workshop, monkeypatch):

@@ -220,7 +220,7 @@ def test_the_state_of_a_plan_follows_the_language(application, filled, qtbot, sp
         ("The datums plate top do not fix the location of bore: free are translation along z, rotation about x", ""),
         ("Surroundings", "周围物体"),
         ("Take 10 more views, each with another tilt and place, to average the noise.", "以平均噪声。"),
-        ("/tmp/a.png is not a readable image. Use an undamaged PNG, TIFF or BMP of 8 or 16 bit.", "16 位 PNG、TIFF 或 BMP。"),
+        ("a.png is not a readable image. Use an undamaged PNG, TIFF or BMP of 8 or 16 bit.", "16 位 PNG、TIFF 或 BMP。"),
         ("Adds 0.021 mm (k = 2), at worst 0.131 mm, to a length of 300 mm in this volume: usable.", "可用。"),
     ],
 )
