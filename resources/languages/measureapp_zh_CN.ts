@@ -1392,6 +1392,10 @@
       <translation>已按下停止。</translation>
     </message>
     <message>
+      <source>Stopped.</source>
+      <translation>已停止。</translation>
+    </message>
+    <message>
       <source>Storing</source>
       <translation>正在保存</translation>
     </message>
@@ -1606,6 +1610,10 @@
     <message>
       <source>The template is saved to {path}.</source>
       <translation>模板已保存到 {path}。</translation>
+    </message>
+    <message>
+      <source>The views collected so far are kept.</source>
+      <translation>已采集的视图会保留。</translation>
     </message>
     <message>
       <source>The {subject} is complete.</source>
