@@ -10,9 +10,9 @@ from demo_fixture import Demo
 
 from measureapp.cli import main
 from measureapp.data.decode_limits import DecodeLimits
-from measureapp.pipeline import Outcome
 from measureapp.pipeline.events import CalibrationReady, ViewFailed
 from measureapp.pipeline.noise import decode_settings_of
+from measureapp.pipeline.run import Outcome
 from measureapp.project.folder import ProjectFolder
 from measureapp.project.fringes.decode_limits_file import read_decode_limits
 from measureapp.project.inputs import changes, current_inputs
