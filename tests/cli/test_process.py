@@ -29,7 +29,7 @@ def processed(demo: Demo, monkeypatch: pytest.MonkeyPatch) -> None:
         progress.report(1, 1)
         return Outcome(replace(measurement, inspection=None), {"dimensions": []}, {})
 
-    monkeypatch.setattr("measureapp.pipeline.process_project", process_project)
+    monkeypatch.setattr("measureapp.pipeline.run.process_project", process_project)
 
 
 def test_what_limits_a_calibration_that_was_solved_now_is_said(demo: Demo, monkeypatch: pytest.MonkeyPatch, capsys) -> None:
@@ -41,7 +41,7 @@ def test_what_limits_a_calibration_that_was_solved_now_is_said(demo: Demo, monke
         on_event(CalibrationReady(measurement.calibration, (displaced,)))
         return Outcome(replace(measurement, inspection=None), {"dimensions": []}, {})
 
-    monkeypatch.setattr("measureapp.pipeline.process_project", process_project)
+    monkeypatch.setattr("measureapp.pipeline.run.process_project", process_project)
     assert main(["process", str(demo.folder), "--json"]) == 0
     assert capsys.readouterr().err == f"Calibration: {displaced}\n"
 
