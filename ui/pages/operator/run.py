@@ -10,7 +10,7 @@ from ui.controllers.controllers import Controllers
 from ui.controllers.operator_nouns import Fault
 from ui.look.language.words import tr, translated
 from ui.look.look import Look
-from ui.look.wording import duration, rough_duration, with_hint
+from ui.look.wording import duration, rough_duration, sentence_case, with_hint
 from ui.pages.layers import PlacedClouds, placements_of, view_layer
 from ui.pages.operator.big import BigButton, HoldButton, big_card, big_label
 from ui.pages.operator.part_view import PartView
@@ -152,9 +152,6 @@ class RunScreen(QWidget):
             shown.setVisible(fault is None)
         paused = run.state == "paused"
         self.pause.setVisible(not paused)
-        stopping = self._controllers.operator.run.is_stopping and fault is None
-        self.pause.setEnabled(run.state == "running" and not stopping)
-        self.stop.setEnabled(not stopping)
         self.go_on.setVisible(paused)
         self.paused.setText(with_hint(run.cause, run.remedy) if paused else "")
         if fault is not None:
@@ -170,9 +167,16 @@ class RunScreen(QWidget):
         self.resume.setVisible(bool(self.press.text()))  # images of a calibration are kept, too, before any viewpoint is stored
         self.resume.restore()
 
+    def _show_buttons(self) -> None:
+        """Offer what can be done now: a pause only while images are taken."""
+        stopping = self._controllers.operator.run.is_stopping
+        self.pause.setEnabled(self._session.run.state == "running" and self._controllers.scanning.is_taking and not stopping)
+        self.stop.setEnabled(not stopping)
+
     def _show_progress(self) -> None:
         if not self.isVisible():
             return
+        self._show_buttons()
         fault = self._controllers.operator.fault
         elapsed = self._controllers.operator.run.elapsed_s
         if fault is not None:
@@ -196,7 +200,7 @@ class RunScreen(QWidget):
         if present is None and self._controllers.operator.run.calibrates and self._session.calibration is None:
             return CALIBRATED_FIRST
         if present is None:
-            return self._note.partition(": ")[0] or "The measurement is being prepared"
+            return sentence_case(self._note.partition(": ")[0]) or "The measurement is being prepared"
         words = {"step": STEPS[points[present].status], "number": present + 1, "all": len(points)}
         return tr("{step}: viewpoint {number} of {all}", **words)
 
