@@ -253,7 +253,7 @@ def test_until_the_first_viewpoint_the_screen_says_what_happens(workshop, monkey
     workshop.application.controllers.jobs.progressed.emit(0.01, "Images of the board from pose01")
     assert run.words.text() == "The rig is calibrated first"
     workshop.operator.run.calibrates = False
-    workshop.application.controllers.jobs.progressed.emit(0.9, "joint registration: 3 of 8")
+    workshop.application.controllers.jobs.progressed.emit(0.01, "joint registration: 3 of 8")
     assert run.words.text() == "Joint registration"
     assert not run.pause.isEnabled()  # images are no longer taken
     assert run.time.text().endswith(" s so far")
