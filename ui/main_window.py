@@ -73,7 +73,7 @@ class MainWindow(QMainWindow):
         self.stack.setObjectName("pages")
         for page in self.pages.values():
             self.stack.addWidget(page)
-            page.propertiesChanged.connect(self._show_properties)
+            page.propertiesChanged.connect(self._follow_properties)
             page.propertiesAsked.connect(self._unfold)
         self._add_commands()
         self._lay_out()
@@ -248,6 +248,10 @@ class MainWindow(QMainWindow):
 
     def _go_on(self) -> None:
         self.show_page("clouds")
+
+    def _follow_properties(self) -> None:
+        if self.sender() is self.page:  # those of a page out of sight are shown with it
+            self._show_properties()
 
     def _show_properties(self) -> None:
         self.properties.show_properties(self.page.properties)

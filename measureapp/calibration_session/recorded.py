@@ -120,7 +120,7 @@ def readbacks_of(positions: Sequence[RecordedPosition], files: ReadbackFiles, ne
     missing = list(dict.fromkeys(axis for one in found for axis in one.missing(needed)))
     if missing:
         raise InputError(
-            f"The images have no read-back of: {' and '.join(missing)}.",
+            f"The images have no read-back of: {', '.join(missing)}.",
             "Choose a table with one line per position of the board, or the folder in which a project keeps its views of the board.",
         )
     return found

@@ -21,8 +21,8 @@ from measureapp.errors import InputError
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
 
-    from measureapp.pipeline import Outcome
     from measureapp.pipeline.events import Event
+    from measureapp.pipeline.run import Outcome
     from measureapp.pipeline.watch import Profile
     from measureapp.project.folder import ProjectFolder
 
@@ -98,7 +98,7 @@ def register(app: typer.Typer) -> None:
 
 def _recompute(folder: ProjectFolder, damaged: dict[str, str], *, profile: bool) -> tuple[Outcome, Profile | None]:
     """Process a project; with its profile, where that is wanted."""
-    from measureapp.pipeline import process_project
+    from measureapp.pipeline.run import process_project
     from measureapp.pipeline.watch import Profile
 
     if not profile:

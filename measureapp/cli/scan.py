@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from measureapp.acquire.control import RunControl
     from measureapp.data.part_program import PartProgram
     from measureapp.data.plan import ScanPlan
-    from measureapp.pipeline import ScanRequest
+    from measureapp.pipeline.run import ScanRequest
 
 NOT_PROCESSED = (
     "The images are stored but not processed: the project has no calibration. Calibrate the rig, then run `measureapp process PROJECT`."
@@ -71,7 +71,7 @@ def register(app: typer.Typer) -> None:
     ) -> None:
         """Move, project, capture and store every viewpoint of a plan, then process the images."""
         from measureapp.devices.recorded_rig import require_devices
-        from measureapp.pipeline import ScanRequest
+        from measureapp.pipeline.run import ScanRequest
         from measureapp.project.rig_file import read_rig
 
         if per_viewpoint and auto_bracket is None:
@@ -99,7 +99,7 @@ def _scan(request: ScanRequest, as_json: bool) -> int:
     from measureapp.acquire.control import RunControl
     from measureapp.cli.scan_log import ScanLog
     from measureapp.cli.stop_signals import ended_by_signals
-    from measureapp.pipeline import scan_into_project
+    from measureapp.pipeline.run import scan_into_project
 
     control = RunControl(attended=sys.stdin is not None and sys.stdin.isatty())
     log = ScanLog(request.plan, request.rig, lambda: _wait_for_enter(control))

@@ -1392,6 +1392,10 @@
       <translation>已按下停止。</translation>
     </message>
     <message>
+      <source>Stopped.</source>
+      <translation>已停止。</translation>
+    </message>
+    <message>
       <source>Storing</source>
       <translation>正在保存</translation>
     </message>
@@ -1608,6 +1612,10 @@
       <translation>模板已保存到 {path}。</translation>
     </message>
     <message>
+      <source>The views collected so far are kept.</source>
+      <translation>已采集的视图会保留。</translation>
+    </message>
+    <message>
       <source>The {subject} is complete.</source>
       <translation>{subject}已完成。</translation>
     </message>
@@ -1710,10 +1718,6 @@
     <message>
       <source>Wait until it is loaded, or use recorded images.</source>
       <translation>请等待加载完成，或使用录制的图像。</translation>
-    </message>
-    <message>
-      <source>What was measured so far is kept.</source>
-      <translation>至今测得的内容会保留。</translation>
     </message>
     <message>
       <source>Without a CAD model a hole pattern is made from circles: create two or more, select them in the list, then choose Hole pattern.</source>
@@ -3304,6 +3308,10 @@
       <translation>它由较早版本录制：请重新录制该位置。</translation>
     </message>
     <message>
+      <source>Name a session, a result that was accepted, a cameras.json, or a project with a calibrated rig.</source>
+      <translation>请指定一个会话、一个已接受的结果、一个 cameras.json，或一个测量系统已标定的项目。</translation>
+    </message>
+    <message>
       <source>Observation {v1} was removed before.</source>
       <translation>观测 {v1} 此前已移除。</translation>
     </message>
@@ -3523,6 +3531,10 @@
       <translation>相机 {v1} 拒绝 {v2} = {v3}：{v4}。</translation>
     </message>
     <message>
+      <source>Check its cable, its power and the network card, then connect again.</source>
+      <translation>请检查其电缆、电源和网卡，然后重新连接。</translation>
+    </message>
+    <message>
       <source>Check its power and its cable.</source>
       <translation>请检查其电源和电缆。</translation>
     </message>
@@ -3533,6 +3545,10 @@
     <message>
       <source>Check power and cables, and that network card and cameras have addresses in one subnet.</source>
       <translation>请检查电源和电缆，并确认网卡与相机在同一子网。</translation>
+    </message>
+    <message>
+      <source>Check the driver's settings in the rig description, and the camera's model and firmware.</source>
+      <translation>请检查测量系统描述中的驱动设置，以及相机的型号和固件。</translation>
     </message>
     <message>
       <source>Choose a value that the camera supports, and close other programs that may set it.</source>
@@ -3768,6 +3784,10 @@
       <translation>无论有多少台机器，{v1} % 的项目需要长达 {v2} s，超过 {v3} s。</translation>
     </message>
     <message>
+      <source>Install it with: pip install 'measureapp[cluster]'.</source>
+      <translation>请用以下命令安装：pip install 'measureapp[cluster]'。</translation>
+    </message>
+    <message>
       <source>Install the same one everywhere.</source>
       <translation>请在各处安装相同的。</translation>
     </message>
@@ -3814,6 +3834,10 @@
     <message>
       <source>Start the job again.</source>
       <translation>请重新开始任务。</translation>
+    </message>
+    <message>
+      <source>State `projects = ["week/*"]`, or a table `[demo]` with parts, rigs and seeds, such as `seeds = "1-20"`.</source>
+      <translation>请给出 `projects = ["week/*"]`，或一个含 parts、rigs 和 seeds 的表 `[demo]`，例如 `seeds = "1-20"`。</translation>
     </message>
     <message>
       <source>The cloud {v1} cannot be read: {v2}.</source>
@@ -4445,6 +4469,10 @@
       <translation>请为每个时刻给出一个电平。</translation>
     </message>
     <message>
+      <source>Hold every level longer, and check that the camera sees the projector only.</source>
+      <translation>请延长每个灰度级的保持时间，并检查相机是否只看到投影仪。</translation>
+    </message>
+    <message>
       <source>Hold every level longer, or take images more often.</source>
       <translation>请延长每个电平，或更频繁地拍摄。</translation>
     </message>
@@ -4800,6 +4828,10 @@
       <translation>请录制六步以上；十二步为佳。</translation>
     </message>
     <message>
+      <source>Record this group again, or correct the order of its files.</source>
+      <translation>请重新录制这一组，或更正其文件的顺序。</translation>
+    </message>
+    <message>
       <source>Remove `complementary = true` from the group of the Gray code, or add the shifted last plane.</source>
       <translation>请从格雷码组中删除 `complementary = true`，或添加移位的最后一个平面。</translation>
     </message>
@@ -4826,6 +4858,10 @@
     <message>
       <source>Take flat images and use `measureapp noise`.</source>
       <translation>请拍摄平场图像并使用 `measureapp noise`。</translation>
+    </message>
+    <message>
+      <source>Take pairs of images of an evenly lit, unmoved surface at five or more exposures from dark to nearly saturated.</source>
+      <translation>请对照明均匀且不移动的表面，在从暗到接近饱和的五个或更多曝光下成对拍摄图像。</translation>
     </message>
     <message>
       <source>The beat of the pitches {v1} px is {v2} px, shorter than the {v3} {v4} of the projector.</source>
@@ -5256,6 +5292,10 @@
     <message>
       <source>Choose another alignment.</source>
       <translation>请选择另一对齐。</translation>
+    </message>
+    <message>
+      <source>Choose another characteristic, feature or datum.</source>
+      <translation>请选择其他特性、要素或基准。</translation>
     </message>
     <message>
       <source>Choose another letter, or remove what refers to it.</source>
@@ -6601,6 +6641,10 @@
       <translation>请给出同一分辨率的图像，即已标定相机的分辨率。</translation>
     </message>
     <message>
+      <source>Give it everywhere, or nowhere if the rig does not have that axis; board views for the cameras alone need on_table = false and no read-backs.</source>
+      <translation>请处处给出，若测量系统没有该轴则处处不给；仅用于相机的标定板视图需要 on_table = false 且没有回读值。</translation>
+    </message>
+    <message>
       <source>Give it one on the Inspect page, and measure again.</source>
       <translation>请在“检测”页给它一个，并重新测量。</translation>
     </message>
@@ -6687,6 +6731,10 @@
     <message>
       <source>Put the board of the calibration on the table, facing the head, and light it.</source>
       <translation>请将标定用的标定板放在转台上，朝向测头，并照亮。</translation>
+    </message>
+    <message>
+      <source>Put the board on its stand in the centre of the table, tilted towards the robot, and check light, lens caps and the board's settings.</source>
+      <translation>请将标定板放在转台中央的支架上并朝机器人倾斜，检查光照、镜头盖和标定板的设置。</translation>
     </message>
     <message>
       <source>Raw images of {v1}</source>
@@ -7094,6 +7142,10 @@
     <message>
       <source>; and {v1} more</source>
       <translation>；还有 {v1} 条</translation>
+    </message>
+    <message>
+      <source>A name begins with a letter or digit, and has letters, digits, '.', '_' and '-' only.</source>
+      <translation>名称以字母或数字开头，且只含字母、数字、“.”、“_”和“-”。</translation>
     </message>
     <message>
       <source>A plan needs at least one viewpoint.</source>
@@ -7743,12 +7795,20 @@
       <translation>请重新导出或复制文件。</translation>
     </message>
     <message>
+      <source>Export the URDF of the arm again; a xacro file has to be expanded first.</source>
+      <translation>请重新导出机械臂的 URDF；xacro 文件须先展开。</translation>
+    </message>
+    <message>
       <source>Export the arm alone, without gripper, guide or second arm.</source>
       <translation>请只导出手臂，不含夹爪、导轨或第二手臂。</translation>
     </message>
     <message>
       <source>Export the part again as OBJ with a mesh in it.</source>
       <translation>请将工件重新导出为含网格的 OBJ。</translation>
+    </message>
+    <message>
+      <source>Export the part as STL from the CAD program.</source>
+      <translation>请从 CAD 程序将工件导出为 STL。</translation>
     </message>
     <message>
       <source>Filter it again on the page Clouds.</source>
@@ -7803,12 +7863,20 @@
       <translation>请给出文件，或其一：{v1}。</translation>
     </message>
     <message>
+      <source>Give a folder with a {v1}, a logo and texts.</source>
+      <translation>请指定一个含有 {v1}、徽标和文本的文件夹。</translation>
+    </message>
+    <message>
       <source>Give a mesh, or make one of the cloud first.</source>
       <translation>请给出网格，或先由点云生成。</translation>
     </message>
     <message>
       <source>Give a new or empty folder.</source>
       <translation>请给出新的或空的文件夹。</translation>
+    </message>
+    <message>
+      <source>Give a part program that `measureapp program pack` has written.</source>
+      <translation>请指定由 `measureapp program pack` 写出的工件程序。</translation>
     </message>
     <message>
       <source>Give a rig description (TOML), or one of: {v1}.</source>
@@ -7915,6 +7983,10 @@
       <translation>请给出 {{"left": {{…}}, …}}。</translation>
     </message>
     <message>
+      <source>If the PIN is forgotten, run `measureapp gui --reset-engineer-pin` on this computer, then set a new one.</source>
+      <translation>如果忘记了 PIN，请在这台计算机上运行 `measureapp gui --reset-engineer-pin`，然后设置新的 PIN。</translation>
+    </message>
+    <message>
       <source>Image {v1} cannot be decoded.</source>
       <translation>无法解码图像 {v1}。</translation>
     </message>
@@ -7971,6 +8043,10 @@
       <translation>连杆 {v1} 是多个关节的子连杆。</translation>
     </message>
     <message>
+      <source>Measure the noise again with `measureapp noise`.</source>
+      <translation>请用 `measureapp noise` 重新测量噪声。</translation>
+    </message>
+    <message>
       <source>Measure the part with an inspection program first.</source>
       <translation>请先用检测程序测量工件。</translation>
     </message>
@@ -8025,6 +8101,10 @@
     <message>
       <source>Name the columns x, y, z with mm, inch, m, cm or um.</source>
       <translation>请将列命名为 x、y、z，并注明 mm、inch、m、cm 或 um。</translation>
+    </message>
+    <message>
+      <source>Name the images by camera and number, such as left01.png and right01.png, or use one folder per camera.</source>
+      <translation>请按相机和编号命名图像，例如 left01.png 和 right01.png，或每台相机用一个文件夹。</translation>
     </message>
     <message>
       <source>Name the link of the flange, one of: {v1}.</source>
@@ -8135,6 +8215,10 @@
       <translation>请从备份恢复，或重新导入录制。</translation>
     </message>
     <message>
+      <source>Restore it from a backup, or make a new one from what is there: measureapp verify PROJECT --renew-journal.</source>
+      <translation>请从备份恢复，或由现有内容重新生成：measureapp verify PROJECT --renew-journal。</translation>
+    </message>
+    <message>
       <source>Restore it from a backup, or take the position again.</source>
       <translation>请从备份恢复，或重新拍摄该位置。</translation>
     </message>
@@ -8145,6 +8229,10 @@
     <message>
       <source>Restore the file from a backup, or create a new project.</source>
       <translation>请从备份恢复文件，或创建新项目。</translation>
+    </message>
+    <message>
+      <source>Restore the file from a backup, or take the viewpoint again.</source>
+      <translation>请从备份恢复该文件，或重新拍摄该视点。</translation>
     </message>
     <message>
       <source>Restore the file from a backup.</source>
@@ -8213,6 +8301,10 @@
     <message>
       <source>Take the view again.</source>
       <translation>请重拍视图。</translation>
+    </message>
+    <message>
+      <source>Take this viewpoint again, or restore the file from a backup.</source>
+      <translation>请重新拍摄该视点，或从备份恢复该文件。</translation>
     </message>
     <message>
       <source>Take this viewpoint again.</source>
@@ -8339,12 +8431,20 @@
       <translation>请使用 .ply 或 .xyz。</translation>
     </message>
     <message>
+      <source>Use an undamaged PNG, TIFF or BMP of 8 or 16 bit.</source>
+      <translation>请使用未损坏的 8 位或 16 位 PNG、TIFF 或 BMP。</translation>
+    </message>
+    <message>
       <source>Use every image once.</source>
       <translation>每幅图像请只用一次。</translation>
     </message>
     <message>
       <source>Use images of one size for each camera.</source>
       <translation>每台相机请使用同一尺寸的图像。</translation>
+    </message>
+    <message>
+      <source>Use one folder per board position, with its images and a {v1} as written by `measureapp patterns export`.</source>
+      <translation>请为标定板的每个位置使用一个文件夹，其中有该位置的图像和由 `measureapp patterns export` 写出的 {v1}。</translation>
     </message>
     <message>
       <source>Use the calibration of the camera that took the images.</source>
@@ -8367,12 +8467,24 @@
       <translation>请写作 --images left='folder/left*.png'。</translation>
     </message>
     <message>
+      <source>Write it as `calibration` of the help describes: number, temperature_c, uncertainty_mm, over_mm, and corners or scale.</source>
+      <translation>请按帮助中 `calibration` 的说明书写：number、temperature_c、uncertainty_mm、over_mm，以及 corners 或 scale。</translation>
+    </message>
+    <message>
+      <source>Write the 4×4 matrix as four lines of four numbers, or as JSON.</source>
+      <translation>请将 4×4 矩阵写成四行、每行四个数，或写成 JSON。</translation>
+    </message>
+    <message>
       <source>Write the file again with this version.</source>
       <translation>请用此版本重新写出文件。</translation>
     </message>
     <message>
       <source>Write the manifest as `measureapp decode --help` describes.</source>
       <translation>请按 `measureapp decode --help` 的说明编写清单。</translation>
+    </message>
+    <message>
+      <source>Write the recording as `measureapp import --help` describes.</source>
+      <translation>请按 `measureapp import --help` 的说明书写该录制文件。</translation>
     </message>
     <message>
       <source>{v1} and the class {v2} both state the lengths of the board.</source>
@@ -9687,6 +9799,10 @@
       <translation>如果单位是 {v1}，请使用 `--unit {v2}`；否则请以毫米导出点云。</translation>
     </message>
     <message>
+      <source>Merge on a coarser grid, close other programs, and check the cloud's normals.</source>
+      <translation>请用更粗的网格合并，关闭其他程序，并检查点云的法向。</translation>
+    </message>
+    <message>
       <source>No cloud has enough points for registration.</source>
       <translation>没有点云有足够的点用于配准。</translation>
     </message>
@@ -9936,6 +10052,10 @@
       <translation>请在控制器处核对后，将其证书的指纹输入机器人设置。</translation>
     </message>
     <message>
+      <source>Load resources/rapid/MeasureApp.mod of this program into the task, and connect again.</source>
+      <translation>请将本程序的 resources/rapid/MeasureApp.mod 载入任务，然后重新连接。</translation>
+    </message>
+    <message>
       <source>The controller at {v1} is system {v2}; the settings expect {v3}.</source>
       <translation>{v1} 处的控制器是系统 {v2}；设置期望 {v3}。</translation>
     </message>
@@ -10064,6 +10184,10 @@
     <message>
       <source>Check port, address, baud rate and command table.</source>
       <translation>请检查端口、地址、波特率和命令表。</translation>
+    </message>
+    <message>
+      <source>Check power, cable, address and baud rate.</source>
+      <translation>请检查电源、电缆、地址和波特率。</translation>
     </message>
     <message>
       <source>Check the controller, its command table, address and baud rate.</source>
@@ -10473,6 +10597,10 @@
     <message>
       <source>Axis that the section is normal to</source>
       <translation>截面所垂直的轴</translation>
+    </message>
+    <message>
+      <source>Before the change: {value}, {verdict}</source>
+      <translation>更改前：{value}，{verdict}</translation>
     </message>
     <message>
       <source>Best fit</source>
@@ -11409,6 +11537,10 @@
     <message>
       <source>Sphere</source>
       <translation>球</translation>
+    </message>
+    <message>
+      <source>Stale</source>
+      <translation>已过期</translation>
     </message>
     <message>
       <source>Status: current, being measured, stale, or not measurable</source>
@@ -14346,6 +14478,10 @@
       <translation>两个特征</translation>
     </message>
     <message>
+      <source>usable</source>
+      <translation>可用</translation>
+    </message>
+    <message>
       <source>usual</source>
       <translation>普通</translation>
     </message>
@@ -14802,6 +14938,10 @@ The first run of this part counts.</source>
       <translation>“停止”不是急停。</translation>
     </message>
     <message>
+      <source>Stopping…</source>
+      <translation>正在停止…</translation>
+    </message>
+    <message>
       <source>The images are checked</source>
       <translation>正在检查图像</translation>
     </message>
@@ -14810,8 +14950,8 @@ The first run of this part counts.</source>
       <translation>正在保存图像</translation>
     </message>
     <message>
-      <source>The measured points appear here after the first viewpoint.</source>
-      <translation>第一个视点测量后，测得的点将显示在此处。</translation>
+      <source>The measured points appear here when the first viewpoint is computed.</source>
+      <translation>计算出第一个视点后，测量点显示在此处。</translation>
     </message>
     <message>
       <source>The measurement has ended early</source>
@@ -18561,10 +18701,6 @@ There is no page about “{name}”.</source>
     <message>
       <source>Stop everything that moves, then close the window</source>
       <translation>停止一切运动，然后关闭窗口</translation>
-    </message>
-    <message>
-      <source>Stopping…</source>
-      <translation>正在停止…</translation>
     </message>
     <message>
       <source>Stops when the present step ends; nothing new is begun.</source>

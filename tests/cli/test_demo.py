@@ -12,7 +12,7 @@ from demo_fixture import Demo
 from measureapp.cli import main
 from measureapp.data.dimension import Verdict
 from measureapp.demo import DemoRequest
-from measureapp.pipeline import Outcome
+from measureapp.pipeline.run import Outcome
 
 
 @pytest.fixture

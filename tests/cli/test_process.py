@@ -10,9 +10,9 @@ from demo_fixture import Demo
 
 from measureapp.cli import main
 from measureapp.data.decode_limits import DecodeLimits
-from measureapp.pipeline import Outcome
 from measureapp.pipeline.events import CalibrationReady, ViewFailed
 from measureapp.pipeline.noise import decode_settings_of
+from measureapp.pipeline.run import Outcome
 from measureapp.project.folder import ProjectFolder
 from measureapp.project.fringes.decode_limits_file import read_decode_limits
 from measureapp.project.inputs import changes, current_inputs
@@ -29,7 +29,7 @@ def processed(demo: Demo, monkeypatch: pytest.MonkeyPatch) -> None:
         progress.report(1, 1)
         return Outcome(replace(measurement, inspection=None), {"dimensions": []}, {})
 
-    monkeypatch.setattr("measureapp.pipeline.process_project", process_project)
+    monkeypatch.setattr("measureapp.pipeline.run.process_project", process_project)
 
 
 def test_what_limits_a_calibration_that_was_solved_now_is_said(demo: Demo, monkeypatch: pytest.MonkeyPatch, capsys) -> None:
@@ -41,7 +41,7 @@ def test_what_limits_a_calibration_that_was_solved_now_is_said(demo: Demo, monke
         on_event(CalibrationReady(measurement.calibration, (displaced,)))
         return Outcome(replace(measurement, inspection=None), {"dimensions": []}, {})
 
-    monkeypatch.setattr("measureapp.pipeline.process_project", process_project)
+    monkeypatch.setattr("measureapp.pipeline.run.process_project", process_project)
     assert main(["process", str(demo.folder), "--json"]) == 0
     assert capsys.readouterr().err == f"Calibration: {displaced}\n"
 

@@ -13,10 +13,10 @@ from measureapp.arrays import FloatArray
 from measureapp.cli import main
 from measureapp.data.calibration import RigCalibration
 from measureapp.errors import CalibrationError
-from measureapp.pipeline import process_project
 from measureapp.pipeline.recording.learn import STATIONARY, learn
 from measureapp.pipeline.recording.process import process_recording
 from measureapp.pipeline.recording.store import import_recording
+from measureapp.pipeline.run import process_project
 from measureapp.progress import NoProgress
 from measureapp.project.folder import ProjectFolder
 from measureapp.project.geometry.files import read_point_cloud

@@ -8,7 +8,7 @@ import sys
 import pytest
 
 from measureapp.errors import StorageError
-from measureapp.pipeline import process_project
+from measureapp.pipeline.run import process_project
 from measureapp.progress import NoProgress
 from measureapp.project.folder import ProjectFolder, ProjectSettings
 from measureapp.project.folder_lock import holder_of, lock_folder

@@ -106,6 +106,19 @@ def check(application: QApplication, top: QStackedWidget, views: list[CloudView]
     size = views[0].stage.scene.camera.size_px
     assert abs(size[0] - 700 * ratio) <= 2 and abs(size[1] - 520 * ratio) <= 2, size
     assert len({id(view._view._window) for view in views}) == 1
+    drawn = pictures(views[0]._view._window)
+    for width in range(690, 660, -10):  # as when buttons appear beside the view
+        surface.resize(width, 500)
+    assert not drawn, "a picture was drawn for every size on the way"
+    settle(application, views)
+    assert drawn
+
+
+def pictures(window) -> list[float]:
+    """Return a list that grows with every frame of a render window."""
+    frames, draw = [], window.draw
+    window.draw = lambda: frames.append(draw()) or frames[-1]
+    return frames
 
 
 def points_of(view: CloudView) -> np.ndarray:

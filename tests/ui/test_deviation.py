@@ -114,6 +114,7 @@ def test_the_legend_says_whether_colours_are_smoothed_and_keeps_what_was_set_whe
 def test_the_histogram_counts_what_lies_beyond_its_scale_in_the_outermost_bars_in_the_colours_of_the_legend(qtbot):
     histogram = DeviationHistogram(Look("light"))
     qtbot.addWidget(histogram)
+    histogram.show()
     histogram.show_values(np.array([-9.0, -0.001, 0.001, 0.002, 7.0, 8.0]), Legend("Deviation", -0.05, 0.05))
     assert (histogram.counts[0], histogram.counts[-1], histogram.counts.sum(), len(histogram.counts)) == (1, 2, 6, BINS)
     histogram.resize(480, 160)

@@ -17,6 +17,7 @@ from measureapp.project.program_file import parse_program
 from ui.controllers.program_rows import carry_ids, changed_names
 from ui.pages.inspection.dimension_model import Column
 from ui.pages.inspection.program_dialog import ProgramDialog
+from ui.widgets.data_table import SIGN_ROLE
 
 PATIENCE_MS = 60_000
 PROGRAM = """# by hand
@@ -159,6 +160,27 @@ def test_a_nominal_is_typed_and_its_verdict_follows_without_measuring_features_a
     assert row_named(page, "size").found is size  # the same result, not measured again
     assert page.side.table.current_row().name != "" and application.controllers.programming.is_modified
     assert "nominal = 60.5" in project.program_text(has_nominal=False)  # not saved yet
+
+
+def test_a_row_that_is_measured_again_shows_neither_its_old_verdict_nor_its_old_value_as_valid(application, page, qtbot, monkeypatch):
+    programming, table = application.controllers.programming, page.side.table
+    seen = []
+
+    def look() -> None:
+        row = row_named(page, "half")
+        cells = {column: table.dimensions.index(table.rows.index(row), column) for column in Column}
+        measured, verdict = cells[Column.MEASURED], cells[Column.VERDICT]
+        muted = measured.data(Qt.ItemDataRole.ForegroundRole)
+        seen.append((row.status, verdict.data(), verdict.data(SIGN_ROLE), muted is not None, verdict.data(Qt.ItemDataRole.ToolTipRole)))
+
+    programming.changed.connect(look)
+    type_in(page, qtbot, "half", Column.NOMINAL, "60")
+    settled(application, qtbot)
+    assert seen[0][:4] == ("calculating", "Measuring…", "", True) and "60.0" in seen[0][4] and "Fail" in seen[0][4]
+    assert seen[-1][:4] == ("current", "Not proven", "not proven", False)
+    monkeypatch.setattr(programming._measuring, "measure", lambda _state, _former: None)  # cancelled, or not possible
+    type_in(page, qtbot, "half", Column.NOMINAL, "60.5")
+    assert seen[-1][:4] == ("stale", "Stale", "", True) and "Not proven" in seen[-1][4]
 
 
 def test_a_tolerance_is_one_text_and_what_is_none_turns_red(application, page, qtbot):

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from measureapp.errors import InputError, StorageError
-from measureapp.pipeline import process_project
+from measureapp.pipeline.run import process_project
 from measureapp.progress import NoProgress
 from measureapp.project import filter_file, upkeep
 from measureapp.project.filter_file import FILTERED, FILTERS, save_filters

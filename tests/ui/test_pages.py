@@ -222,14 +222,16 @@ def test_the_inspection_page_shows_the_surface_or_the_points(filled, drawn):
     assert len(page.view._clouds[0].points_mm) == 6000
 
 
-def test_the_report_page_shows_pages_and_offers_what_can_be_exported(filled, application, tmp_path):
+def test_the_report_page_shows_pages_and_offers_what_can_be_exported(filled):
     page = filled.pages["report"]
     filled.show_page("report")
     picture = QImage(60, 80, QImage.Format.Format_RGB32)
-    picture.fill(0xFFFFFF)
-    picture.save(str(tmp_path / "page.png"))
-    page.show_pages(((tmp_path / "page.png").read_bytes(),) * 2)
+    picture.fill(0x336699)
+    page.show_pages((picture,) * 2)
     assert len(page.pages) == 2
+    shown = page.pages[0]
+    assert shown.height() == pytest.approx(shown.sizeHint().width() * 80 / 60, abs=1)
+    assert shown.grab().toImage().pixelColor(shown.width() // 2, shown.height() // 2).name() == "#336699"
     assert [kind for kind, button in page.exports.items() if button.isVisible()] == ["ply", "stl", "open"]
     assert not page.open_pdf.isVisible()
 

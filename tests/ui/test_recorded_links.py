@@ -103,4 +103,4 @@ def test_the_whole_rig_asks_for_every_axis(opened, calibration, tmp_path):
     wizard.setup.board.setValue(BOARD)
     wizard.setup.folder.setValue(record(tmp_path / "images", 3))
     wizard.footer.primary.click()
-    assert "the robot's pose and the guide's position and the table's angle" in wizard.footer.message.words.text()
+    assert "the robot's pose, the guide's position, the table's angle" in wizard.footer.message.words.text()

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import gc
 import json
 import logging
 import os
 import subprocess
 import sys
+import threading
 from pathlib import Path
 
 import pytest
@@ -75,3 +77,26 @@ def test_an_import_that_another_thread_disturbed_is_tried_again(monkeypatch):
     calls.clear()
     with pytest.raises(RuntimeError, match="changed size"):
         startup.import_with_retry("open3d")
+
+
+def test_what_is_imported_meanwhile_is_never_searched_for_garbage():
+    usual, frozen = gc.get_threshold(), gc.get_freeze_count()
+    kept = []
+    with startup.made_to_last():
+        assert gc.get_threshold()[2] > 1000 * usual[2]
+        kept.extend([one] for one in range(1000))
+    assert gc.get_threshold() == usual
+    assert gc.get_freeze_count() >= frozen + len(kept)
+
+
+def test_nothing_waits_behind_the_preparation_which_takes_minutes_at_the_first_start(application, qtbot, monkeypatch):
+    done, reached = threading.Event(), []
+    monkeypatch.setattr(startup, "load_graphics", lambda _job: "")
+    monkeypatch.setattr(startup, "warm_up", lambda _progress: done.wait(20.0))
+    controllers = application.controllers
+    controllers.startup.begin()
+    controllers.background.run("Comparing with the nominal", lambda _job: "compared", reached.append, quiet=True)
+    qtbot.waitUntil(lambda: reached == ["compared"], timeout=10_000)
+    assert controllers.preparing.queue.busy
+    done.set()
+    qtbot.waitUntil(lambda: not controllers.preparing.queue.busy, timeout=10_000)

@@ -12,6 +12,7 @@ from measureapp.acquire import events as e
 from measureapp.errors import InputError
 from measureapp.pipeline import events as p
 from ui.app import Reporter, open_demo
+from ui.widgets.properties_panel import Properties
 
 
 @pytest.fixture
@@ -172,6 +173,15 @@ def test_the_rail_changes_pages_and_the_properties_fold(window):
     assert not window.properties.folded
     window.properties.toggle()
     assert window.properties.folded
+
+
+def test_the_panel_shows_properties_of_the_page_in_sight_only(window):
+    window.show_page("calibration")
+    shown = window.properties.shown
+    window.pages["scan"].show_properties(Properties("Out of sight"))
+    assert window.properties.shown is shown
+    window.show_page("scan")
+    assert window.properties.shown.title == "Out of sight"
 
 
 def test_the_theme_changes_while_the_window_is_open(application, window):

@@ -19,6 +19,7 @@ from tests.ui.board_pictures import BOARD, FOCAL, HEIGHT, WIDTH, record
 from tests.ui.wizard_steps import PATIENCE_MS, read_folder, settle
 from ui.controllers.rig_connection import truth_of
 from ui.look.demo_settings import DemoSettings
+from ui.widgets.gauges import Level
 from ui.wizards.wizard import COLLECT, RESULT, SETUP
 
 
@@ -218,6 +219,10 @@ def test_the_virtual_rig_takes_views_and_shows_its_truth_beside_the_result(qtbot
     assert wizard.footer.words == (f"Take {len(wizard.collecting.capture.viewpoints_left)} views", "", "Take one view")
     wizard.collecting.capture.take(5)
     qtbot.waitUntil(wizard.footer.stop.isVisible, timeout=PATIENCE_MS)
+    wizard.footer.stop.click()
+    settle(qtbot, wizard)
+    assert wizard.footer.message.words.text() == "Stopped. The views collected so far are kept."
+    wizard.collecting.capture.take(5 - len(wizard.collecting.views))
     settle(qtbot, wizard)
     assert len(wizard.collecting.views) == 5
     assert wizard.collecting.capture.rig.cameras[0].width_px == 648
@@ -230,8 +235,10 @@ def test_the_virtual_rig_takes_views_and_shows_its_truth_beside_the_result(qtbot
     assert wizard.result.truth_note.isVisible()
     assert wizard.footer.words[0] == "Collect more"  # five views are not enough, and it says so
     taken = {view.name for view in wizard.collecting.views}
+    wizard.footer.show_message("A camera does not answer.", "", "error")
     wizard.close()
     wizard.begin()
+    assert wizard.footer.message.words.text() == ""  # it is over
     wizard.setup.resumeClicked.emit()
     qtbot.waitUntil(lambda: wizard.step == COLLECT, timeout=PATIENCE_MS)
     settle(qtbot, wizard)
@@ -274,6 +281,18 @@ def test_an_axis_taken_with_the_rig_is_compared_with_the_one_before(qtbot, calib
     stored = json.loads((folder / "result" / "axis.json").read_text())
     assert stored["provenance"]["temperature_c"] == pytest.approx(35.0, abs=0.5)
     assert stored["provenance"]["valid_days"] == rig.calibration_rules.valid_days
+
+
+def test_in_a_small_window_what_is_missing_is_read_rather_than_measured(qtbot, wizard):
+    wizard.show_step(COLLECT)
+    levels = [Level(f"Gauge {number}", 0.1 * number, "") for number in range(8)]
+    shown = []
+    for height in (660, 1000):
+        wizard.resize(1264, height)
+        qtbot.wait(20)
+        wizard.collect.guidance.show_guidance(("Tilt the board more.",), levels)
+        shown.append((len(wizard.collect.guidance.gauges.levels), wizard.collect.guidance.rest.text()))
+    assert shown == [(4, "and 4 more"), (7, "and 1 more")]
 
 
 def test_a_wizard_does_not_open_while_the_rig_is_busy(calibration_page, application):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from PySide6.QtCore import QTimer
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QSizePolicy, QVBoxLayout, QWidget
 
@@ -16,7 +17,10 @@ if TYPE_CHECKING:
 
 
 class Chart(QWidget):
-    """Axes that are made with the first data, and drawn upon again when the theme changes."""
+    """Axes that are made with the first data in sight, and drawn upon again when data, theme or language have changed.
+
+    What cannot be seen is drawn when it comes into sight: the charts of all pages, drawn at every event of a job, would hold up the window.
+    """
 
     def __init__(self, look: Look, axes: Callable[[Any], Plot], draw: Callable[[Any, Plot], None], *, ground: str = "surface") -> None:
         """``axes(chart)`` returns new axes, ``draw(chart, axes)`` draws on empty ones in the colours of the theme; ``ground``: token of their background.
@@ -35,11 +39,19 @@ class Chart(QWidget):
         look.changed.connect(self._follow_theme)
 
     def redraw(self, spoken: str) -> None:
-        """Draw the present data; ``spoken`` describes them to a screen reader."""
+        """Draw the present data, now or as soon as the chart is in sight; ``spoken`` describes them to a screen reader."""
         self.setAccessibleDescription(translated(spoken))
+        if self.isVisible():
+            self.draw()
+        else:
+            self._is_outdated = True
+
+    def draw(self) -> None:
+        """Draw the present data at once."""
         plot = self.prepare()
         plot.clear()
         self._draw_on(self, plot)
+        self._is_outdated = False
 
     def prepare(self) -> Plot:
         """Return the axes; they are made where there are none yet, which takes a while."""
@@ -51,20 +63,22 @@ class Chart(QWidget):
         return self.plot
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Take the theme and the language that were chosen while the chart could not be seen."""
-        if self._is_outdated:
+        """Draw what was changed while the chart could not be seen; axes are made after the page is laid out, as they take a while."""
+        if self._is_outdated and self.plot is not None:
             self._dress()
+        elif self._is_outdated:
+            QTimer.singleShot(0, self, self._catch_up)
         super().showEvent(event)
 
-    def _follow_theme(self) -> None:
-        if self.isVisible():
+    def _catch_up(self) -> None:
+        if self._is_outdated and self.isVisible():
             self._dress()
-        else:  # the charts of all pages at once would hold up the window
-            self._is_outdated = True
+
+    def _follow_theme(self) -> None:
+        self._is_outdated = self._is_outdated or self.plot is not None  # axes that are made later are made in the theme
+        self._catch_up()
 
     def _dress(self) -> None:
-        self._is_outdated = False
         if self.plot is not None:
             self.plot.dress(self._look.theme, self._ground)
-            self.plot.clear()
-            self._draw_on(self, self.plot)
+        self.draw()

@@ -159,6 +159,7 @@ class CollectingController(QObject):
         self.capture.stop()
         if self._job is not None:
             self._job.cancel()
+            self.told.emit("Stopped.", "The views collected so far are kept.", "info")
 
     @Slot(object)
     def _handle_event(self, event: object) -> None:

@@ -49,6 +49,7 @@ class Controllers(QObject):
         super().__init__(parent)
         self.jobs = JobRunner(session, self)
         self.background = JobRunner(session, self)
+        self.preparing = JobRunner(session, self)  # compiling kernels takes minutes at the first start: nothing waits behind it
         self.drawing = JobRunner(session, self)
         self.explaining = JobRunner(session, self)
         self.imaging = JobRunner(session, self)
@@ -85,7 +86,7 @@ class Controllers(QObject):
         self.operator = OperatorController(session, self.operating, self.jobs, self.scanning, self.rig, self)
         self._session, self._calibrating = session, dict[str, CalibratingController]()
         self.recent_calibration = RecentCalibrationController(session, self.background, self)
-        self.startup = StartupController(session, self.background, self)
+        self.startup = StartupController(session, self.preparing, self)
 
     def calibrating(self, kind: Kind) -> CalibratingController:
         """Return the controller of one kind of calibration; it is made when first used."""
@@ -96,10 +97,11 @@ class Controllers(QObject):
 
     @property
     def runners(self) -> tuple[JobRunner, ...]:
-        """All queues: foreground and background jobs, drawing, explanation of views, images, solving, editing, plans, inspection, operator mode."""
+        """All queues: foreground and background jobs, start, drawing, explanation of views, images, solving, editing, plans, inspection, operator mode."""
         return (
             self.jobs,
             self.background,
+            self.preparing,
             self.drawing,
             self.explaining,
             self.imaging,

@@ -14,6 +14,8 @@ from ui.session import Session
 from ui.workers.job import Job, Work
 from ui.workers.rig_queue import RigQueue
 
+CANCELLED = "Cancelled."
+
 
 class JobRunner(QObject):
     """Submits jobs to a queue and reports their outcome to the session."""
@@ -91,7 +93,7 @@ class JobRunner(QObject):
 
     @Slot()
     def _on_cancelled(self) -> None:
-        self._session.tell("Cancelled.", "Data stored so far is kept.", "warning", cause=MOMENT)
+        self._session.tell(CANCELLED, "Data stored so far is kept.", "warning", cause=MOMENT)
 
 
 def _failure_of(job: QObject | None) -> str:

@@ -255,6 +255,11 @@ class OperatorController(QObject):
             return (*found, "The calibration and the disk are being checked.")
         return (*found, *self.obstacles)
 
+    @property
+    def is_checking(self) -> bool:
+        """Whether a start waits only for what is still being looked up."""
+        return (self._session.rig is None or self.obstacles is None) and len(self.why_not()) == 1
+
     @Slot()
     def start(self) -> None:
         """Measure the part in a new folder, unless something prevents it."""

@@ -10,13 +10,14 @@ from PySide6.QtCore import QObject, Signal, Slot
 
 from measureapp.errors import MeasureError
 from ui.controllers import operator_work as work
-from ui.controllers.jobs import JobRunner
+from ui.controllers.jobs import CANCELLED, JobRunner
 from ui.controllers.operator_nouns import Fault, Filed, ToMeasure
 from ui.controllers.operator_shelf import ShelfController
 from ui.controllers.rig_connection import VIRTUAL
-from ui.controllers.rig_control import BY_BUTTON, RigControl
+from ui.controllers.rig_control import ALL_STOPPED, BY_BUTTON, RigControl
 from ui.controllers.scanning import ScanController
 from ui.look.wording import with_hint
+from ui.messages import STOPPED as MESSAGE_OF_STOP
 from ui.messages import Message
 from ui.session import Session
 
@@ -28,7 +29,7 @@ if TYPE_CHECKING:
 
 TITLE = "Measurement"
 STORED = {"stored", "processed"}
-STOPPED = Fault("The measurement was stopped.", "What was measured so far is kept.", 0, 0)
+STOPPED = "The measurement was stopped."
 
 
 class OperatorRun(QObject):
@@ -54,6 +55,8 @@ class OperatorRun(QObject):
         self.fault: Fault | None = None
         self.filed: Filed | None = None
         self.waits = False  # for the end of a run
+        self.calibrates = False  # before the scan; only a virtual rig does
+        self.is_stopping = False  # at the operator's request
         self._wanted: ToMeasure | None = None
         self._folder: Path | None = None
         self._began_s = 0.0
@@ -86,12 +89,14 @@ class OperatorRun(QObject):
         if session.cell.stopped == BY_BUTTON:
             self._rig.reset()
         self.fault, self.filed, self._told = None, None, []
-        self._began_s, self.waits = time.monotonic(), True
+        self._began_s, self.waits, self.calibrates, self.is_stopping = time.monotonic(), True, False, False
         session.open_project(wanted.program.facts.name, wanted.program.facts.name, folder)
 
         def request(job: Job) -> ScanRequest:
             job.check()
-            return work.scan_request(rig, wanted.program, wanted.entered, settings, folder)
+            made = work.scan_request(rig, wanted.program, wanted.entered, settings, folder)
+            self.calibrates = made.calibrate
+            return made
 
         self.began.emit()
         self._scanning.run(TITLE, request, "measurement")
@@ -120,7 +125,9 @@ class OperatorRun(QObject):
     @Slot()
     def stop(self) -> None:
         """Stop everything that moves."""
+        self.is_stopping = True
         self._rig.stop()
+        self.faultChanged.emit()
 
     @Slot(object)
     def _keep_message(self, message: Message) -> None:
@@ -139,10 +146,12 @@ class OperatorRun(QObject):
         states = {id_: state.status for id_, state in self._session.viewpoints.items()}
         stored = sum(status in STORED for status in states.values())
         following = next((id_ for id_, status in states.items() if status not in STORED), "")
-        errors = [message for message in self._told if message.level == "error"] or self._told
-        cause, remedy = (errors[-1].text, errors[-1].hint) if errors else (STOPPED.cause, STOPPED.remedy)
-        if cause == "Cancelled.":
-            cause, remedy = STOPPED.cause, STOPPED.remedy
+        errors = [message for message in self._told if message.level == "error"]
+        if self.is_stopping and not errors:
+            unconfirmed = [message.text for message in self._told if message.cause == MESSAGE_OF_STOP and message.text != ALL_STOPPED]
+            return Fault(STOPPED, " ".join(unconfirmed), stored, len(states), following)
+        told = errors or [message for message in self._told if message.text != CANCELLED]
+        cause, remedy = (told[-1].text, told[-1].hint) if told else (STOPPED, "")
         return Fault(cause, remedy, stored, len(states), following)
 
     @Slot()

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from measureapp.data.dimension import Dimension
     from measureapp.data.inspection_program import InspectionProgram
     from measureapp.data.measurement import Inspection, Measurement
-    from measureapp.pipeline import Outcome
+    from measureapp.pipeline.run import Outcome
     from ui.workers.job import Job
 
 

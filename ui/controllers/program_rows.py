@@ -90,6 +90,11 @@ class DimensionRow:
         return "" if self.found is None else str(self.found.verdict)
 
     @property
+    def is_outdated(self) -> bool:
+        """Whether the last result is that of another program, so that its verdict no longer holds."""
+        return self.status in ("calculating", "stale")
+
+    @property
     def is_linked(self) -> bool:
         """Whether the nominal follows the nominal features."""
         return self.entry is not None and self.entry.nominal_linked

@@ -31,7 +31,7 @@ from ui.session import Session
 if TYPE_CHECKING:
     from measureapp.data.dimension import Dimension
     from measureapp.data.inspection_program import InspectionProgram
-    from measureapp.pipeline import Outcome
+    from measureapp.pipeline.run import Outcome
 
     Edit = Callable[[InspectionProgram], InspectionProgram]
 

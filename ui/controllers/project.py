@@ -22,7 +22,7 @@ if TYPE_CHECKING:
     from measureapp.data.plan import ScanPlan
     from measureapp.data.rig import RigDescription
     from measureapp.data.validity import Validity
-    from measureapp.pipeline import Outcome
+    from measureapp.pipeline.run import Outcome
     from measureapp.project.folder import ProjectFolder
     from measureapp.register.clouds.filter_chain import FilterChain
     from ui.workers.job import Job
@@ -173,7 +173,7 @@ class ProjectController(QObject):
         events = self._events
 
         def work(job: Job) -> Outcome:
-            from measureapp.pipeline import process_project
+            from measureapp.pipeline.run import process_project
             from measureapp.project.folder import ProjectFolder
 
             return process_project(ProjectFolder.open(folder), events.sink(job), job)

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from measureapp.devices.rig import Rig
     from measureapp.planning.collision.build import PartSolid
 
+ALL_STOPPED = "Everything was stopped."
 BY_BUTTON = "Stop was pressed."
 
 
@@ -220,7 +221,7 @@ class RigControl(QObject):
     def _report_stop(self, report: str) -> None:
         self._session.set_cell(replace(self._session.cell, stopped=BY_BUTTON, live=False))
         self._session.tell(
-            report or "Everything was stopped.",
+            report or ALL_STOPPED,
             "Reset the stop on the Rig page before anything moves again.",
             "warning",
             cause=STOPPED,

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import gc
 import importlib
 import importlib.util
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, Slot
@@ -31,6 +33,7 @@ IMPORTED_SHARE = 0.3
 IMPORT_TRIALS = 5
 LONGEST_YIELD_S, YIELD_S = 20.0, 0.05
 DEFAULT_RIG = "paper"
+NEVER = 1_000_000
 
 
 class StartupController(QObject):
@@ -74,9 +77,10 @@ class StartupController(QObject):
 def load_rig(job: Job) -> tuple[RigDescription | None, tuple[DriverRow, ...]]:
     """Read the default rig and list the drivers; runs on a job's thread."""
     job.check()
-    from measureapp.project.rig_file import read_rig
+    with made_to_last():
+        from measureapp.project.rig_file import read_rig
 
-    return read_rig(DEFAULT_RIG), list_drivers()
+        return read_rig(DEFAULT_RIG), list_drivers()
 
 
 def list_drivers() -> tuple[DriverRow, ...]:
@@ -94,9 +98,25 @@ def driver_row(found: PluginRow) -> DriverRow:
 def load_graphics(job: Job) -> str:
     """Import VTK, which takes a second; runs on a job's thread. Returns the problem, if any."""
     job.check()
-    from ui.viewport.backend import missing_graphics
+    with made_to_last():
+        from ui.viewport.backend import missing_graphics
 
-    return missing_graphics()
+        return missing_graphics()
+
+
+@contextmanager
+def made_to_last() -> Iterator[None]:
+    """Keep the garbage collector from searching what is imported meanwhile, now and later.
+
+    Modules stay until the end. Python searches all of them for garbage whenever there is a quarter more, 0.1 to 0.2 s each time, while the window stands still.
+    """
+    kept = gc.get_threshold()
+    gc.set_threshold(*kept[:2], NEVER)
+    try:
+        yield
+    finally:
+        gc.freeze()
+        gc.set_threshold(*kept)
 
 
 def import_with_retry(name: str) -> None:
@@ -131,6 +151,16 @@ class Yielding:
 
 def warm_up(job: Progress) -> None:
     """Import the packages of the first measurement, and compile or load its kernels; runs on a job's thread."""
+    with made_to_last():
+        _import_all(job)
+    from measureapp.pipeline.compile_apart import compile_apart
+    from measureapp.pipeline.warm_up import warm_up as load_kernels
+
+    compile_apart(job)
+    load_kernels(PartOf(job, IMPORTED_SHARE, 1.0, "Preparing the measurement: "))
+
+
+def _import_all(job: Progress) -> None:
     for done, name in enumerate(WARM_UP):
         job.report(IMPORTED_SHARE * done, len(WARM_UP), "Preparing the measurement")
         if importlib.util.find_spec(name) is None:
@@ -138,8 +168,3 @@ def warm_up(job: Progress) -> None:
                 tr("The package {name} is missing.", name=name), "Run `python3 installer/bootstrap.py run` to repair the installation."
             )
         import_with_retry(name)
-    from measureapp.pipeline.compile_apart import compile_apart
-    from measureapp.pipeline.warm_up import warm_up as load_kernels
-
-    compile_apart(job)
-    load_kernels(PartOf(job, IMPORTED_SHARE, 1.0, "Preparing the measurement: "))

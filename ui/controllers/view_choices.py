@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from measureapp.data.view_choices import ViewChoice, ViewChoices
-    from measureapp.pipeline import Outcome
+    from measureapp.pipeline.run import Outcome
     from ui.workers.job import Job
 
 TITLE = "Stitching again"

@@ -61,7 +61,8 @@ class MapView(Chart):
 
     def _show(self, words: str, shape: tuple[int, ...]) -> None:
         new, self._shape = shape != self._shape, (shape[0], shape[1])
-        self.redraw(tr("{words}, {width} × {height} px", words=words, width=shape[1], height=shape[0]))
+        self.setAccessibleDescription(tr("{words}, {width} × {height} px", words=words, width=shape[1], height=shape[0]))
+        self.draw()  # zoom, cursor and line need the axes
         if new:
             self.show_all()
 

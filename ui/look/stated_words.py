@@ -13,7 +13,7 @@ DEMO_NAMES = (
 IN_DEMO_NAMES = (
     *(later("impeller"), later("gypsum"), later("gear"), later("sphere_plate")),  # not "flat", which features are named, too
     *(later("full"), later("half"), later("quarter")),
-    *(later("good"), later("usual"), later("bad")),
+    *(later("good"), later("usual"), later("usable"), later("bad")),
 )
 SAMPLE_PROGRAMS = (
     "Gypsum cross: a, b, c, d",

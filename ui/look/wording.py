@@ -8,14 +8,13 @@ from datetime import datetime
 from pathlib import PurePath
 
 from measureapp.data.shown_name import shown_name
-from ui.look.language.words import tr, translated
+from ui.look.language.words import full_stop, tr, translated
 
 NOTHING = "–"
 THIN = "\u2009"
 MINUS = "\u2212"
 UNIT_AFTER_NUMBER = re.compile(r"(?<=\d) (?=(?:mm|µm|px|ppm|ms|µs|s|min|h|K|kB|MB|GB|TB)\b|[%°])")
 SENTENCE_ENDS = ".!?…。！？"
-IDEOGRAPHS = "\u4e00", "\u9fff"
 POINT_REASONS = {  # why a pixel has no point, by the names that documents use
     "point": "Measured",
     "seen by another": "Measured by another camera",
@@ -143,8 +142,7 @@ def sentence(text: str) -> str:
     text = text.strip()
     if not text:
         return ""
-    stop = "。" if IDEOGRAPHS[0] <= text[-1] <= IDEOGRAPHS[1] else "."
-    return text[0].upper() + text[1:] + ("" if text[-1] in SENTENCE_ENDS else stop)
+    return text[0].upper() + text[1:] + ("" if text[-1] in SENTENCE_ENDS else full_stop(text))
 
 
 def part_words(part: str) -> str:

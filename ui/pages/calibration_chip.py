@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from ui.look.language.words import tr
 from ui.look.wording import millimetres, when
-from ui.pages.calibration_rows import ADDED_LIMIT_MM, added_to_length_mm, solution_rows
+from ui.pages.calibration_rows import ADDED_LIMIT_MM, added_to_length_mm, judged_rows
 
 if TYPE_CHECKING:
     from measureapp.data.calibration import RigCalibration
@@ -47,7 +47,7 @@ def calibration_state(
         )
     if reasons:
         return ChipState(tr("Calibrated {age} · check it !", age=age), "verdict_not_proven", "\n".join(reasons))
-    poor = [f"{found.name}: {found.residual}. {found.criterion}." for found in solution_rows(calibration, rig) if not found.good]
+    poor = [f"{found.name}: {found.residual}. {found.criterion}." for found in judged_rows(calibration, rig) if not found.good]
     if poor:
         return ChipState(tr("Calibrated {age} · poor fit ✗", age=age), "verdict_fail", "\n".join(poor))
     added = added_to_length_mm(calibration, rig)

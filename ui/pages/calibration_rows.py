@@ -39,6 +39,12 @@ class SolutionRow:
 
 def solution_rows(calibration: RigCalibration, rig: RigDescription | None) -> list[SolutionRow]:
     """Return one row per camera, hand–eye, guide and axis, and those of the error motions of table and guide."""
+    motions = calibration.motions
+    return [*judged_rows(calibration, rig), *(() if motions is None else motion_rows(motions))]
+
+
+def judged_rows(calibration: RigCalibration, rig: RigDescription | None) -> list[SolutionRow]:
+    """Return the rows that can be poor: one per camera, hand–eye, guide and axis."""
     robot_mm = rig.robot.absolute_accuracy_mm * 2 if rig is not None else ROBOT_LIMIT_MM
     rows = camera_rows(calibration.cameras)
     hand_eye, guide, axis = calibration.hand_eye, calibration.guide, calibration.axis
@@ -74,8 +80,6 @@ def solution_rows(calibration: RigCalibration, rig: RigDescription | None) -> li
             tr("Residual up to {axis_limit_mm}", axis_limit_mm=millimetres(AXIS_LIMIT_MM, 2)),
         )
     )
-    if calibration.motions is not None:
-        rows += motion_rows(calibration.motions)
     return rows
 
 

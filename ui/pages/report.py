@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import Qt, QTimer
-from PySide6.QtGui import QImage, QPixmap, QResizeEvent, QShowEvent
-from PySide6.QtWidgets import QLabel, QScrollArea, QSizePolicy, QWidget
+from PySide6.QtGui import QImage, QResizeEvent, QShowEvent
+from PySide6.QtWidgets import QScrollArea, QWidget
 
 from measureapp.project.file_names import safe_file_name
 from ui.controllers.controllers import Controllers
@@ -19,6 +19,7 @@ from ui.session import Session
 from ui.settings.dialogs import choose_new
 from ui.widgets.basic import Button, card, clear, column, label, row
 from ui.widgets.empty_state import EmptyState
+from ui.widgets.page_picture import PagePicture
 from ui.widgets.properties_panel import Group, Properties
 
 if TYPE_CHECKING:
@@ -45,8 +46,7 @@ class ReportPage(Page):
         self._sheet.setObjectName("clear")
         self._pages = column(spacing=16)
         self._sheet.setLayout(self._pages)
-        self.pages: list[QLabel] = []
-        self._images: list[QImage] = []
+        self.pages: list[PagePicture] = []
         self._is_stale = False
         self._scroll = QScrollArea()
         self._scroll.setWidgetResizable(True)
@@ -146,17 +146,12 @@ class ReportPage(Page):
         if not self._is_stale:
             self.controllers.documents.preview()
 
-    def show_pages(self, pages: tuple[bytes, ...]) -> None:
-        """Show the pages (PNG) of the report."""
+    def show_pages(self, pages: tuple[QImage, ...]) -> None:
+        """Show the pages of the report."""
         clear(self._pages)
-        self.pages = []
-        self._images = [image for image in (QImage.fromData(data) for data in pages) if not image.isNull()]
-        for _ in self._images:
-            shown = QLabel(alignment=Qt.AlignmentFlag.AlignHCenter)
-            shown.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
-            self.pages.append(shown)
+        self.pages = [PagePicture(page, self._page_width) for page in pages]
+        for shown in self.pages:
             self._pages.addWidget(shown)
-        self._fit_pages()
         if not self.pages and self.session.measurement is not None:
             self._say("Rendering the pages…")
         self._pages.addStretch(1)
@@ -183,13 +178,13 @@ class ReportPage(Page):
             self._draw_pages()
         QTimer.singleShot(0, self, self._fit_pages)
 
+    @property
+    def _page_width(self) -> int:
+        return min(PAGE_WIDTH, max(320, self._scroll.width() - 24))
+
     def _fit_pages(self) -> None:
-        ratio = self.devicePixelRatioF()
-        width = min(PAGE_WIDTH, max(320, self._scroll.width() - 24))
-        for image, shown in zip(self._images, self.pages, strict=True):
-            scaled = image.scaledToWidth(round(width * ratio), Qt.TransformationMode.SmoothTransformation)
-            scaled.setDevicePixelRatio(ratio)
-            shown.setPixmap(QPixmap.fromImage(scaled))
+        for shown in self.pages:
+            shown.fit(self._page_width)
 
     def _edit_header(self, header: ReportHeader) -> None:
         from ui.pages.report_header import HeaderDialog

@@ -152,8 +152,9 @@ class NativeWindow(RenderWindow):
             self.vtk.AddRenderer(self.overlay.renderer)
 
     def _draw_holder(self) -> None:
+        """Draw soon: buttons that appear beside the view resize it one after the other, and each picture takes a tenth of a second."""
         if self.holder is not None:
-            self.holder.draw_now()
+            self.holder.refresh()
 
 
 class NativeView(QWidget):
@@ -209,7 +210,7 @@ class NativeView(QWidget):
             self.mouse = None
 
     def draw_now(self) -> None:
-        """Draw, because the desktop asks for it."""
+        """Draw at once, for what needs the picture."""
         self._stale = True
         self._render()
 

@@ -14,6 +14,7 @@ from ui.widgets.gauges import Gauges, Level
 
 WIDTH = 296
 MOST_WORDS, MOST_GAUGES = 5, 7
+LOW, MOST_IN_LOW = 620, 4  # px of the panel: the words have more room than the gauges in a small window
 
 
 class GuidancePanel(QWidget):
@@ -48,12 +49,12 @@ class GuidancePanel(QWidget):
         """Show what is missing; without lines nothing is."""
         same, self.lines = tuple(lines) == self.lines and self._words.count() > 0, tuple(lines)
         self.heading.setText(tr("What is still missing") if self.lines else tr("Nothing is missing"))
-        shown = sorted(levels, key=lambda level: level.enough)[:MOST_GAUGES]
+        most = MOST_IN_LOW if lines and self.height() < LOW else MOST_GAUGES
+        shown = sorted(levels, key=lambda level: level.enough)[:most]
         self.gauges.show_levels([level for level in levels if level in shown])
         rest = len(levels) - len(shown)
-        self.rest.setText(
-            tr("{rest} more have enough", rest=rest) if rest and all(level.enough for level in levels if level not in shown) else ""
-        )
+        enough = all(level.enough for level in levels if level not in shown)
+        self.rest.setText("" if not rest else tr("{rest} more have enough", rest=rest) if enough else tr("and {value} more", value=rest))
         self.rest.setVisible(bool(self.rest.text()))
         if not same:
             self._redraw()

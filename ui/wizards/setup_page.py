@@ -12,7 +12,7 @@ from ui.controllers.collecting_nouns import RigSetup, Start, StoredSession
 from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.look.wording import several, when
-from ui.widgets.basic import Button, Form, card, column, label, row
+from ui.widgets.basic import Button, Form, card, column, label, row, scrolled
 from ui.widgets.board_form import BoardForm
 from ui.widgets.path_field import PathField
 from ui.widgets.segments import Segments
@@ -87,8 +87,10 @@ class SetupPage(QWidget):
             *(label(tr("•  {tip}", tip=tip), "body", wrap=True) for tip in (*self._kind.words.hints, KEPT_TIP)),
             margin=20,
         )
-        layout = column(label(self._kind.words.purpose, "body", wrap=True), self.kept, both, tips, 0, spacing=12)
-        self.setLayout(layout)
+        content = QWidget()
+        content.setObjectName("clear")
+        content.setLayout(column(label(self._kind.words.purpose, "body", wrap=True), self.kept, both, tips, 0, spacing=12))
+        self.setLayout(column(scrolled(content)))  # fields for several tables are higher than the smallest window
 
     def _table_part(self) -> list[QWidget]:
         """The tables of axis positions at recorded images."""

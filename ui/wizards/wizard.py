@@ -94,7 +94,8 @@ class CalibrationWizard(QDialog):
         return self.stack.currentIndex()
 
     def begin(self) -> None:
-        """Show the first step."""
+        """Show the first step, without the message that stood there when the wizard was closed."""
+        self.footer.show_message("")
         rig = self.calibrating.rig_setup()
         if rig is not None:
             self.setup.offer_rig(rig)

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
+from scipy.special import chdtri, ndtr
 
 from measureapp.arrays import BoolArray, FloatArray, ImageArray, IntArray
 from measureapp.errors import CalibrationError
@@ -138,6 +139,4 @@ def point_of(mean: FloatArray, variance: FloatArray, freedom: int) -> TransferPo
 
 def _largest_share(freedom: int) -> float:
     """Return how many times its expectation a variance of ``freedom`` degrees may be: 6 standard deviations for a difference."""
-    from scipy.stats import chi2, norm
-
-    return float(chi2.isf(2 * norm.sf(OUTLIER), freedom) / freedom)
+    return float(chdtri(freedom, 2 * ndtr(-OUTLIER)) / freedom)

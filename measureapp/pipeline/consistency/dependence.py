@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.stats import chi2
+from scipy.special import chdtrc
 
 from measureapp.arrays import FloatArray, IntArray
 
@@ -79,7 +79,7 @@ def _compare(observed: float, expected: float, squares: float, trials: int = 1) 
     if expected <= 0 or squares <= 0:
         return Dependence(observed**0.5, 0.0, observed**0.5, 0.0 if observed > 0 else 1.0)
     freedom = expected**2 / squares
-    probability = float(-np.expm1(trials * np.log1p(-min(chi2.sf(observed * freedom / expected, freedom), ALMOST_ONE))))
+    probability = float(-np.expm1(trials * np.log1p(-min(chdtrc(freedom, observed * freedom / expected), ALMOST_ONE))))
     unexplained = max(observed - expected, 0.0) ** 0.5 if probability < CHANCE else 0.0
     return Dependence(observed**0.5, expected**0.5, unexplained, probability)
 

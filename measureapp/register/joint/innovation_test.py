@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from typing import Self
 
 import numpy as np
-from scipy.stats import chi2, norm
+from scipy.special import chdtri, ndtr
 
 from measureapp.arrays import FloatArray
 from measureapp.geometry.transform import RigidTransform
@@ -38,7 +38,7 @@ class FreeCorrection:
 
 def innovation_limit(sigmas: float, views: int) -> float:
     """Return the limit of the Mahalanobis distance for ``views`` tests together, at the significance of ``sigmas`` (Bonferroni)."""
-    return float(np.sqrt(chi2.isf(2 * norm.sf(sigmas) / views, 6)))
+    return float(np.sqrt(chdtri(6, 2 * ndtr(-sigmas) / views)))
 
 
 def estimate_free_correction(

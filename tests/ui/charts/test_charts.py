@@ -163,6 +163,21 @@ def test_a_chart_that_cannot_be_seen_takes_the_theme_when_it_is_shown(qtbot, loo
     assert bars.opts["brushes"][0] == Theme.load("dark").colour("faint")
 
 
+def test_data_that_arrive_out_of_sight_are_drawn_when_the_chart_is_shown(qtbot, look):
+    chart = shown(qtbot, BarChart(look, "Contribution"))
+    chart.hide()
+    chart.show_bars(BARS)
+    assert chart.plot is None and "Hand–eye 0.021" in chart.accessibleDescription()
+    chart.show()
+    qtbot.waitUntil(lambda: chart.plot is not None)
+    assert len(drawn(chart, pg.TextItem)) == len(BARS)
+    chart.hide()
+    chart.show_bars(BARS[:1])
+    assert len(drawn(chart, pg.TextItem)) == len(BARS)
+    chart.show()
+    assert len(drawn(chart, pg.TextItem)) == 1
+
+
 def test_negative_numbers_have_a_true_minus_sign_and_no_prefix(qtbot, look):
     chart = shown(qtbot, DeviationHistogram(look))
     chart.show_values(np.zeros(3), Legend("Deviation", -0.0005, 0.0005))

@@ -10,6 +10,7 @@ from PySide6.QtCore import QEvent, QRectF
 from tests.ui.heartbeat import Heartbeat
 from tests.ui.images.maps import LARGE
 from ui.images.board_view import HEAT, BoardView, Overlay
+from ui.images.camera_images import CameraImages
 from ui.images.camera_view import CameraView
 from ui.images.live_tile import LiveTile
 
@@ -101,6 +102,19 @@ def test_corners_coverage_and_the_wanted_position_lie_at_their_pixels(qtbot, sho
     assert colour_at(view, 40, 30) == plain
     assert not any(isinstance(item, pg.PlotCurveItem) for item in view.map.plot.listDataItems())
     look.set_shade("light")
+
+
+def test_the_first_images_of_several_cameras_are_shown_one_after_the_other(qtbot, look):
+    pictures = CameraImages(look)
+    qtbot.addWidget(pictures)
+    pictures.show_cameras(dict.fromkeys(("left", "right", "top"), 255))
+    for level, camera in enumerate(pictures.images):
+        pictures.show_image(camera, np.full((4, 6), level, np.uint8), 10_000)
+    pictures.show_image("top", np.full((4, 6), 9, np.uint8), 20_000)
+    assert [image.is_empty for image in pictures.images.values()] == [False, True, True]
+    qtbot.waitUntil(lambda: not any(image.is_empty for image in pictures.images.values()))
+    assert pictures.images["top"].map.layer.values.max() == 9  # the newest of those that waited
+    assert pictures.images["top"].caption.replace("\u00a0", " ") == "top · 20 ms"
 
 
 @pytest.mark.timed

@@ -12,6 +12,7 @@ from ui.look.look import Look
 from ui.look.style.roles import BUTTONS, FRAMES, TEXTS
 from ui.look.theme import Theme
 from ui.widgets.basic import Button, label
+from ui.widgets.segments import Segments
 
 SHADES = ("light", "dark")
 
@@ -69,6 +70,13 @@ def test_the_filled_button_is_the_only_filled_one(qtbot, look):
     quiet = shown(qtbot, Button("Start", look, "", "quiet"))
     assert colour_at(quiet, 4, quiet.height() // 2) == look.theme.colours["window"].upper()
     assert quiet.sizeHint().height() == 32
+
+
+def test_a_choice_that_cannot_be_changed_is_still_seen(qtbot, look):
+    segments = shown(qtbot, Segments({"one": "One", "two": "Two"}))
+    segments.setEnabled(False)
+    grounds = [colour_at(segments.button(name), 6, 8) for name in ("one", "two")]
+    assert grounds[0] != grounds[1]
 
 
 def test_a_button_is_as_wide_as_its_words(qtbot, look):

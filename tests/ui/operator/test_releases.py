@@ -60,3 +60,14 @@ def test_the_engineer_releases_a_program_as_its_next_revision(workshop, changed,
     assert names(workshop) == ["Gear", "Gypsum cross"]
     releases.table.selectRow(0)
     assert not releases.release.isEnabled()  # it is released as it is
+
+
+def test_the_set_up_does_not_call_a_folder_empty_that_is_still_being_read(workshop, qtbot, monkeypatch):
+    controllers = workshop.application.controllers
+    monkeypatch.setattr(workshop.operator.stock, "shelf", None)
+    dialog = OperatorSetupDialog(workshop.application.look, controllers.operator, controllers.roles, workshop.window)
+    qtbot.addWidget(dialog)
+    assert dialog.releases.empty.text() == "Reading the part programs…"
+    dialog.open()
+    workshop.wait(lambda: dialog.releases.cards)
+    assert not dialog.releases.empty.isVisible()

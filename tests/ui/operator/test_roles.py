@@ -7,6 +7,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QAction, QKeySequence, QShortcut
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QDialog
+from shiboken6 import delete
 
 from measureapp.project.engineer_pin import pin_file, set_pin
 
@@ -75,6 +76,15 @@ def test_in_operator_mode_nothing_of_the_engineers_is_reachable(application, win
     assert reached == ["palette"]
     dialog.close()
     dialog.deleteLater()
+
+
+def test_a_window_of_the_engineers_that_was_closed_for_good_meanwhile_does_not_keep_him_out(application, window, qtbot):
+    dialog = QDialog(window)
+    dialog.show()
+    window.header.role.setValue("operator")
+    delete(dialog)  # as the set-up does when its PIN is stored at last
+    window.shell.operator.bar.engineer.click()
+    assert application.session.role == "engineer" and not window.shell.is_operators
 
 
 def test_without_input_the_role_ends_but_not_while_a_job_runs(application, window, qtbot, monkeypatch):

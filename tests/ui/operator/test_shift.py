@@ -8,7 +8,9 @@ from measureapp.project.folder import ProjectFolder
 from measureapp.project.identification_file import read_identification
 from measureapp.project.series.store import SeriesStore
 from tests.ui.conftest import graphics_are_missing
+from tests.ui.operator.conftest import Ticket
 from ui.controllers.operator_nouns import UNREASONED
+from ui.messages import STOPPED
 from ui.session import RunNow
 
 
@@ -139,6 +141,44 @@ def test_after_a_fault_it_says_what_is_kept_and_resumes_in_the_same_folder(works
     workshop.wait(lambda: workshop.operator.filed is not None)
 
 
+def test_a_stop_before_the_first_viewpoint_offers_what_it_speaks_of(workshop, monkeypatch):
+    session = workshop.application.session
+
+    def stop(_title, make, _subject) -> None:
+        request = make(Ticket())
+        workshop.requests.append(request)
+        session.set_run(RunNow("running"))
+        session.set_plan(request.plan)
+        session.tell("Cancelled.", "Data stored so far is kept.", "warning")
+        session.set_run(RunNow("idle"))
+
+    monkeypatch.setattr(workshop.application.controllers.scanning, "run", stop)
+    workshop.identify("GC-0011")
+    workshop.screens.identify.next.click()
+    workshop.load_and_start()
+    run = workshop.screens.run
+    assert run.cause.text() == "The measurement was stopped." and not run.remedy.isVisible()
+    assert run.kept.text() == "No viewpoint was stored yet."
+    assert "hold Resume" in run.press.text() and run.resume.isVisible()
+    run.resume.held.emit()
+    assert workshop.requests[1].folder == workshop.requests[0].folder  # with the calibration that was begun there
+
+
+def test_stop_is_answered_at_once_and_an_operator_is_not_sent_to_a_page_he_has_not(workshop, monkeypatch):
+    session = workshop.application.session
+    monkeypatch.setattr(workshop.application.controllers.scanning, "run", lambda *_: session.set_run(RunNow("running")))
+    workshop.identify("GC-0012")
+    workshop.screens.identify.next.click()
+    workshop.load_and_start()
+    run = workshop.screens.run
+    run.stop.click()
+    assert run.words.text() == "Stopping…" and not run.stop.isEnabled() and not run.pause.isEnabled()
+    session.tell("Cancelled.", "Data stored so far is kept.", "warning")
+    session.tell("Everything was stopped.", "Reset the stop on the Rig page before anything moves again.", "warning", cause=STOPPED)
+    session.set_run(RunNow("idle"))
+    assert run.cause.text() == "The measurement was stopped." and not run.remedy.isVisible()
+
+
 def test_start_is_disabled_with_the_reason_in_sight(workshop, monkeypatch):
     monkeypatch.setattr("ui.controllers.operator_work.RESERVE_BYTES", 1e18)
     workshop.identify("GC-0008")
@@ -151,6 +191,19 @@ def test_start_is_disabled_with_the_reason_in_sight(workshop, monkeypatch):
     assert "GB free" in load.why.text() and "Call the engineer." in load.why.text()
     load.call.click()
     assert workshop.screens.call.isVisible() and "GB free" in workshop.screens.call.words.text()
+
+
+def test_a_check_before_the_start_that_takes_a_moment_is_no_error(workshop):
+    workshop.identify("GC-0010")
+    workshop.screens.identify.next.click()
+    load, operator = workshop.screens.load, workshop.operator
+    workshop.wait(lambda: operator.obstacles is not None)
+    operator.obstacles = None
+    operator.obstaclesChanged.emit()
+    assert load.why.text() == "The calibration and the disk are being checked." and load.why.property("op") == "strong"
+    operator.obstacles = ("The disk is full.",)
+    operator.obstaclesChanged.emit()
+    assert load.why.text() == "The disk is full." and load.why.property("op") == "error"
 
 
 def test_a_rig_without_calibration_does_not_start(workshop, rig):
@@ -194,6 +247,9 @@ def test_until_the_first_viewpoint_the_screen_says_what_happens(workshop, monkey
     run = workshop.screens.run
     workshop.wait(run.isVisible)
     assert run.words.text() == "The measurement is being prepared"  # a calibration may be there already
+    workshop.application.controllers.jobs.progressed.emit(0.0, "Preparing the scan")
+    assert run.words.text() == "Preparing the scan"  # nor is it read at once
+    workshop.operator.run.calibrates = True
     workshop.application.controllers.jobs.progressed.emit(0.01, "Images of the board from pose01")
     assert run.words.text() == "The rig is calibrated first"
     assert run.time.text().endswith(" s so far")

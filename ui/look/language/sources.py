@@ -112,20 +112,35 @@ def _descriptions(field: ast.AnnAssign) -> Iterator[str]:
 def core_texts() -> dict[str, str]:
     """Return the messages of the core and the plugins that may reach the window, as templates: {text: room}."""
     found: dict[str, str] = {}
-    for folder in ("measureapp", "plugins"):
-        for path in sorted((ROOT / folder).rglob("*.py")):
-            place = path.relative_to(ROOT / folder).parts
-            if place[0] in ("cli", "simulate", "peers"):
-                continue
-            tree = ast.parse(path.read_text(encoding="utf-8"))
-            if place[:2] in TOLD or place in TOLD:
-                found.update(dict.fromkeys((*_texts(tree), *_sentences(tree)), place[0]))
-            for node in ast.walk(tree):
-                if isinstance(node, ast.Call) and _name(node.func) in (MESSAGES | {"ValueError"} if place in REFUSING else MESSAGES):
-                    for argument in (*node.args, *(one.value for one in node.keywords)):
-                        for text in _messages(argument):
-                            found.setdefault(text, place[0].removesuffix(".py"))
+    files = [
+        (place, ast.parse(path.read_text(encoding="utf-8")))
+        for folder in ("measureapp", "plugins")
+        for path in sorted((ROOT / folder).rglob("*.py"))
+        if (place := path.relative_to(ROOT / folder).parts)[0] not in ("cli", "simulate", "peers")
+    ]
+    hints = {name for _, tree in files for argument in _arguments(tree, MESSAGES) if (name := _name(argument)).isupper()}
+    for place, tree in files:
+        if place[:2] in TOLD or place in TOLD:
+            found.update(dict.fromkeys((*_texts(tree), *_sentences(tree)), place[0]))
+        told = _arguments(tree, MESSAGES | {"ValueError"} if place in REFUSING else MESSAGES)
+        for text in (text for one in (*told, *_hints(tree, hints)) for text in _messages(one)):
+            found.setdefault(text, place[0].removesuffix(".py"))
     return found
+
+
+def _arguments(tree: ast.Module, calls: set[str]) -> Iterator[ast.expr]:
+    """Yield the arguments of all calls of these names."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Call) and _name(node.func) in calls:
+            yield from (*node.args, *(one.value for one in node.keywords))
+
+
+def _hints(tree: ast.Module, names: set[str]) -> Iterator[ast.expr]:
+    """Yield the sentences that are the module's constants of these names: hints that several errors give."""
+    for node in tree.body:
+        is_named = isinstance(node, ast.Assign) and any(_name(target) in names for target in node.targets)
+        if is_named and any(text.endswith(".") for text in _messages(node.value)):
+            yield node.value
 
 
 def _texts(tree: ast.Module) -> Iterator[str]:

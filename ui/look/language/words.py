@@ -15,7 +15,9 @@ SEPARATORS = [re.compile(f"({one})") for one in (r"\n", r"(?<=[.!?…]) ", " · 
 LETTERS = re.compile(r"[A-Za-z]{2}")
 
 
+IDEOGRAPHS = "\u4e00", "\u9fff"
 BEGINS = {"lower": str.lower, "upper": str.upper}  # how a text begins, as the format of its placeholder
+STOPPED = "stopped"  # a placeholder with the full stop of the script behind it
 
 
 class WordsFormatter(Formatter):
@@ -25,10 +27,17 @@ class WordsFormatter(Formatter):
         """Format one value."""
         if not isinstance(value, str):
             return format(value, format_spec)
+        if format_spec == STOPPED:
+            return value + full_stop(value)
         return BEGINS[format_spec](value[:1]) + value[1:] if format_spec in BEGINS else value
 
 
 FORMATTER = WordsFormatter()
+
+
+def full_stop(text: str) -> str:
+    """Return the full stop of the script that a text ends in."""
+    return "。" if IDEOGRAPHS[0] <= text[-1:] <= IDEOGRAPHS[1] else "."
 
 
 @dataclass(frozen=True, slots=True)
@@ -105,7 +114,7 @@ class Translator:
         if found is not None:
             return self.translate(*found)
         if text[-1] == "." and (catalogue.translation(text[:-1]) is not None or catalogue.find_template(text[:-1]) is not None):
-            return self.translate("{words}.", {"words": text[:-1]})  # a reason as a sentence of its own
+            return self.translate(f"{{words:{STOPPED}}}", {"words": text[:-1]})  # a reason as a sentence of its own
         made = self._in_pieces(text)
         return self._begun_otherwise(text) if made == text else made
 

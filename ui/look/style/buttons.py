@@ -38,14 +38,15 @@ def draw_button(ink: Ink, option: QStyleOption, painter: QPainter, widget: QWidg
     else:
         ringed = border == look.focus_border and bool(state & State.State_HasFocus)
         ink.box(painter, option.rect, fill, border, width=2.0 if ringed and state & State.State_KeyboardFocusChange else 1.0)
-    text = "faint" if not enabled else look.checked_text if checked else look.text
+    text = look.checked_text if enabled and checked else look.text if enabled else "soft" if checked else "faint"
     _draw_contents(ink, option, painter, look, text)
 
 
 def _ground(look: ButtonLook, state: QStyle.StateFlag) -> tuple[str, str]:
     """Return fill and border in this state."""
     if not state & State.State_Enabled:
-        return ("sunken" if look.fill else "", "line" if look.border else "")
+        is_chosen = bool(state & State.State_On) and bool(look.checked_fill)  # what is chosen is seen also where it cannot be changed
+        return ("line" if is_chosen else "sunken" if look.fill else "", "line" if look.border else "")
     border = look.focus_border if state & State.State_HasFocus else look.border
     if state & State.State_Sunken:
         return look.pressed_fill, border

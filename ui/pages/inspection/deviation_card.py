@@ -79,7 +79,7 @@ class DeviationCard(QFrame):
     def allow_storing(self, allowed: bool) -> None:
         """Offer to store the scale, or not: a program must be open, and free to be changed."""
         self._can_store = allowed
-        self._show_display()
+        self._offer_storing()
 
     def show_comparison(self, comparison: Comparison | None) -> None:
         """Show these deviations, or nothing."""
@@ -123,7 +123,7 @@ class DeviationCard(QFrame):
             return
         self.smooth.setEnabled(self._display.on == "points")
         self._show_legend(legend)
-        self.store.setEnabled(self._can_store and not self._display.is_stored)
+        self._offer_storing()
         inside, below, above = self._display.shares()
         self.bands.setText(
             tr(
@@ -133,6 +133,10 @@ class DeviationCard(QFrame):
                 above=percent(above),
             )
         )
+
+    def _offer_storing(self) -> None:
+        shown = self._comparison is not None and self._display.legend is not None
+        self.store.setEnabled(shown and self._can_store and not self._display.is_stored)
 
     def _show_legend(self, legend: Legend) -> None:
         assert self._comparison is not None

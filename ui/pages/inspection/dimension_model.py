@@ -8,7 +8,7 @@ from enum import IntEnum
 from typing import Any
 
 from PySide6.QtCore import QAbstractTableModel, QObject, Qt
-from PySide6.QtGui import QFont
+from PySide6.QtGui import QFont, QPalette
 
 from measureapp import __version__
 from measureapp.data.datum_letters import common_datums
@@ -63,6 +63,8 @@ HEADER_TIPS = {
     Column.ALIGNMENT: "Alignment of the part that the value refers to",
 }
 NUMERIC = frozenset({Column.NOMINAL, Column.TOLERANCE, Column.MEASURED, Column.DEVIATION, Column.UNCERTAINTY})
+RESULTS = (Column.MEASURED, Column.DEVIATION, Column.UNCERTAINTY)
+RENEWED = {"calculating": "Measuring…", "stale": "Stale"}  # in place of a verdict that no longer holds
 EDITABLE = (Column.NAME, Column.NOMINAL, Column.TOLERANCE)
 COPIED = tuple(column for column in Column if column is not Column.STATUS)
 
@@ -88,6 +90,8 @@ def cell_text(row: DimensionRow, column: Column) -> str:
         return _tolerance_text(row, printed)
     if column is Column.ALIGNMENT:
         return sentence_case(row.aligned_by) or NOTHING
+    if column is Column.VERDICT and row.is_outdated and (found is not None or row.status == "calculating"):
+        return RENEWED[row.status]
     if found is None:
         return "" if column is Column.STATUS else NOTHING
     values = {
@@ -255,9 +259,11 @@ class DimensionModel(QAbstractTableModel):
         if role == Qt.ItemDataRole.ToolTipRole:
             return self._version_tip(row) if self._is_marked(row, column) else translated(_tip(row, column))
         if role == SIGN_ROLE:
-            return row.verdict if column is Column.VERDICT else ""
+            return row.verdict if column is Column.VERDICT and not row.is_outdated else ""
         if role == SORT_ROLE:
             return sort_key(row, column)
+        if role == Qt.ItemDataRole.ForegroundRole and column in RESULTS and row.is_outdated:
+            return QPalette().brush(QPalette.ColorRole.Dark)
         if role == Qt.ItemDataRole.FontRole and column is Column.NOMINAL and row.is_linked:
             return _italic()
         if role == Qt.ItemDataRole.AccessibleTextRole and column is Column.STATUS:
@@ -293,6 +299,12 @@ def _tip(row: DimensionRow, column: Column) -> str:
     reason = "" if row.found is None else row.found.reason
     if column in (Column.STATUS, Column.VERDICT) and reason and row.status in ("failed", "current"):
         return reason
+    if column in (Column.VERDICT, *RESULTS) and row.is_outdated and row.found is not None:
+        return tr(
+            "Before the change: {value}, {verdict}",
+            value=quantity(row.found.measured, row.unit),
+            verdict=VERDICT_WORDS.get(row.verdict, row.verdict),
+        )
     if column is Column.STATUS:
         return translated(STATUS_WORDS[row.status])
     if column in (Column.TOLERANCE, Column.UNCERTAINTY) and row.found is not None and row.found.warning:

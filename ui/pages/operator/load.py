@@ -96,5 +96,7 @@ class LoadScreen(QWidget):
         why = self._controller.why_not()
         self.confirm.setText(translated(CONFIRMED) if self.confirm.done else translated(CONFIRM))
         self.start.setEnabled(not why and self.confirm.done)
+        self.why.setProperty("op", "strong" if self._controller.is_checking else "error")  # it is no fault that it takes a moment
+        self.why.style().polish(self.why)
         self.why.setText(translated("\n".join(why)))
         self.why.setVisible(bool(why))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from PySide6.QtGui import QAction, QShortcut
 from PySide6.QtWidgets import QApplication, QMainWindow, QWidget
+from shiboken6 import isValid
 
 
 class EngineerLock:
@@ -36,10 +37,10 @@ class EngineerLock:
         if not self.is_locked:
             return
         self.is_locked = False
-        for one in self._disabled:
+        for one in filter(isValid, self._disabled):
             one.setEnabled(True)
         self._window.setAcceptDrops(self._accepted_drops)
-        for other in self._hidden:
+        for other in filter(isValid, self._hidden):  # a job that ended meanwhile may have closed one for good
             other.show()
         self._disabled, self._hidden = [], []
 

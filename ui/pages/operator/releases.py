@@ -15,6 +15,8 @@ from ui.widgets.empty_rows import EmptyRows
 HEADERS = ("Part program", "Release", "State")
 ABOUT = "Operators are offered released programs only. Whatever changes a program makes it a new one, which is released again."
 HEIGHT = 160
+READING = "Reading the part programs…"
+NO_PROGRAMS = "No part programs in the folder. Save one with Save as a template in the menu Project."
 
 
 class Releases(QWidget):
@@ -25,7 +27,7 @@ class Releases(QWidget):
         self._stock = stock
         self.table = DataTable(look, HEADERS, numeric=(1,), stretch=0)
         self.table.setMinimumHeight(HEIGHT)
-        EmptyRows(self.table, "No part programs in the folder. Save one with Save as a template in the menu Project.")
+        self.empty = EmptyRows(self.table, READING)
         self.table.setSelectionMode(DataTable.SelectionMode.ExtendedSelection)
         self.by = QLineEdit()
         self.by.setPlaceholderText(tr("Your name, printed in every report"))
@@ -49,6 +51,7 @@ class Releases(QWidget):
         return () if shelf is None else (*shelf.unreleased, *(card for card in shelf.cards if card.program is not None))
 
     def _show(self) -> None:
+        self.empty.say(READING if self._stock.shelf is None else NO_PROGRAMS)
         self.table.set_rows([_row(card) for card in self.cards])
         self._show_state()
 

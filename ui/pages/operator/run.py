@@ -29,7 +29,7 @@ STEPS = {  # status of the present viewpoint
     "checking": "The images are checked",
     "storing": "The images are stored",
 }
-NO_CLOUD = "The measured points appear here after the first viewpoint."
+NO_CLOUD = "The measured points appear here when the first viewpoint is computed."
 CALIBRATED_FIRST = "The rig is calibrated first"
 NOT_EMERGENCY = "Stop is not an emergency stop."
 RESUME = "Resume: hold for 1 s"
@@ -152,7 +152,9 @@ class RunScreen(QWidget):
             shown.setVisible(fault is None)
         paused = run.state == "paused"
         self.pause.setVisible(not paused)
-        self.pause.setEnabled(run.state == "running")
+        stopping = self._controllers.operator.run.is_stopping and fault is None
+        self.pause.setEnabled(run.state == "running" and not stopping)
+        self.stop.setEnabled(not stopping)
         self.go_on.setVisible(paused)
         self.paused.setText(with_hint(run.cause, run.remedy) if paused else "")
         if fault is not None:
@@ -162,32 +164,36 @@ class RunScreen(QWidget):
     def _show_fault(self, fault: Fault) -> None:
         self.cause.setText(translated(fault.cause))
         self.remedy.setText(translated(fault.remedy))
+        self.remedy.setVisible(bool(fault.remedy))
         self.kept.setText(tr(KEPT, stored=fault.stored, planned=fault.planned) if fault.stored else translated(NOTHING_KEPT))
         self.press.setText(tr(PRESS, following=fault.following) if fault.following else translated(PRESS_PROCESS) if fault.stored else "")
-        self.resume.setVisible(bool(fault.stored))
+        self.resume.setVisible(bool(self.press.text()))  # images of a calibration are kept, too, before any viewpoint is stored
         self.resume.restore()
 
     def _show_progress(self) -> None:
         if not self.isVisible():
             return
-        fault, run = self._controllers.operator.fault, self._session.run
+        fault = self._controllers.operator.fault
         elapsed = self._controllers.operator.run.elapsed_s
         if fault is not None:
             self.words.setText(tr("The measurement has ended early"))
             self.time.setText("")
             return
-        self.words.setText(
-            tr("Paused") if run.state == "paused" else tr("Pausing…") if run.state == "pausing" else translated(self._step_words())
-        )
+        self.words.setText(translated(self._state_words()))
         self.bar.setValue(round(1000 * self._share))
         left = self._time.left(self._share, elapsed)
         words = {"elapsed": duration(elapsed), "left": "" if left is None else rough_duration(left)}
         self.time.setText(tr("{elapsed}, about {left} left", **words) if left is not None else tr("{elapsed} so far", **words))
 
+    def _state_words(self) -> str:
+        if self._controllers.operator.run.is_stopping:
+            return "Stopping…"  # at once, although an image may still be on its way
+        return {"paused": "Paused", "pausing": "Pausing…"}.get(self._session.run.state) or self._step_words()
+
     def _step_words(self) -> str:
         points = list(self._session.viewpoints.values())
         present = next((place for place, point in enumerate(points) if point.status in STEPS), None)
-        if present is None and self._note and self._session.calibration is None:
+        if present is None and self._controllers.operator.run.calibrates and self._session.calibration is None:
             return CALIBRATED_FIRST
         if present is None:
             return self._note.partition(": ")[0] or "The measurement is being prepared"

@@ -219,12 +219,15 @@ def test_the_state_of_a_plan_follows_the_language(application, filled, qtbot, sp
         ("Plate top: 22851 points, 377 rejected, blade tops: 4181 points, 12 rejected", ""),
         ("The datums plate top do not fix the location of bore: free are translation along z, rotation about x", ""),
         ("Surroundings", "周围物体"),
+        ("Take 10 more views, each with another tilt and place, to average the noise.", "以平均噪声。"),
+        ("a.png is not a readable image. Use an undamaged PNG, TIFF or BMP of 8 or 16 bit.", "16 位 PNG、TIFF 或 BMP。"),
+        ("Adds 0.021 mm (k = 2), at worst 0.131 mm, to a length of 300 mm in this volume: usable.", "可用。"),
     ],
 )
 def test_sentences_of_the_core_are_not_mixed(chinese, english, words):
     said = chinese.renewed(english)
     assert words in said
-    assert not re.findall(r"\b(?:image|points|rejected|location|free|translation|rotation|Surroundings)\b", said), said
+    assert not re.findall(r"\b(?:image|points|rejected|location|free|translation|rotation|Surroundings|usable|Use|noise)\b", said), said
 
 
 def test_the_name_of_a_language_can_be_read_before_it_is_chosen(application, monkeypatch):
