@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numba import njit
 
-from measureapp.arrays import BoolArray, FloatArray, ImageArray, IntArray
+from measureapp.arrays import BoolArray, FloatArray, IntArray
 
 PROCESSORS = os.cpu_count() or 1
 UNDISTORT_STEPS = 30
@@ -21,8 +21,7 @@ UNDISTORT_TOLERANCE = 1e-11  # on the plane z = 1
 NOT_LIT = -1e6  # projector column of a point in shadow
 NO_HIT = 0xFFFFFFFF
 LENS_STEP_PX = 16.0  # between the nodes of a lens residual
-PRINT_STEP_MM = 2.0  # between the nodes of a print's errors
-SUPERSAMPLES = 7  # per axis, of a pixel on an edge of the printed pattern
+PLAIN_SUMS: dict[str, Any] = {"cache": True, "error_model": "numpy", "fastmath": True}  # nothing in them overflows or divides by zero
 
 
 def in_bands(kernel: Callable[..., None], start: int, stop: int, *arguments: Any) -> None:
@@ -33,7 +32,7 @@ def in_bands(kernel: Callable[..., None], start: int, stop: int, *arguments: Any
             done.result()
 
 
-@njit(cache=True)
+@njit(**PLAIN_SUMS)
 def _distorted(x, y, d):  # type: ignore[no-untyped-def]
     """Brown-Conrady distortion with k1 k2 p1 p2 k3."""
     r2 = x * x + y * y
@@ -44,12 +43,12 @@ def _distorted(x, y, d):  # type: ignore[no-untyped-def]
     )
 
 
-@njit(cache=True)
-def _undistorted(u, v, k, d):  # type: ignore[no-untyped-def]
-    """Fixed-point inverse of `_distorted` for a pixel; ``k`` = fx, fy, cx, cy."""
+@njit(**PLAIN_SUMS)
+def undistorted(u, v, k, d, aside, down):  # type: ignore[no-untyped-def]
+    """Fixed-point inverse of `_distorted` for a pixel; ``k`` = fx, fy, cx, cy; it begins with the displacement of a pixel nearby."""
     x0 = (u - k[2]) / k[0]
     y0 = (v - k[3]) / k[1]
-    x, y = x0, y0
+    x, y = x0 + aside, y0 + down
     for _ in range(UNDISTORT_STEPS):
         dx, dy = _distorted(x, y, d)
         dx, dy = x0 - dx, y0 - dy
@@ -57,11 +56,11 @@ def _undistorted(u, v, k, d):  # type: ignore[no-untyped-def]
         y += dy
         if abs(dx) + abs(dy) < UNDISTORT_TOLERANCE:
             break
-    return x, y
+    return x, y, x - x0, y - y0
 
 
-@njit(cache=True)
-def _interpolated(field, x, y, step):  # type: ignore[no-untyped-def]
+@njit(**PLAIN_SUMS)
+def interpolated(field, x, y, step):  # type: ignore[no-untyped-def]
     """Two components of a field (rows, columns, 2) with a node every ``step``, bilinearly; zero if it has a single node."""
     if field.shape[0] == 1:
         return 0.0, 0.0
@@ -100,8 +99,8 @@ def pixel_rays(
     columns = box[3] - box[2]
     for i in range(start, stop):
         u, v = float(box[2] + i % columns), float(box[0] + i // columns)
-        du, dv = _interpolated(residual, u, v, LENS_STEP_PX)
-        x, y = _undistorted(u + du, v + dv, k, d)
+        du, dv = interpolated(residual, u, v, LENS_STEP_PX)
+        x, y, _, _ = undistorted(u + du, v + dv, k, d, 0.0, 0.0)
         aside, down = coma[0] * (x - coma[2]), coma[0] * (y - coma[3])
         x, y = x + aside, y + down
         length = np.sqrt(x * x + y * y + 1.0)
@@ -111,7 +110,7 @@ def pixel_rays(
 
 
 @njit(cache=True)
-def _reflected(normal, to_light, to_eye, material, standoff_mm):  # type: ignore[no-untyped-def]
+def radiance(normal, to_light, to_eye, material, standoff_mm):  # type: ignore[no-untyped-def]
     """Radiance towards the camera, relative to a facing white surface at standoff: Lambert plus a Blinn-Phong lobe."""
     distance = np.sqrt(to_light[0] ** 2 + to_light[1] ** 2 + to_light[2] ** 2)
     cosine = (normal[0] * to_light[0] + normal[1] * to_light[1] + normal[2] * to_light[2]) / distance
@@ -128,7 +127,8 @@ def _reflected(normal, to_light, to_eye, material, standoff_mm):  # type: ignore
 
 
 @njit(cache=True)
-def _projector_pixel(point, light_from_scene, k, d):  # type: ignore[no-untyped-def]
+def projector_pixel(point, light_from_scene, k, d):  # type: ignore[no-untyped-def]
+    """Column and row of the projector that light a point; NOT_LIT behind it."""
     m = light_from_scene
     z = m[2, 0] * point[0] + m[2, 1] * point[1] + m[2, 2] * point[2] + m[2, 3]
     if z <= 0.0:
@@ -188,13 +188,13 @@ def light_surface(
         point = (ox + s * dx, oy + s * dy, oz + s * dz)
         to_light = (light[0] - point[0], light[1] - point[1], light[2] - point[2])
         properties = materials[material[t]]
-        reflected = _reflected((nx, ny, nz), to_light, (-dx, -dy, -dz), properties, standoff_mm)
+        reflected = radiance((nx, ny, nz), to_light, (-dx, -dy, -dz), properties, standoff_mm)
         out[i, 3] = properties[0]
         if reflected <= 0.0:
             continue
         out[i, 2] = reflected
         below = (point[0] - depth_mm * nx, point[1] - depth_mm * ny, point[2] - depth_mm * nz)
-        u, v = _projector_pixel(below, light_from_scene, light_k, light_d)
+        u, v = projector_pixel(below, light_from_scene, light_k, light_d)
         out[i, 0] = u
         out[i, 1] = v
         shadow_rays[i, 0] = point[0] + offset_mm * nx
@@ -210,148 +210,6 @@ def darken_shadows(start: int, stop: int, hidden: BoolArray, out: FloatArray) ->
     for i in range(start, stop):
         if hidden[i]:
             out[i, 0] = NOT_LIT
-
-
-@njit(cache=True)
-def _bow(x, y, bow):  # type: ignore[no-untyped-def]
-    """Height of a bowed board; ``bow`` = height at the centre, centre x, centre y, radius of zero height."""
-    return bow[0] * (1.0 - ((x - bow[1]) ** 2 + (y - bow[2]) ** 2) / (bow[3] * bow[3]))
-
-
-@njit(cache=True)
-def _on_board(x, y, coma, pose, bow):  # type: ignore[no-untyped-def]
-    """Intersect the ray of normalised image coordinates with the board; ``pose`` is board_from_camera, ``coma`` as in `pixel_rays`."""
-    aside, down = coma[0] * (x - coma[2]), coma[0] * (y - coma[3])
-    x, y = x + aside, y + down
-    ox = pose[0, 3] - coma[1] * (pose[0, 0] * aside + pose[0, 1] * down)
-    oy = pose[1, 3] - coma[1] * (pose[1, 0] * aside + pose[1, 1] * down)
-    oz = pose[2, 3] - coma[1] * (pose[2, 0] * aside + pose[2, 1] * down)
-    dx = pose[0, 0] * x + pose[0, 1] * y + pose[0, 2]
-    dy = pose[1, 0] * x + pose[1, 1] * y + pose[1, 2]
-    dz = pose[2, 0] * x + pose[2, 1] * y + pose[2, 2]
-    if dz <= 0.0:
-        return 1e9, 1e9, 0.0
-    s = -oz / dz
-    for _ in range(2):
-        s = (_bow(ox + s * dx, oy + s * dy, bow) - oz) / dz
-    return ox + s * dx, oy + s * dy, oz + s * dz
-
-
-@njit(cache=True)
-def _paint(x, y, layout, cells, colours, shift):  # type: ignore[no-untyped-def]
-    """Albedo of the board at a point; 0 beyond its white margin.
-
-    ``layout`` = size of a circle (0: there are squares), square or spacing, columns, rows, side of a marker (0: none), and the place of the
-    first node of ``shift`` (rows, columns, 2), the displacement in mm of the print from where the layout has it, with a node every
-    PRINT_STEP_MM; ``cells`` (rows + 1, columns + 1, n, n) are the markers in the squares, see `marker_cells`.
-    """
-    dx, dy = _interpolated(shift, x - layout[5], y - layout[6], PRINT_STEP_MM)
-    x -= dx
-    y -= dy
-    if layout[0] > 0.0:
-        return _paint_circles(x, y, layout, colours)
-    i = np.floor(x / layout[1])
-    j = np.floor(y / layout[1])
-    if i < -2 or j < -2 or i > layout[2] or j > layout[3]:
-        return 0.0
-    if i < -1 or j < -1 or i > layout[2] - 1 or j > layout[3] - 1:
-        return colours[0]
-    if layout[4] > 0.0:
-        return _paint_marked(x, y, int(i), int(j), layout, cells, colours)
-    return colours[1] if (int(i) + int(j)) % 2 == 0 else colours[0]
-
-
-@njit(cache=True)
-def _paint_circles(x, y, layout, colours):  # type: ignore[no-untyped-def]
-    """Albedo of an asymmetric circle grid: dark circles at ((2j + i mod 2), i) times the spacing."""
-    unit = layout[1]
-    last_x, last_y = 2.0 * layout[2] - 1.0, layout[3] - 1.0
-    if x < -2.0 * unit or y < -2.0 * unit or x > (last_x + 2.0) * unit or y > (last_y + 2.0) * unit:
-        return 0.0
-    nearest = np.round(y / unit)
-    for row in range(max(0, int(nearest) - 1), min(int(last_y), int(nearest) + 1) + 1):
-        odd = row % 2
-        column = np.round((x / unit - odd) / 2.0)
-        if 0.0 <= column < layout[2] and (x - (2.0 * column + odd) * unit) ** 2 + (y - row * unit) ** 2 < layout[0] ** 2 / 4.0:
-            return colours[1]
-    return colours[0]
-
-
-@njit(cache=True)
-def _paint_marked(x, y, i, j, layout, cells, colours):  # type: ignore[no-untyped-def]
-    """Albedo of a ChArUco square: black without a marker; a marker is centred in a white square."""
-    size = cells.shape[2]
-    if cells[j + 1, i + 1, 0, 0] == 2:
-        return colours[1]
-    edge = (layout[1] - layout[4]) / 2.0
-    m = int(np.floor((x - i * layout[1] - edge) / layout[4] * size))
-    n = int(np.floor((y - j * layout[1] - edge) / layout[4] * size))
-    if m < 0 or n < 0 or m >= size or n >= size:
-        return colours[0]
-    return colours[0] if cells[j + 1, i + 1, n, m] == 1 else colours[1]
-
-
-@njit(cache=True, nogil=True)
-def light_board(
-    start: int,
-    stop: int,
-    box: IntArray,
-    k: FloatArray,
-    d: FloatArray,
-    residual: FloatArray,
-    coma: FloatArray,
-    board_from_camera: FloatArray,
-    light: FloatArray,
-    light_from_board: FloatArray,
-    light_k: FloatArray,
-    light_d: FloatArray,
-    standoff_mm: float,
-    layout: FloatArray,
-    cells: ImageArray,
-    colours: FloatArray,
-    shift: FloatArray,
-    bow: FloatArray,
-    out: FloatArray,
-) -> None:
-    """Compute the illumination of the board inside ``box`` (see `pixel_rays`) into ``out`` (H, W, 4), as `light_surface`.
-
-    The printed pattern is averaged over each pixel's footprint on the board, a parallelogram without distortion; the sample positions
-    are sheared so that edges along pixel rows are antialiased as well.
-    """
-    for row in range(start, stop):
-        for column in range(box[2], box[3]):
-            out[row, column, 0] = NOT_LIT
-            out[row, column, 1:] = 0.0
-            du, dv = _interpolated(residual, float(column), float(row), LENS_STEP_PX)
-            xn, yn = _undistorted(column + du, row + dv, k, d)
-            x, y, z = _on_board(xn, yn, coma, board_from_camera, bow)
-            if x > 1e8:
-                continue
-            xr, yr, _ = _on_board(xn + 0.5 / k[0], yn, coma, board_from_camera, bow)
-            xd, yd, _ = _on_board(xn, yn + 0.5 / k[1], coma, board_from_camera, bow)
-            ax, ay, bx, by = xr - x, yr - y, xd - x, yd - y
-            albedo = _paint(x, y, layout, cells, colours, shift)
-            if (
-                albedo != _paint(x + ax + bx, y + ay + by, layout, cells, colours, shift)
-                or albedo != _paint(x - ax - bx, y - ay - by, layout, cells, colours, shift)
-                or albedo != _paint(x + ax - bx, y + ay - by, layout, cells, colours, shift)
-                or albedo != _paint(x - ax + bx, y - ay + by, layout, cells, colours, shift)
-            ):
-                total = 0.0
-                for m in range(SUPERSAMPLES):
-                    for n in range(SUPERSAMPLES):
-                        p = (2 * m + (2 * n + 1.0) / SUPERSAMPLES) / SUPERSAMPLES - 1.0
-                        q = (2 * n + (2 * m + 1.0) / SUPERSAMPLES) / SUPERSAMPLES - 1.0
-                        total += _paint(x + p * ax + q * bx, y + p * ay + q * by, layout, cells, colours, shift)
-                albedo = total / (SUPERSAMPLES * SUPERSAMPLES)
-            if albedo == 0.0:
-                continue
-            to_light = (light[0] - x, light[1] - y, light[2] - z)
-            out[row, column, 3] = albedo
-            out[row, column, 2] = _reflected((0.0, 0.0, -1.0), to_light, (0.0, 0.0, -1.0), (albedo, 0.0, 1.0), standoff_mm)
-            u, v = _projector_pixel((x, y, z), light_from_board, light_k, light_d)
-            out[row, column, 0] = u
-            out[row, column, 1] = v
 
 
 @njit(cache=True, nogil=True, fastmath=True)

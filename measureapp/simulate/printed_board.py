@@ -8,8 +8,9 @@ from measureapp.arrays import FloatArray, ImageArray
 from measureapp.data.board import BoardDescription, CharucoDescription, CheckerboardDescription, CirclesDescription
 from measureapp.geometry.marker_cells import marker_cells
 from measureapp.geometry.transform import RigidTransform
-from measureapp.simulate import kernels
+from measureapp.simulate.board_kernel import light_board
 from measureapp.simulate.effects.board_print import PrintErrors
+from measureapp.simulate.kernels import in_bands
 from measureapp.simulate.optics import NO_RESIDUAL, OUTLINE_SAMPLES, ProjectorLight, SeeingCamera, image_box, lens_parameters
 
 WHITE, BLACK = 0.85, 0.06  # albedo of the board's print
@@ -54,8 +55,8 @@ class PrintedBoard:
         box = image_box(camera.pinhole, scene_from_camera.inverse(), outline)
         if box is None or scene_from_camera.translation_mm[2] >= 0.0:
             return
-        kernels.in_bands(
-            kernels.light_board,
+        in_bands(
+            light_board,
             box[0],
             box[1],
             box,
@@ -75,7 +76,7 @@ class PrintedBoard:
 
 
 def _print_layout(board: BoardDescription) -> tuple[FloatArray, ImageArray]:
-    """Return layout and marker cells of the printed pattern for `kernels.light_board`."""
+    """Return layout and marker cells of the printed pattern for `light_board`."""
     none = np.zeros((1, 1, 1, 1), np.uint8)
     if isinstance(board, CirclesDescription):
         return _layout(board.diameter_mm, board.spacing_mm, board.columns, board.rows, 0.0), none
@@ -87,5 +88,5 @@ def _print_layout(board: BoardDescription) -> tuple[FloatArray, ImageArray]:
 
 
 def _layout(diameter_mm: float, unit_mm: float, columns: int, rows: int, marker_mm: float) -> FloatArray:
-    """Layout as `kernels._paint` has it; print errors begin at the margin."""
+    """Layout as `board_kernel` has it; print errors begin at the margin."""
     return np.array([diameter_mm, unit_mm, columns, rows, marker_mm, -2.0 * unit_mm, -2.0 * unit_mm], float)

@@ -7,7 +7,7 @@ import numpy as np
 from measureapp.arrays import FloatArray, ImageArray
 from measureapp.calibrate.boards.refine import homography, local_axes, window_of
 from measureapp.data.board import BoardDescription, CharucoDescription, CirclesDescription
-from measureapp.simulate.kernels import SUPERSAMPLES
+from measureapp.simulate.board_kernel import SUPERSAMPLES
 from measureapp.simulate.options import LightSettings
 
 # An estimator is as good as the formula only where its window holds all that is told of the mark. Beside markers the window is as small as

@@ -6,7 +6,7 @@ import cv2
 import numpy as np
 
 from measureapp.data.board import CharucoDescription, CirclesDescription
-from measureapp.simulate.kernels import _paint
+from measureapp.simulate.board_kernel import _paint
 from measureapp.simulate.optics import NO_RESIDUAL
 from measureapp.simulate.printed_board import _print_layout
 

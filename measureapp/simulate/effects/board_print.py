@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from measureapp.arrays import FloatArray, read_only
+from measureapp.simulate.board_kernel import PRINT_STEP_MM
 from measureapp.simulate.effects.waves import Waves, draw_waves
-from measureapp.simulate.kernels import PRINT_STEP_MM
 from measureapp.simulate.options import WorldOptions
 
 GLASS_PER_K = 9.0e-6
