@@ -171,12 +171,14 @@ def test_stop_is_answered_at_once_and_an_operator_is_not_sent_to_a_page_he_has_n
     workshop.screens.identify.next.click()
     workshop.load_and_start()
     run = workshop.screens.run
+    session.set_run(RunNow("paused", "The project folder is gone.", "Connect its disk again."))
     run.stop.click()
+    session.set_run(RunNow("running"))
     assert run.words.text() == "Stopping…" and not run.stop.isEnabled() and not run.pause.isEnabled()
     session.tell("Cancelled.", "Data stored so far is kept.", "warning")
     session.tell("Everything was stopped.", "Reset the stop on the Rig page before anything moves again.", "warning", cause=STOPPED)
     session.set_run(RunNow("idle"))
-    assert run.cause.text() == "The measurement was stopped." and not run.remedy.isVisible()
+    assert run.cause.text() == "The measurement was stopped." and run.remedy.text() == "The project folder is gone."
 
 
 def test_start_is_disabled_with_the_reason_in_sight(workshop, monkeypatch):
