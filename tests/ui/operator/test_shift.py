@@ -181,6 +181,22 @@ def test_stop_is_answered_at_once_and_an_operator_is_not_sent_to_a_page_he_has_n
     assert run.cause.text() == "The measurement was stopped." and run.remedy.text() == "The project folder is gone."
 
 
+def test_a_fault_of_many_words_leaves_the_buttons_where_they_are_pressed(workshop):
+    workshop.fault = DeviceError("Seven devices cannot be connected. " + "Camera left: no camera with this serial number answers. " * 12)
+    workshop.window.resize(1280, 720)
+    workshop.identify("GC-0013")
+    workshop.screens.identify.next.click()
+    workshop.load_and_start()
+    run, call = workshop.screens.run, workshop.screens.call
+    run.call.click()
+    workshop.qtbot.wait(20)
+    buttons = (run.resume, run.again, run.home, run.call)
+    assert all(button.height() >= 56 for button in buttons) and run.cause.height() >= run.cause.heightForWidth(run.cause.width())
+    places = [button.mapTo(workshop.window, button.rect().topLeft()).y() for button in (run.resume, run.again, run.call)]
+    assert places[0] + run.resume.height() <= places[1] and places[1] + run.again.height() <= places[2]
+    assert call.isVisible() and call.height() < 160
+
+
 def test_start_is_disabled_with_the_reason_in_sight(workshop, monkeypatch):
     monkeypatch.setattr("ui.controllers.operator_work.RESERVE_BYTES", 1e18)
     workshop.identify("GC-0008")

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QTimer, Signal
+from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QHideEvent, QShowEvent
-from PySide6.QtWidgets import QProgressBar, QStackedWidget, QWidget
+from PySide6.QtWidgets import QProgressBar, QScrollArea, QScroller, QStackedWidget, QWidget
 
 from ui.controllers.controllers import Controllers
 from ui.controllers.operator_nouns import Fault
@@ -17,7 +17,7 @@ from ui.pages.operator.part_view import PartView
 from ui.pages.operator.time_left import SteadyTime
 from ui.pages.viewport_page import Picture
 from ui.session import Session
-from ui.widgets.basic import column, row
+from ui.widgets.basic import column, row, scrolled
 from ui.workers.job import Job
 
 TICK_MS = 500
@@ -75,9 +75,11 @@ class RunScreen(QWidget):
         self.stop = BigButton("Stop", look, "stop", "stop")
         self.paused = big_label("", "strong", wrap=True)
         panel = QWidget()
-        panel.setLayout(
-            column(self.paused, 0, self.pause, self.go_on, 8, self.stop, big_label(NOT_EMERGENCY, "soft", wrap=True), spacing=16)
+        layout = column(
+            _readable(self.paused), self.pause, self.go_on, 8, self.stop, big_label(NOT_EMERGENCY, "soft", wrap=True), spacing=16
         )
+        layout.setStretch(0, 1)
+        panel.setLayout(layout)
         return panel
 
     def _stopped(self, look: Look) -> QWidget:
@@ -87,19 +89,10 @@ class RunScreen(QWidget):
         self.again, self.call = BigButton("Start again", look, "again"), BigButton("Call the engineer", look, "person")
         self.home = BigButton("Part programs", look, "home")
         panel = QWidget()
-        panel.setLayout(
-            column(
-                self.cause,
-                self.remedy,
-                self.kept,
-                self.press,
-                0,
-                self.resume,
-                row(self.again, self.home, spacing=12),
-                self.call,
-                spacing=12,
-            )
-        )
+        words = _readable(self.cause, self.remedy, self.kept, self.press)
+        layout = column(words, self.resume, row(self.again, self.home, spacing=12), self.call, spacing=12)
+        layout.setStretch(0, 1)
+        panel.setLayout(layout)
         return panel
 
     def _connect(self) -> None:
@@ -218,3 +211,14 @@ class RunScreen(QWidget):
             return Picture(tuple(layers))
 
         self.view.compose(compose if views else None)
+
+
+def _readable(*words: QWidget) -> QScrollArea:
+    """Return words that scroll where they are too many, such as those about a rig of which no device answers: buttons keep their room."""
+    content = QWidget()
+    content.setObjectName("clear")
+    content.setLayout(column(*words, 0, spacing=12))
+    area = scrolled(content)
+    area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+    QScroller.grabGesture(area.viewport(), QScroller.ScrollerGestureType.TouchGesture)
+    return area

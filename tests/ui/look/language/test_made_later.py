@@ -229,7 +229,9 @@ def test_the_state_of_a_plan_follows_the_language(application, filled, qtbot, sp
 def test_sentences_of_the_core_are_not_mixed(chinese, english, words):
     said = chinese.renewed(english)
     assert words in said
-    assert not re.findall(r"\b(?:image|points|rejected|location|free|translation|rotation|Surroundings|usable|Use|noise|free|white)\b", said), said
+    assert not re.findall(
+        r"\b(?:image|points|rejected|location|free|translation|rotation|Surroundings|usable|Use|noise|free|white)\b", said
+    ), said
 
 
 def test_the_name_of_a_language_can_be_read_before_it_is_chosen(application, monkeypatch):
