@@ -2742,7 +2742,7 @@
     </message>
     <message>
       <source>Take the views</source>
-      <translation>请拍摄视图</translation>
+      <translation>拍摄视图</translation>
     </message>
     <message>
       <source>Take {v1} another tilt and place, to average the noise</source>
@@ -11843,8 +11843,8 @@
       <translation>槽</translation>
     </message>
     <message>
-      <source>Smooth the colours for the eye</source>
-      <translation>平滑颜色以便观察</translation>
+      <source>Smooth the colours</source>
+      <translation>平滑颜色</translation>
     </message>
     <message>
       <source>Smoothed, radius {radius_mm}</source>
@@ -16556,8 +16556,16 @@ The first run of this part counts.</source>
       <translation>没有问题阻止扫描</translation>
     </message>
     <message>
+      <source>plan</source>
+      <translation>计划</translation>
+    </message>
+    <message>
       <source>problems</source>
       <translation>个问题</translation>
+    </message>
+    <message>
+      <source>rig</source>
+      <translation>测量系统</translation>
     </message>
     <message>
       <source>row</source>
