@@ -52,7 +52,7 @@ def test_points_are_projected_as_by_opencv_also_in_the_plane_of_the_camera_and_b
     generator = np.random.default_rng(coefficients)
     lens = generator.normal(scale=0.05, size=coefficients)
     camera = PinholeCamera(2592, 1944, np.array([[4091, 0, 1295.5], [0, 4080, 971.5], [0, 0, 1]]), lens)
-    points = generator.normal(scale=40.0, size=(count, 3)) + [0.0, 0.0, 300.0]
+    points = generator.normal((0.0, 0.0, 300.0), 40.0, (count, 3))
     points[:2, 2] = 0.0, -200.0
     expected, _ = cv2.projectPoints(points, np.zeros(3), np.zeros(3), camera.matrix.copy(), lens)
     np.testing.assert_allclose(camera.project(points), expected.reshape(-1, 2), rtol=1e-11)
