@@ -160,7 +160,7 @@ def add_views(session: CalibrationSession, folder: Path, progress: Progress | No
     """
     progress = progress or NoProgress()
     known = {image.checksum for one in session.observations for image in one.images.values()}
-    views = load_all(folder)
+    views = load_all(folder, progress)
     added = []
     for number, view in enumerate(views):
         progress.report(number, len(views), f"board in {view.viewpoint_id}")

@@ -86,7 +86,7 @@ def recalculate_project(project: ProjectFolder, progress: Progress) -> Recalcula
     StorageError
         An image is missing or not the one the calibration was made from.
     """
-    stored, views = project.calibration(), project.board_views()
+    stored, views = project.calibration(), project.board_views(progress)
     if stored is None or not views:
         missing = "calibration" if stored is None else "images of the board"
         raise InputError(f"{project.path} has no {missing}.", "Give a project that calibrated its rig, or calibrate first.")

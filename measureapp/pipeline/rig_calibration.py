@@ -114,7 +114,7 @@ def calibrate_rig(
 ) -> CalibratedRig:
     """Take the missing images of the board from all sides, keep them, and solve the whole rig from all; raises as `calibrate_into_project`."""
     viewpoints = calibration_viewpoints(rig.description, project.plan(), arm=arm_of(rig.description), progress=progress)
-    stored = {view.viewpoint_id for view in project.board_views()}
+    stored = {view.viewpoint_id for view in project.board_views(progress)}
     waiting: list[Viewpoint] = [viewpoint for viewpoint in viewpoints if viewpoint.id not in stored]
     failed: tuple[ViewpointFailed, ...] = ()
     with watch.stage("calibration images"):
@@ -177,7 +177,7 @@ def solve_calibration(
     """Calibrate the rig from the stored images of the board; raises CalibrationError when they do not suffice."""
     with watch.stage("calibration"):
         made_from = calibration_made_from(project)
-        solved = solve_views(project.board_views(), project.settings.board, project.rig(), progress, threads)
+        solved = solve_views(project.board_views(progress), project.settings.board, project.rig(), progress, threads)
         project.save_calibration(solved.solution.calibration, uncertainty_of(solved.solution), made_from)
     on_event(CalibrationReady(solved.solution.calibration, solved.verdict.reasons))
     return solved

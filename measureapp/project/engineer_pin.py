@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import hmac
 import secrets
+from math import ceil
 from pathlib import Path
 from typing import Literal
 
@@ -75,7 +76,7 @@ def check_pin(file: Path, pin: str, now_s: float) -> bool:
     stored = _read(file)
     left_s = seconds_to_wait(stored, now_s)
     if left_s > 0:
-        raise InputError(f"Too many wrong attempts. Wait {left_s:.0f} s.", RESET)
+        raise InputError(f"Too many wrong attempts. Wait {ceil(left_s)} s.", RESET)
     right = hmac.compare_digest(_key(pin, stored), bytes.fromhex(stored.key))
     if right and not stored.wrong:
         return True

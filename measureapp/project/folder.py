@@ -156,11 +156,11 @@ class ProjectFolder:
         """Store the images of one view of the board."""
         board_views.save(self.path / "calibration" / "views", view)
 
-    def board_views(self) -> tuple[BoardView, ...]:
+    def board_views(self, progress: Progress | None = None) -> tuple[BoardView, ...]:
         """Load all stored views of the board, in the order of acquisition. Raises StorageError naming a damaged file."""
         folder = self.path / "calibration" / "views"
         self.journal.check(*folder.glob("*/*"))
-        return board_views.load_all(folder)
+        return board_views.load_all(folder, progress)
 
     def board_view_count(self) -> int:
         """Return how many views of the board are stored; none is read."""

@@ -1919,6 +1919,14 @@
       <translation>相机 {v1} 在 {v2} µs 时仍饱和。</translation>
     </message>
     <message>
+      <source>Check its power and cable, and connect the rig again.</source>
+      <translation>请检查其电源和电缆，然后重新连接测量系统。</translation>
+    </message>
+    <message>
+      <source>Check its power and cable, and connect the rig again; if it happens again, report it to the author of the driver.</source>
+      <translation>请检查其电源和电缆，然后重新连接测量系统；若再次发生，请报告驱动的作者。</translation>
+    </message>
+    <message>
       <source>Images of the board from {v1}</source>
       <translation>来自 {v1} 的标定板图像</translation>
     </message>
@@ -2015,8 +2023,20 @@
       <translation>{v1} 不能触发相机，而 {v2} 的硬件序列需要触发。</translation>
     </message>
     <message>
+      <source>{v1} does not answer any more.</source>
+      <translation>{v1} 不再应答。</translation>
+    </message>
+    <message>
+      <source>{v1} failed: {v2}: {v3}.</source>
+      <translation>{v1} 失败：{v2}：{v3}。</translation>
+    </message>
+    <message>
       <source>{v1}: image {v2} at {v3} ms</source>
       <translation>{v1}：图像 {v2}，{v3} ms</translation>
+    </message>
+    <message>
+      <source>{v1}: {v2} It was tried {v3} times.</source>
+      <translation>{v1}：{v2} 已尝试 {v3} 次。</translation>
     </message>
   </context>
   <context>
@@ -2028,6 +2048,10 @@
     <message>
       <source>Check port or address, cable and power, and that no other program uses it.</source>
       <translation>请检查端口或地址、电缆和电源，并确认没有其他程序使用。</translation>
+    </message>
+    <message>
+      <source>Check power, cable, station number and baud rate; connect again, and find the reference anew if the drive lost it.</source>
+      <translation>请检查电源、电缆、站号和波特率；重新连接，若驱动器丢失参考点，请重新回参考点。</translation>
     </message>
     <message>
       <source>Check station number, port and drive map.</source>
@@ -2060,6 +2084,10 @@
     <message>
       <source>[links]: {v1}.</source>
       <translation>[links]：{v1}。</translation>
+    </message>
+    <message>
+      <source>{v1} (station {v2} at {v3}) does not answer any more: {v4}.</source>
+      <translation>{v1}（{v3} 上的站 {v2}）不再应答：{v4}。</translation>
     </message>
     <message>
       <source>{v1} (station {v2} at {v3}) {v4} (Modbus exception {v5}).</source>
@@ -2249,6 +2277,10 @@
       <translation>一次自动运行标定相机、手眼、直线导轨和转台轴线</translation>
     </message>
     <message>
+      <source>Check its numbers of corners, and `legacy_pattern` for a board drawn by OpenCV before 4.6.</source>
+      <translation>请检查其角点数；若标定板由 4.6 之前的 OpenCV 绘制，请检查 `legacy_pattern`。</translation>
+    </message>
+    <message>
       <source>Check that guide positions and poses are in mm, in the same order, and that the board did not move.</source>
       <translation>请检查导轨位置和位姿是否以 mm 为单位、顺序一致，且标定板未移动。</translation>
     </message>
@@ -2263,6 +2295,10 @@
     <message>
       <source>Check that the images show the same rigid board, sharp and in the same order for all cameras.</source>
       <translation>请检查图像是否显示同一刚性标定板，清晰且各相机顺序一致。</translation>
+    </message>
+    <message>
+      <source>Check the board's size, its dictionary and that nothing mirrors the image.</source>
+      <translation>请检查标定板的尺寸和字典，并确认图像未被镜像。</translation>
     </message>
     <message>
       <source>Check the order of the positions, the unit (degrees) of the angles, and that the board did not move on the table.</source>
@@ -2303,6 +2339,10 @@
     <message>
       <source>Coverage of the image</source>
       <translation>图像的覆盖</translation>
+    </message>
+    <message>
+      <source>Describe it as a ChArUco board with its dictionary.</source>
+      <translation>请将其描述为带有相应字典的 ChArUco 标定板。</translation>
     </message>
     <message>
       <source>Determines direction and scale of the guide, with cameras and hand–eye as calibrated. Fix the board on the table; the guide moves the robot past it.</source>
@@ -2355,6 +2395,10 @@
     <message>
       <source>Focal length, image centre, distortion and pose of every camera</source>
       <translation>每台相机的焦距、图像中心、畸变和位姿</translation>
+    </message>
+    <message>
+      <source>Focus the camera, and keep board and camera still while the image is taken.</source>
+      <translation>请对焦相机，拍摄图像时保持标定板和相机静止。</translation>
     </message>
     <message>
       <source>Give at least 3, better 10 or more.</source>
@@ -2421,6 +2465,14 @@
       <translation>请以相同顺序给出所有相机的图像，每个标定板位置每台相机一幅。</translation>
     </message>
     <message>
+      <source>Give the size of the board that was used, or use the {v1}.</source>
+      <translation>请给出所用标定板的尺寸，或使用{v1}。</translation>
+    </message>
+    <message>
+      <source>Give the size of the board that was used.</source>
+      <translation>请给出所用标定板的尺寸。</translation>
+    </message>
+    <message>
       <source>Hand–eye, guide and table axis were determined with the earlier cameras: calibrate the rig next.</source>
       <translation>手眼、导轨和转台轴线是用先前的相机确定的：接下来请标定测量系统。</translation>
     </message>
@@ -2439,6 +2491,10 @@
     <message>
       <source>Keep the robot still while the guide moves: the errors of its poses would count as errors of the guide</source>
       <translation>导轨移动时请保持机器人静止：其位姿误差会算作导轨误差</translation>
+    </message>
+    <message>
+      <source>Lengthen the exposure or add light until the board's white reaches half of full scale.</source>
+      <translation>请延长曝光或增加光照，直到标定板的白色达到满量程的一半。</translation>
     </message>
     <message>
       <source>Lens and pose of the projector, relative to calibrated cameras</source>
@@ -2513,6 +2569,14 @@
       <translation>求解之后观测已更改：请重新求解。</translation>
     </message>
     <message>
+      <source>Only {v1} corners of the {v2} can be seen; at least {v3} are needed.</source>
+      <translation>只能看到{v2}的 {v1} 个角点；至少需要 {v3} 个。</translation>
+    </message>
+    <message>
+      <source>Only {v1} of the {v2} marks of the {v3} can be seen, and they may be any of {v4} parts of it.</source>
+      <translation>只能看到{v3}的 {v2} 个标记中的 {v1} 个，它们可能是其 {v4} 个部分中的任一个。</translation>
+    </message>
+    <message>
       <source>Only {v1} of the {v2} marks of the {v3} can be seen.</source>
       <translation>只能看到 {v3} 的 {v2} 个标记中的 {v1} 个。</translation>
     </message>
@@ -2561,12 +2625,20 @@
       <translation>请将标定板陡立在转台上，使其角点处于不同高度，并进一步转动转台。</translation>
     </message>
     <message>
+      <source>Shorten the exposure or dim the light until the board's white is no longer clipped.</source>
+      <translation>请缩短曝光或调暗光照，直到标定板的白色不再过饱和。</translation>
+    </message>
+    <message>
       <source>Show it nearer and farther, sharp, evenly lit and not so bright that its white is clipped.</source>
       <translation>请在更近和更远处显示，清晰、照明均匀，且白色不过亮。</translation>
     </message>
     <message>
       <source>Show more of the board.</source>
       <translation>请显示更多标定板。</translation>
+    </message>
+    <message>
+      <source>Show one whole side of the board with the white margin at both of its ends, or use a ChArUco board, of which any part is enough.</source>
+      <translation>请显示标定板完整的一条边及其两端的白边，或使用 ChArUco 标定板，其任一部分即可。</translation>
     </message>
     <message>
       <source>Show the board</source>
@@ -2593,6 +2665,10 @@
       <translation>请显示整块标定板，照明均匀。</translation>
     </message>
     <message>
+      <source>Show the whole board, or use a ChArUco board, of which a part is enough.</source>
+      <translation>请显示整个标定板，或使用 ChArUco 标定板，其一部分即可。</translation>
+    </message>
+    <message>
       <source>Solve again.</source>
       <translation>请重新求解。</translation>
     </message>
@@ -2613,6 +2689,10 @@
       <translation>转台的扫过角度</translation>
     </message>
     <message>
+      <source>Switch mirroring off in the camera's settings.</source>
+      <translation>请在相机设置中关闭镜像。</translation>
+    </message>
+    <message>
       <source>Table positions</source>
       <translation>转台位置</translation>
     </message>
@@ -2623,6 +2703,10 @@
     <message>
       <source>Take a pose in which the board's {v1} edge is farther from the {v2}, the board tilted by 20° to 45°</source>
       <translation>取一个位姿，使标定板的{v1}边离{v2}更远，标定板倾斜 20° 至 45°</translation>
+    </message>
+    <message>
+      <source>Take a sharper and brighter image of the flat board.</source>
+      <translation>请为平整的标定板拍摄更清晰、更明亮的图像。</translation>
     </message>
     <message>
       <source>Take a sharper image, or move closer so that the squares appear larger.</source>
@@ -2658,7 +2742,7 @@
     </message>
     <message>
       <source>Take the views</source>
-      <translation>请拍摄视图</translation>
+      <translation>拍摄视图</translation>
     </message>
     <message>
       <source>Take {v1} another tilt and place, to average the noise</source>
@@ -2667,6 +2751,18 @@
     <message>
       <source>Take {v1} more robot {v2}: more average the robot's own errors</source>
       <translation>再取 {v1} 个机器人{v2}：数量更多可平均机器人自身的误差</translation>
+    </message>
+    <message>
+      <source>The board is blurred: its edges are {v1} px wide, {v2} px is the most.</source>
+      <translation>标定板模糊：其边缘宽 {v1} px，最多允许 {v2} px。</translation>
+    </message>
+    <message>
+      <source>The board is over-exposed: its white is clipped at {v1} of the marks, which makes them scatter.</source>
+      <translation>标定板过曝：{v1} 的标记处白色过饱和，使标记离散。</translation>
+    </message>
+    <message>
+      <source>The board is too dark: its white is {v1} of 255.</source>
+      <translation>标定板太暗：其白色为 255 中的 {v1}。</translation>
     </message>
     <message>
       <source>The board lies behind the camera: the board poses seem to be board_from_camera.</source>
@@ -2717,6 +2813,10 @@
       <translation>导轨移动了 {v1} mm，但标定板移动了 1000 倍。</translation>
     </message>
     <message>
+      <source>The image shows {v1} markers that a {v2} does not have (its own are 0 to {v3}).</source>
+      <translation>图像中有 {v1} 个{v2}所没有的标记（其自身的标记为 0 至 {v3}）。</translation>
+    </message>
+    <message>
       <source>The images of camera {v1} are {v2} × {v3} px, it was calibrated for {v4} × {v5} px.</source>
       <translation>相机 {v1} 的图像为 {v2} × {v3} px，而标定时为 {v4} × {v5} px。</translation>
     </message>
@@ -2725,12 +2825,20 @@
       <translation>相机 {v1} 与 {v2} 的图像不匹配：{v4} 个视图中有 {v3} 个显示不同的标定板位置。</translation>
     </message>
     <message>
+      <source>The marks in the image do not lie as on a {v1}.</source>
+      <translation>图像中标记的排列与{v1}不符。</translation>
+    </message>
+    <message>
       <source>The marks of the board are displaced by {v1} (rms){v2}, the one in row {v3}, column {v4} by {v5}: their places were estimated with the cameras. Have the board certified, or use a better one.</source>
       <translation>标定板的标志点偏离其位置 {v1}（均方根）{v2}，第 {v3} 行第 {v4} 列的标志点偏离 {v5}：它们的位置已与相机一同估计。请对标定板进行检定，或使用更好的标定板。</translation>
     </message>
     <message>
       <source>The marks of the board that are visible are too few, or lie on one line.</source>
       <translation>可见的标定板标记太少，或位于一条直线上。</translation>
+    </message>
+    <message>
+      <source>The marks scatter by {v1} px about a smooth grid, {v2} px is the most.</source>
+      <translation>标记相对平滑网格离散 {v1} px，最多允许 {v2} px。</translation>
     </message>
     <message>
       <source>The motions are {v1}.</source>
@@ -2817,6 +2925,10 @@
       <translation>投影仪图像的尺寸未知。</translation>
     </message>
     <message>
+      <source>The squares of the board are not plain: markers are printed in them.</source>
+      <translation>标定板的方格不是纯色：其中印有标记。</translation>
+    </message>
+    <message>
       <source>The translations of the {v1} poses are about {v2} times too small for those of the others.</source>
       <translation>{v1} 位姿的平移约比其他的小 {v2} 倍。</translation>
     </message>
@@ -2833,12 +2945,48 @@
       <translation>相机 {v1} 的视图不能确定其镜头。</translation>
     </message>
     <message>
+      <source>The whole board must be visible, sharp and not over-exposed; check the kind of board and its size.</source>
+      <translation>整个标定板必须可见、清晰且不过曝；请检查标定板的类型和尺寸。</translation>
+    </message>
+    <message>
       <source>The {v1} poses seem to be in metres: give mm.</source>
       <translation>{v1} 位姿似乎以米为单位：请给出 mm。</translation>
     </message>
     <message>
       <source>The {v1} was not detected yet.</source>
       <translation>尚未检测到 {v1}。</translation>
+    </message>
+    <message>
+      <source>The {v1} was not found.</source>
+      <translation>未找到{v1}。</translation>
+    </message>
+    <message>
+      <source>The {v1} was not found: its markers are there, but not placed as on this board.</source>
+      <translation>未找到{v1}：有其标记，但排列与此标定板不符。</translation>
+    </message>
+    <message>
+      <source>The {v1} was not found: nothing in the image is sharp, it is blurred.</source>
+      <translation>未找到{v1}：图像中没有清晰之处，图像模糊。</translation>
+    </message>
+    <message>
+      <source>The {v1} was not found: only {v2} of its {v3} marks can be seen, the rest is hidden or outside the image.</source>
+      <translation>未找到{v1}：只能看到其 {v3} 个标记中的 {v2} 个，其余被遮挡或在图像之外。</translation>
+    </message>
+    <message>
+      <source>The {v1} was not found: the board in the image looks like one of {v2}.</source>
+      <translation>未找到{v1}：图像中的标定板看起来是 {v2} 的。</translation>
+    </message>
+    <message>
+      <source>The {v1} was not found: the image is mirrored.</source>
+      <translation>未找到{v1}：图像是镜像的。</translation>
+    </message>
+    <message>
+      <source>The {v1} was not found: the image is over-exposed ({v2} clipped).</source>
+      <translation>未找到{v1}：图像过曝（{v2} 过饱和）。</translation>
+    </message>
+    <message>
+      <source>The {v1} was not found: the image is too dark ({v2} of 255).</source>
+      <translation>未找到{v1}：图像太暗（255 中的 {v2}）。</translation>
     </message>
     <message>
       <source>There are no candidate poses.</source>
@@ -3049,6 +3197,10 @@
       <translation>离{v1}更近</translation>
     </message>
     <message>
+      <source>not found</source>
+      <translation>未找到</translation>
+    </message>
+    <message>
       <source>observation {v1}</source>
       <translation>观测 {v1}</translation>
     </message>
@@ -3145,12 +3297,20 @@
       <translation>向右</translation>
     </message>
     <message>
+      <source>too dark</source>
+      <translation>太暗</translation>
+    </message>
+    <message>
       <source>views of one part relative to each other (rms)</source>
       <translation>同一工件各视图的相对位置（均方根）</translation>
     </message>
     <message>
       <source>views that are off by less than 0.05 mm need no registration, those up to 0.2 mm register safely</source>
       <translation>偏差小于 0.05 mm 的视图无需配准，不超过 0.2 mm 的可可靠配准</translation>
+    </message>
+    <message>
+      <source>wrong board</source>
+      <translation>标定板不符</translation>
     </message>
     <message>
       <source>{v1} angles do not belong to {v2} table positions.</source>
@@ -3699,6 +3859,10 @@
     <message>
       <source>Camera {v1}: {v2}.</source>
       <translation>相机 {v1}：{v2}。</translation>
+    </message>
+    <message>
+      <source>Check cable, power and network, then connect the camera again.</source>
+      <translation>请检查电缆、电源和网络，然后重新连接相机。</translation>
     </message>
     <message>
       <source>Check the setting named, and what this camera supports.</source>
@@ -7639,6 +7803,14 @@
       <translation>请检查计算机的内存和磁盘。</translation>
     </message>
     <message>
+      <source>Check the disk and its connection, or choose another folder. What was stored before is kept.</source>
+      <translation>请检查磁盘及其连接，或选择其他文件夹。之前存储的内容会保留。</translation>
+    </message>
+    <message>
+      <source>Check the disk and its connection.</source>
+      <translation>请检查磁盘及其连接。</translation>
+    </message>
+    <message>
       <source>Check the folder and its permissions.</source>
       <translation>请检查文件夹及其权限。</translation>
     </message>
@@ -7819,8 +7991,24 @@
       <translation>请释放一些空间或选择另一文件夹。</translation>
     </message>
     <message>
+      <source>Free some space, choose another disk, or scan at a lower resolution.</source>
+      <translation>请释放一些空间，选择其他磁盘，或以较低分辨率扫描。</translation>
+    </message>
+    <message>
       <source>Free some space, or choose another disk.</source>
       <translation>请释放一些空间，或选择另一磁盘。</translation>
+    </message>
+    <message>
+      <source>Free some space, or choose another folder.</source>
+      <translation>请释放一些空间，或选择其他文件夹。</translation>
+    </message>
+    <message>
+      <source>Free some space, or choose another folder. What was stored before is kept.</source>
+      <translation>请释放一些空间，或选择其他文件夹。之前存储的内容会保留。</translation>
+    </message>
+    <message>
+      <source>Free some space. What was stored before is kept.</source>
+      <translation>请释放一些空间。之前存储的内容会保留。</translation>
     </message>
     <message>
       <source>Give --unit {v1}, or correct the names of the columns.</source>
@@ -8239,6 +8427,10 @@
       <translation>请从备份恢复文件。</translation>
     </message>
     <message>
+      <source>Restore the folder, or connect its disk again.</source>
+      <translation>请恢复该文件夹，或重新连接其磁盘。</translation>
+    </message>
+    <message>
       <source>Save it as ascii or (uncompressed) binary PCD, or as PLY.</source>
       <translation>请保存为 ascii 或（未压缩的）二进制 PCD，或 PLY。</translation>
     </message>
@@ -8375,6 +8567,10 @@
       <translation>{v1} 的路径太长：超过 {v2} 字节。</translation>
     </message>
     <message>
+      <source>The project {v1} is not there any more.</source>
+      <translation>项目 {v1} 已不存在。</translation>
+    </message>
+    <message>
       <source>The results in {v1} cannot be read: {v2}</source>
       <translation>无法读取 {v1} 中的结果：{v2}</translation>
     </message>
@@ -8495,6 +8691,10 @@
       <translation>{v1} 与 {v2} 都是相机 {v4} 的图像 {v3}。</translation>
     </message>
     <message>
+      <source>{v1} cannot be opened: {v2}.</source>
+      <translation>无法打开 {v1}：{v2}。</translation>
+    </message>
+    <message>
       <source>{v1} cannot be read as a part program: {v2}.</source>
       <translation>{v1} 不能读作工件程序：{v2}。</translation>
     </message>
@@ -8511,12 +8711,20 @@
       <translation>{v1} 不能读作 {v2}：{v3}。</translation>
     </message>
     <message>
+      <source>{v1} cannot be written completely.</source>
+      <translation>{v1} 无法完整写入。</translation>
+    </message>
+    <message>
       <source>{v1} cannot be written to.</source>
       <translation>无法写入 {v1}。</translation>
     </message>
     <message>
       <source>{v1} cannot be written.</source>
       <translation>无法写出 {v1}。</translation>
+    </message>
+    <message>
+      <source>{v1} cannot be written: the disk is full.</source>
+      <translation>{v1} 无法写入：磁盘已满。</translation>
     </message>
     <message>
       <source>{v1} cannot be written: there is a file in the place of a folder, or a folder in that of a file.</source>
@@ -8577,6 +8785,10 @@
     <message>
       <source>{v1} does not hold numbers only.</source>
       <translation>{v1} 中不全是数字。</translation>
+    </message>
+    <message>
+      <source>{v1} does not hold results of a series.</source>
+      <translation>{v1} 中没有系列的结果。</translation>
     </message>
     <message>
       <source>{v1} does not hold the 16 finite numbers of a 4×4 matrix.</source>
@@ -8703,6 +8915,10 @@
       <translation>{v1} 有顶点不存在的三角形。</translation>
     </message>
     <message>
+      <source>{v1} has {v2} GB free; the images need {v3} GB and {v4} GB more.</source>
+      <translation>{v1} 可用空间为 {v2} GB；图像需要 {v3} GB，另需预留 {v4} GB。</translation>
+    </message>
+    <message>
       <source>{v1} has {v2} GiB, more than can be read at once.</source>
       <translation>{v1} 有 {v2} GiB，无法一次读取。</translation>
     </message>
@@ -8775,6 +8991,22 @@
       <translation>{v1} 不完整：缺少最后一行。</translation>
     </message>
     <message>
+      <source>{v1} is damaged: it does not decompress to the images that were stored.</source>
+      <translation>{v1} 已损坏：解压后不是所存储的图像。</translation>
+    </message>
+    <message>
+      <source>{v1} is damaged: line {v2} is not the one that was stored.</source>
+      <translation>{v1} 已损坏：第 {v2} 行不是所存储的内容。</translation>
+    </message>
+    <message>
+      <source>{v1} is damaged: run {v2} cannot be read.</source>
+      <translation>{v1} 已损坏：无法读取第 {v2} 次测量。</translation>
+    </message>
+    <message>
+      <source>{v1} is damaged: run {v2} is not what was stored.</source>
+      <translation>{v1} 已损坏：第 {v2} 次测量不是所存储的内容。</translation>
+    </message>
+    <message>
       <source>{v1} is damaged: what it says of its views' errors is not whole.</source>
       <translation>{v1} 已损坏：其视图误差的内容不完整。</translation>
     </message>
@@ -8805,6 +9037,10 @@
     <message>
       <source>{v1} is locked by another program, for example a backup.</source>
       <translation>{v1} 被另一程序锁定，例如备份。</translation>
+    </message>
+    <message>
+      <source>{v1} is missing.</source>
+      <translation>缺少 {v1}。</translation>
     </message>
     <message>
       <source>{v1} is not JSON.</source>
@@ -8883,6 +9119,10 @@
       <translation>{v1} 不是 SVG 文件。</translation>
     </message>
     <message>
+      <source>{v1} is not the journal of a project.</source>
+      <translation>{v1} 不是项目的日志。</translation>
+    </message>
+    <message>
       <source>{v1} is not the name of a plan file.</source>
       <translation>{v1} 不是计划文件的名称。</translation>
     </message>
@@ -8893,6 +9133,10 @@
     <message>
       <source>{v1} is not valid XML: {v2}.</source>
       <translation>{v1} 不是有效的 XML：{v2}。</translation>
+    </message>
+    <message>
+      <source>{v1} is not what was stored.</source>
+      <translation>{v1} 不是所存储的内容。</translation>
     </message>
     <message>
       <source>{v1} is of an unknown kind.</source>
@@ -9194,6 +9438,10 @@
       <translation>请对照手册检查曝光、周期和触发设置。</translation>
     </message>
     <message>
+      <source>Check its power and its USB cable, then connect again.</source>
+      <translation>请检查其电源和 USB 电缆，然后重新连接。</translation>
+    </message>
+    <message>
       <source>Check its power and its USB cable.</source>
       <translation>请检查其电源和 USB 电缆。</translation>
     </message>
@@ -9212,6 +9460,10 @@
     <message>
       <source>Close other programs that use the projector.</source>
       <translation>请关闭使用投影仪的其他程序。</translation>
+    </message>
+    <message>
+      <source>Connect the rig again.</source>
+      <translation>请重新连接测量系统。</translation>
     </message>
     <message>
       <source>Correct the rig description, or choose another driver.</source>
@@ -9302,6 +9554,10 @@
       <translation>{v1} 不接受该序列：{v2}。</translation>
     </message>
     <message>
+      <source>{v1} does not answer any more: {v2}.</source>
+      <translation>{v1} 不再应答：{v2}。</translation>
+    </message>
+    <message>
       <source>{v1} does not support images of shape {v2} and type {v3}.</source>
       <translation>{v1} 不支持形状 {v2}、类型 {v3} 的图像。</translation>
     </message>
@@ -9340,6 +9596,10 @@
     <message>
       <source>{v1} stopped {v2} s after the start of a sequence of {v3} s: the number of its trigger pulses is unknown.</source>
       <translation>{v1} 在 {v3} s 的序列开始后 {v2} s 停止：其触发脉冲数未知。</translation>
+    </message>
+    <message>
+      <source>{v1} was released.</source>
+      <translation>{v1} 已被释放。</translation>
     </message>
     <message>
       <source>{v1}: a reply to {v2} has the sequence number {v3} instead of {v4} ({v5}).</source>
@@ -10008,6 +10268,14 @@
       <translation>位姿流的消息无效 ({v1})：{v2}。</translation>
     </message>
     <message>
+      <source>Check that EGMStreamStart runs in the controller and that its UDP unicast device names this computer and port.</source>
+      <translation>请检查控制器中 EGMStreamStart 是否在运行，其 UDP 单播设备是否指向这台计算机和端口。</translation>
+    </message>
+    <message>
+      <source>Check that it is on and its network cable is plugged in, then connect again. The robot's state is unknown.</source>
+      <translation>请检查其是否已开机、网线是否已插好，然后重新连接。机器人的状态未知。</translation>
+    </message>
+    <message>
       <source>Check that the address is that of the robot's controller, and the version of Robot Web Services.</source>
       <translation>请检查地址是否为机器人控制器的地址，以及 Robot Web Services 的版本。</translation>
     </message>
@@ -10026,6 +10294,10 @@
     <message>
       <source>Check the version of Robot Web Services.</source>
       <translation>请检查 Robot Web Services 的版本。</translation>
+    </message>
+    <message>
+      <source>Check what has changed, then connect again.</source>
+      <translation>请检查有何变化，然后重新连接。</translation>
     </message>
     <message>
       <source>Choose a free port in settings and controller.</source>
@@ -10054,6 +10326,18 @@
     <message>
       <source>Load resources/rapid/MeasureApp.mod of this program into the task, and connect again.</source>
       <translation>请将本程序的 resources/rapid/MeasureApp.mod 载入任务，然后重新连接。</translation>
+    </message>
+    <message>
+      <source>Press the emergency stop.</source>
+      <translation>请按下急停按钮。</translation>
+    </message>
+    <message>
+      <source>The connection to the controller at {v1} was closed.</source>
+      <translation>与 {v1} 处控制器的连接已关闭。</translation>
+    </message>
+    <message>
+      <source>The controller at {v1} does not answer any more ({v2}).</source>
+      <translation>{v1} 处的控制器不再应答（{v2}）。</translation>
     </message>
     <message>
       <source>The controller at {v1} is system {v2}; the settings expect {v3}.</source>
@@ -10108,6 +10392,14 @@
       <translation>机器人正由另一程序使用（计算机 {v1}，进程 {v2}）；此程序只能读取。</translation>
     </message>
     <message>
+      <source>The robot's controller confirms no stop.</source>
+      <translation>机器人控制器未确认停止。</translation>
+    </message>
+    <message>
+      <source>The robot's pose stream on UDP port {v1} {v2}.</source>
+      <translation>UDP 端口 {v1} 上的机器人位姿流{v2}。</translation>
+    </message>
+    <message>
       <source>UDP port {v1} for the pose stream cannot be opened: {v2}.</source>
       <translation>无法打开位姿流的 UDP 端口 {v1}：{v2}。</translation>
     </message>
@@ -10136,6 +10428,10 @@
       <translation>{v1} 已在移动。</translation>
     </message>
     <message>
+      <source>{v1}: another controller or program answers now: {v2}</source>
+      <translation>{v1}：现在应答的是另一个控制器或程序：{v2}</translation>
+    </message>
+    <message>
       <source>{v1}: the controller's pose is {v2} mm off the one of kinematic model {v3} for the same joints.</source>
       <translation>{v1}：对相同关节角，控制器的位姿与运动学模型 {v3} 相差 {v2} mm。</translation>
     </message>
@@ -10151,6 +10447,10 @@
       <translation>请检查地址和端口，并对照驱动 robot_generic_tcp 的 README 检查机器人程序。</translation>
     </message>
     <message>
+      <source>Check that it is on, its network cable is plugged in and its server runs, then connect again. Its state is unknown.</source>
+      <translation>请检查其是否已开机、网线是否已插好、其服务器是否在运行，然后重新连接。其状态未知。</translation>
+    </message>
+    <message>
       <source>Correct the robot's program.</source>
       <translation>请更正机器人的程序。</translation>
     </message>
@@ -10163,8 +10463,20 @@
       <translation>已知有 {v1}。</translation>
     </message>
     <message>
+      <source>The connection to the robot at {v1} was closed.</source>
+      <translation>与 {v1} 处机器人的连接已关闭。</translation>
+    </message>
+    <message>
+      <source>The robot at {v1} does not answer any more.</source>
+      <translation>{v1} 处的机器人不再应答。</translation>
+    </message>
+    <message>
       <source>The robot at {v1} speaks version {v2} of the line protocol; this program speaks {v3}.</source>
       <translation>{v1} 处的机器人使用线协议版本 {v2}；此程序使用 {v3}。</translation>
+    </message>
+    <message>
+      <source>{v1} does not confirm the stop.</source>
+      <translation>{v1} 未确认停止。</translation>
     </message>
     <message>
       <source>{v1} reports the unknown state {v2}.</source>
@@ -10210,6 +10522,10 @@
       <translation>没有命令表 {v1}。</translation>
     </message>
     <message>
+      <source>{v1} Connect again, and find the reference anew if the controller lost it.</source>
+      <translation>{v1} 请重新连接，若控制器丢失参考点，请重新回参考点。</translation>
+    </message>
+    <message>
       <source>{v1} answered the query {v2} with {v3} ({v4}), which is no reply of a {v5}.</source>
       <translation>{v1} 对查询 {v2} 应答 {v3} ({v4})，不是 {v5} 的应答。</translation>
     </message>
@@ -10218,12 +10534,12 @@
       <translation>{v2} 处的 {v1} 没有重复 {v3} ({v4})。</translation>
     </message>
     <message>
-      <source>{v1} at {v2} sent no valid reply ({v3}).</source>
-      <translation>{v2} 处的 {v1} 没有发送有效应答 ({v3})。</translation>
+      <source>{v1} at {v2} does not answer{v3}: {v4}.</source>
+      <translation>{v2} 处的 {v1} 不应答{v3}：{v4}。</translation>
     </message>
     <message>
-      <source>{v1} cannot be opened: {v2}.</source>
-      <translation>无法打开 {v1}：{v2}。</translation>
+      <source>{v1} at {v2} sent no valid reply ({v3}).</source>
+      <translation>{v2} 处的 {v1} 没有发送有效应答 ({v3})。</translation>
     </message>
     <message>
       <source>{v1} cannot be read as a command table: {v2}.</source>
@@ -11527,8 +11843,8 @@
       <translation>槽</translation>
     </message>
     <message>
-      <source>Smooth the colours for the eye</source>
-      <translation>平滑颜色以便观察</translation>
+      <source>Smooth the colours</source>
+      <translation>平滑颜色</translation>
     </message>
     <message>
       <source>Smoothed, radius {radius_mm}</source>
@@ -16240,8 +16556,16 @@ The first run of this part counts.</source>
       <translation>没有问题阻止扫描</translation>
     </message>
     <message>
+      <source>plan</source>
+      <translation>计划</translation>
+    </message>
+    <message>
       <source>problems</source>
       <translation>个问题</translation>
+    </message>
+    <message>
+      <source>rig</source>
+      <translation>测量系统</translation>
     </message>
     <message>
       <source>row</source>

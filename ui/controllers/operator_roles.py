@@ -20,6 +20,7 @@ OPEN = (
     "No PIN is set: anyone can leave operator mode.",
     "Set one by the button beside the role.",
 )
+NO_PIN = "pin"  # cause of the warning above
 MINUTE_MS = 60_000
 
 
@@ -68,7 +69,7 @@ class RoleController(QObject):
         self._session.set_role("operator")
         if not self.has_pin and not self._warned:
             self._warned = True
-            self._session.tell(*OPEN, "warning")
+            self._session.tell(*OPEN, "warning", cause=NO_PIN)
 
     @Slot()
     def ask_engineer(self) -> None:
@@ -98,7 +99,11 @@ class RoleController(QObject):
 
     @Slot(object)
     def _refuse(self, error: MeasureError) -> None:
-        self.pinRefused.emit(with_hint(error.message, error.hint))
+        from measureapp.project.engineer_pin import RESET
+
+        self.pinRefused.emit(
+            error.message if error.hint == RESET else with_hint(error.message, error.hint)
+        )  # the screen has this hint always
 
     def set_pin(self, pin: str) -> None:
         """Store another PIN; only the engineer can."""
@@ -115,6 +120,7 @@ class RoleController(QObject):
 
     @Slot(object)
     def _stored(self, _nothing: object) -> None:
+        self._session.messages.end(NO_PIN)
         self._watch()
         self.pinStored.emit()
 

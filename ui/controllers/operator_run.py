@@ -57,6 +57,7 @@ class OperatorRun(QObject):
         self.waits = False  # for the end of a run
         self.calibrates = False  # before the scan; only a virtual rig does
         self.is_stopping = False  # at the operator's request
+        self._hindrance = ""  # why the run was paused when it was stopped
         self._wanted: ToMeasure | None = None
         self._folder: Path | None = None
         self._began_s = 0.0
@@ -126,6 +127,7 @@ class OperatorRun(QObject):
     def stop(self) -> None:
         """Stop everything that moves."""
         self.is_stopping = True
+        self._hindrance = self._session.run.cause
         self._rig.stop()
         self.faultChanged.emit()
 
@@ -149,7 +151,7 @@ class OperatorRun(QObject):
         errors = [message for message in self._told if message.level == "error"]
         if self.is_stopping and not errors:
             unconfirmed = [message.text for message in self._told if message.cause == MESSAGE_OF_STOP and message.text != ALL_STOPPED]
-            return Fault(STOPPED, " ".join(unconfirmed), stored, len(states), following)
+            return Fault(STOPPED, " ".join(filter(None, (self._hindrance, *unconfirmed))), stored, len(states), following)
         told = errors or [message for message in self._told if message.text != CANCELLED]
         cause, remedy = (told[-1].text, told[-1].hint) if told else (STOPPED, "")
         return Fault(cause, remedy, stored, len(states), following)

@@ -60,7 +60,7 @@ def learn(project: ProjectFolder, progress: Progress) -> Learnt:
     CalibrationError
         The cameras are not known and their board views do not determine them; or a complete recording does not determine the rig.
     """
-    found, views = recorded(project), project.board_views()
+    found, views = recorded(project), project.board_views(progress)
     board, rig = project.settings.board, project.rig()
     if found.known is None and len(found.board) == len(views) and determines_rig(found.board):
         solution = calibrate_from_views(views, board, rig, progress)

@@ -18,6 +18,7 @@ from measureapp.data.conditions import Conditions
 from measureapp.data.fringe import AxisReadback
 from measureapp.data.rig import NAME
 from measureapp.errors import FrameMismatch, InputError, StorageError
+from measureapp.progress import Progress
 from measureapp.project.atomic import replacing, replacing_together, write_json
 from measureapp.project.documents import conditions_document, conditions_from, readback_document, readback_from
 from measureapp.project.frame_store import checksum
@@ -54,9 +55,14 @@ def list_stored(folder: Path) -> tuple[str, ...]:
     return tuple(path.parent.name for path in sorted(folder.glob(f"*/{DESCRIPTION}")))
 
 
-def load_all(folder: Path) -> tuple[BoardView, ...]:
-    """Load all complete views below ``folder``, in the order of acquisition. Raises StorageError naming a damaged file."""
-    return tuple(_load(folder / one.viewpoint_id, one) for one in _in_order(folder))
+def load_all(folder: Path, progress: Progress | None = None) -> tuple[BoardView, ...]:
+    """Load all complete views below ``folder``, in the order of acquisition; cancelled between two views. Raises StorageError naming a damaged file."""
+    views = []
+    for one in _in_order(folder):
+        if progress is not None:
+            progress.check()
+        views.append(_load(folder / one.viewpoint_id, one))
+    return tuple(views)
 
 
 def load_readbacks(folder: Path) -> dict[str, tuple[tuple[str, ...], AxisReadback]]:

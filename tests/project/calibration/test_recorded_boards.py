@@ -13,6 +13,7 @@ from measureapp.data.conditions import Conditions
 from measureapp.data.fringe import AxisReadback
 from measureapp.errors import InputError
 from measureapp.geometry.transform import RigidTransform
+from measureapp.progress import Cancelled, NoProgress
 from measureapp.project.calibration import board_views
 from measureapp.project.calibration.recorded_boards import cameras_of, find_recorded
 
@@ -66,6 +67,22 @@ def test_what_a_project_keeps_comes_in_the_order_it_was_taken(tmp_path):
         board_views.save(tmp_path, BoardView(name, {"left": np.zeros((4, 6), np.uint8)}, readback, taken))
     assert [one.name for one in find_recorded(tmp_path)] == ["station1-1", "station2-1", "station1-2"]
     assert [one.viewpoint_id for one in board_views.load_all(tmp_path)] == ["station1-1", "station2-1", "station1-2"]
+
+
+def test_reading_what_a_project_keeps_can_be_cancelled_between_two_views(tmp_path):
+    readback, checks = AxisReadback(RigidTransform.identity("base", "flange"), 0.0, 0.0), []
+
+    class CancelledAtTheSecond(NoProgress):
+        def check(self) -> None:
+            checks.append("")
+            if len(checks) == 2:
+                raise Cancelled
+
+    for number in range(3):
+        board_views.save(tmp_path, BoardView(f"pose{number}", {"left": np.zeros((4, 6), np.uint8)}, readback))
+    with pytest.raises(Cancelled):
+        board_views.load_all(tmp_path, CancelledAtTheSecond())
+    assert len(checks) == 2
 
 
 @pytest.mark.parametrize(

@@ -44,6 +44,28 @@ def test_with_a_pin_only_the_pin_leads_back(application, window, qtbot):
     assert not window.shell.is_operators and screens.pin.field.text() == ""
 
 
+def test_too_many_wrong_pins_say_how_long_to_wait_and_the_way_out_once(application, window, qtbot):
+    set_pin(pin_file(), "2468")
+    window.header.role.setValue("operator")
+    screens = window.shell.operator
+    screens.bar.engineer.click()
+    for _ in range(4):
+        screens.pin.problem.setText("")
+        screens.pin.field.setText("1111")
+        QTest.keyClick(screens.pin.field, Qt.Key.Key_Return)
+        qtbot.waitUntil(lambda: screens.pin.problem.text() != "", timeout=10_000)
+    assert screens.pin.problem.text() in ("Too many wrong attempts. Wait 1 s.", "Too many wrong attempts. Wait 2 s.")
+
+
+def test_the_warning_that_no_pin_is_set_ends_when_one_is_set(application, window, qtbot):
+    window.header.role.setValue("operator")
+    window.shell.operator.bar.engineer.click()
+    open_now = application.session.messages
+    assert [message.text for message in open_now.open] == ["No PIN is set: anyone can leave operator mode."]
+    application.controllers.roles.set_pin("2468")
+    qtbot.waitUntil(lambda: not open_now.open, timeout=10_000)
+
+
 def test_a_start_with_a_pin_begins_in_operator_mode(application, window):
     set_pin(pin_file(), "2468")
     application.controllers.roles.begin()

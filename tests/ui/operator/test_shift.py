@@ -171,12 +171,30 @@ def test_stop_is_answered_at_once_and_an_operator_is_not_sent_to_a_page_he_has_n
     workshop.screens.identify.next.click()
     workshop.load_and_start()
     run = workshop.screens.run
+    session.set_run(RunNow("paused", "The project folder is gone.", "Connect its disk again."))
     run.stop.click()
+    session.set_run(RunNow("running"))
     assert run.words.text() == "Stopping…" and not run.stop.isEnabled() and not run.pause.isEnabled()
     session.tell("Cancelled.", "Data stored so far is kept.", "warning")
     session.tell("Everything was stopped.", "Reset the stop on the Rig page before anything moves again.", "warning", cause=STOPPED)
     session.set_run(RunNow("idle"))
-    assert run.cause.text() == "The measurement was stopped." and not run.remedy.isVisible()
+    assert run.cause.text() == "The measurement was stopped." and run.remedy.text() == "The project folder is gone."
+
+
+def test_a_fault_of_many_words_leaves_the_buttons_where_they_are_pressed(workshop):
+    workshop.fault = DeviceError("Seven devices cannot be connected. " + "Camera left: no camera with this serial number answers. " * 12)
+    workshop.window.resize(1280, 720)
+    workshop.identify("GC-0013")
+    workshop.screens.identify.next.click()
+    workshop.load_and_start()
+    run, call = workshop.screens.run, workshop.screens.call
+    run.call.click()
+    workshop.qtbot.wait(20)
+    buttons = (run.resume, run.again, run.home, run.call)
+    assert all(button.height() >= 56 for button in buttons) and run.cause.height() >= run.cause.heightForWidth(run.cause.width())
+    places = [button.mapTo(workshop.window, button.rect().topLeft()).y() for button in (run.resume, run.again, run.call)]
+    assert places[0] + run.resume.height() <= places[1] and places[1] + run.again.height() <= places[2]
+    assert call.isVisible() and call.height() < 160
 
 
 def test_start_is_disabled_with_the_reason_in_sight(workshop, monkeypatch):
@@ -252,6 +270,10 @@ def test_until_the_first_viewpoint_the_screen_says_what_happens(workshop, monkey
     workshop.operator.run.calibrates = True
     workshop.application.controllers.jobs.progressed.emit(0.01, "Images of the board from pose01")
     assert run.words.text() == "The rig is calibrated first"
+    workshop.operator.run.calibrates = False
+    workshop.application.controllers.jobs.progressed.emit(0.01, "joint registration: 3 of 8")
+    assert run.words.text() == "Joint registration"
+    assert not run.pause.isEnabled()  # images are no longer taken
     assert run.time.text().endswith(" s so far")
     shown = run.view.view._stack.currentWidget()
     if not graphics_are_missing():

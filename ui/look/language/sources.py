@@ -18,7 +18,8 @@ CODE = re.compile(r"""px;|vec3\(|%\(|color: |->|"do": """)  # style sheets, shad
 NAMES = re.compile(r"[\w./\\*#:+-]*")  # of files, keys and settings
 MESSAGES = {  # calls of the core whose texts reach the window
     "InputError", "StorageError", "FitError", "DeviceError", "PlanError", "CalibrationError", "ReconstructError", "RegisterError", "InspectionError",
-    "DecodeError", "MeasureError", "UnitQuestion", "report", "warn", "Cancelled",
+    "DecodeError", "MeasureError", "UnitQuestion", "AmbiguousPart", "BoardDetectionError", "DiskFailed", "DiskFull", "DeviceLost", "Damaged",
+    "report", "warn", "Cancelled",
 }  # fmt: skip
 TOLD = {
     ("calibrate", "kinds"),

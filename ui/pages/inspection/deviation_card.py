@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 TOLERANCE = "Symmetric tolerance band of the colours in mm; it does not affect verdicts"
 CARRIERS = {"cad": "On the CAD model", "points": "On the points"}
 STORE_TIP = "Store colours, range and tolerance band with the inspection program: they are used again here and in reports"
-SMOOTH = "Smooth the colours for the eye"
+SMOOTH = "Smooth the colours"
 SMOOTH_TIP = "Average the colours of neighbouring points; values, extremes and the histogram use every point as measured"
 
 

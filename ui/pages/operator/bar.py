@@ -16,6 +16,7 @@ from ui.widgets.basic import row
 
 HEIGHT = 64
 STEPS: dict[Step, str] = {"home": "Part", "identify": "Identify", "load": "Load", "run": "Measure", "verdict": "Verdict"}
+LONGEST = 160  # characters of what a call is about; the screen says the rest
 CALLED = "Engineer called at {time:%H:%M}. {what}"
 
 
@@ -78,6 +79,15 @@ class CallBar(QFrame):
 
     def call(self, what: str) -> None:
         """Call the engineer, with what it is about."""
-        self.words.setText(tr(CALLED, time=datetime.now(), what=what).strip())
+        self.words.setText(tr(CALLED, time=datetime.now(), what=shortened(what)).strip())
         self.show()
         QApplication.beep()
+
+
+def shortened(words: str) -> str:
+    """Return the beginning of a text that is too long for a bar.
+
+    >>> len(shortened("No camera answers. " * 20)) <= LONGEST + 1
+    True
+    """
+    return words if len(words) <= LONGEST else words[:LONGEST].rstrip(" ,.;:") + "…"

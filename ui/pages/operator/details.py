@@ -153,11 +153,10 @@ class ReportScreen(ReadScreen):
         self._pages.addWidget(big_label(words, "soft"))
         self._pages.addStretch(1)
 
-    def _show_pages(self, pages: tuple[bytes, ...]) -> None:
+    def _show_pages(self, pages: tuple[QImage, ...]) -> None:
         self._ready = True
         clear(self._pages)
-        for data in pages:
-            image = QImage.fromData(data)
+        for image in pages:
             shown = QLabel(alignment=Qt.AlignmentFlag.AlignHCenter)
             shown.setPixmap(QPixmap.fromImage(image.scaledToWidth(PAGE_PX, Qt.TransformationMode.SmoothTransformation)))
             self._pages.addWidget(shown)

@@ -2,22 +2,22 @@
 
 from __future__ import annotations
 
-from PySide6.QtCore import QTimer, Signal
+from PySide6.QtCore import Qt, QTimer, Signal
 from PySide6.QtGui import QHideEvent, QShowEvent
-from PySide6.QtWidgets import QProgressBar, QStackedWidget, QWidget
+from PySide6.QtWidgets import QProgressBar, QScrollArea, QScroller, QStackedWidget, QWidget
 
 from ui.controllers.controllers import Controllers
 from ui.controllers.operator_nouns import Fault
 from ui.look.language.words import tr, translated
 from ui.look.look import Look
-from ui.look.wording import duration, rough_duration, with_hint
+from ui.look.wording import duration, rough_duration, sentence_case, with_hint
 from ui.pages.layers import PlacedClouds, placements_of, view_layer
 from ui.pages.operator.big import BigButton, HoldButton, big_card, big_label
 from ui.pages.operator.part_view import PartView
 from ui.pages.operator.time_left import SteadyTime
 from ui.pages.viewport_page import Picture
 from ui.session import Session
-from ui.widgets.basic import column, row
+from ui.widgets.basic import column, row, scrolled
 from ui.workers.job import Job
 
 TICK_MS = 500
@@ -75,9 +75,11 @@ class RunScreen(QWidget):
         self.stop = BigButton("Stop", look, "stop", "stop")
         self.paused = big_label("", "strong", wrap=True)
         panel = QWidget()
-        panel.setLayout(
-            column(self.paused, 0, self.pause, self.go_on, 8, self.stop, big_label(NOT_EMERGENCY, "soft", wrap=True), spacing=16)
+        layout = column(
+            _readable(self.paused), self.pause, self.go_on, 8, self.stop, big_label(NOT_EMERGENCY, "soft", wrap=True), spacing=16
         )
+        layout.setStretch(0, 1)
+        panel.setLayout(layout)
         return panel
 
     def _stopped(self, look: Look) -> QWidget:
@@ -87,19 +89,10 @@ class RunScreen(QWidget):
         self.again, self.call = BigButton("Start again", look, "again"), BigButton("Call the engineer", look, "person")
         self.home = BigButton("Part programs", look, "home")
         panel = QWidget()
-        panel.setLayout(
-            column(
-                self.cause,
-                self.remedy,
-                self.kept,
-                self.press,
-                0,
-                self.resume,
-                row(self.again, self.home, spacing=12),
-                self.call,
-                spacing=12,
-            )
-        )
+        words = _readable(self.cause, self.remedy, self.kept, self.press)
+        layout = column(words, self.resume, row(self.again, self.home, spacing=12), self.call, spacing=12)
+        layout.setStretch(0, 1)
+        panel.setLayout(layout)
         return panel
 
     def _connect(self) -> None:
@@ -152,9 +145,6 @@ class RunScreen(QWidget):
             shown.setVisible(fault is None)
         paused = run.state == "paused"
         self.pause.setVisible(not paused)
-        stopping = self._controllers.operator.run.is_stopping and fault is None
-        self.pause.setEnabled(run.state == "running" and not stopping)
-        self.stop.setEnabled(not stopping)
         self.go_on.setVisible(paused)
         self.paused.setText(with_hint(run.cause, run.remedy) if paused else "")
         if fault is not None:
@@ -170,9 +160,16 @@ class RunScreen(QWidget):
         self.resume.setVisible(bool(self.press.text()))  # images of a calibration are kept, too, before any viewpoint is stored
         self.resume.restore()
 
+    def _show_buttons(self) -> None:
+        """Offer what can be done now: a pause only while images are taken."""
+        stopping = self._controllers.operator.run.is_stopping
+        self.pause.setEnabled(self._session.run.state == "running" and self._controllers.scanning.is_taking and not stopping)
+        self.stop.setEnabled(not stopping)
+
     def _show_progress(self) -> None:
         if not self.isVisible():
             return
+        self._show_buttons()
         fault = self._controllers.operator.fault
         elapsed = self._controllers.operator.run.elapsed_s
         if fault is not None:
@@ -196,7 +193,7 @@ class RunScreen(QWidget):
         if present is None and self._controllers.operator.run.calibrates and self._session.calibration is None:
             return CALIBRATED_FIRST
         if present is None:
-            return self._note.partition(": ")[0] or "The measurement is being prepared"
+            return sentence_case(self._note.partition(": ")[0]) or "The measurement is being prepared"
         words = {"step": STEPS[points[present].status], "number": present + 1, "all": len(points)}
         return tr("{step}: viewpoint {number} of {all}", **words)
 
@@ -214,3 +211,14 @@ class RunScreen(QWidget):
             return Picture(tuple(layers))
 
         self.view.compose(compose if views else None)
+
+
+def _readable(*words: QWidget) -> QScrollArea:
+    """Return words that scroll where they are too many, such as those about a rig of which no device answers: buttons keep their room."""
+    content = QWidget()
+    content.setObjectName("clear")
+    content.setLayout(column(*words, 0, spacing=12))
+    area = scrolled(content)
+    area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
+    QScroller.grabGesture(area.viewport(), QScroller.ScrollerGestureType.TouchGesture)
+    return area

@@ -45,6 +45,7 @@ SHEET = Template("""
 #operator QPushButton[op="quiet"] { border-color: transparent; background: transparent; padding: 0 16px; min-height: 48px; font-size: 18px; }
 #operator QPushButton[op="quiet"]:focus { border-color: $accent; }
 #operator QPushButton[op="quiet"]:disabled { background: transparent; }
+#operator QFrame#operator-call QPushButton { color: $dark_letters; border-color: $dark_letters; }
 #operator QPushButton[op="key"] { font-size: 28px; padding: 0; min-height: 72px; }
 #operator QPushButton[op="key"][low="true"] { font-size: 22px; min-height: 48px; }
 #operator QPushButton[op="card"] { text-align: left; padding: 0; min-height: ${card}px; }

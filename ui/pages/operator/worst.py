@@ -27,6 +27,7 @@ if TYPE_CHECKING:
 
 MOST = 3
 OBLIQUE = np.array([-0.45, -0.5, 0.55])  # added to the direction of a feature, so that its edges show
+UPRIGHT = 0.3  # cosine between an axis and the vertical of the table, above which it has an upper end
 
 
 @dataclass(frozen=True)
@@ -104,7 +105,8 @@ def seen_from(inspection: Inspection) -> tuple[float, float, float] | None:
     if not features:
         return None
     middle = np.mean([feature.point_mm for feature in inspection.features], axis=0)
-    outward = [_outward(feature, middle) for feature in features]
+    up = inspection.alignment.nominal_from_part.rotate(np.array([[0.0, 0.0, 1.0]]))[0]
+    outward = [_outward(feature, middle, up) for feature in features]
     together = np.sum(outward, axis=0)
     direction = together if np.linalg.norm(together) > 0.5 else outward[0]
     seen = direction / max(float(np.linalg.norm(direction)), 1e-9) + OBLIQUE
@@ -116,11 +118,13 @@ def _features(inspection: Inspection, dimension: Dimension) -> list[Feature]:
     return [feature for _, feature in features_of(dimension, known) if feature is not None]
 
 
-def _outward(feature: Feature, middle: np.ndarray) -> np.ndarray:
-    """Return the direction of a feature, away from the middle of the part."""
+def _outward(feature: Feature, middle: np.ndarray, up: np.ndarray) -> np.ndarray:
+    """Return the direction of a feature, away from the middle of the part; of an upright axis upwards: nothing is measured from below."""
     away = np.asarray(feature.point_mm) - middle
     direction = away if feature.direction is None else np.asarray(feature.direction)
     size = float(np.linalg.norm(direction))
     if size < 1e-9:
         return np.array([0.0, 0.0, 1.0])
-    return direction / size * (-1.0 if feature.direction is not None and float(direction @ away) < 0 else 1.0)
+    lean = float(direction @ up) / size
+    side = lean if feature.shape != "plane" and abs(lean) > UPRIGHT else float(direction @ away)
+    return direction / size * (-1.0 if feature.direction is not None and side < 0 else 1.0)

@@ -9,7 +9,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QLineEdit, QWidget
 
 from measureapp.errors import MeasureError
-from ui.look.language.words import tr, translated
+from ui.look.language.words import later, tr, translated
 from ui.look.wording import several
 from ui.pages.plan.plan_aims import PlanAims
 from ui.widgets.basic import CalmComboBox, Form, column, label, row
@@ -144,7 +144,7 @@ class ViewpointForm(QWidget):
         self.plan_exposures.setValue([exposure_us / 1000 for exposure_us in plan.bracket.exposures_us])
         self.plan_settle.setValue(None if plan.settle_s is None else [plan.settle_s])
         self.exposures.set_default(", ".join(f"{exposure_us / 1000:g}" for exposure_us in plan.bracket.exposures_us))
-        self.settle.set_default("plan" if plan.settle_s is not None else "rig")
+        self.settle.set_default(later("plan") if plan.settle_s is not None else later("rig"))
         chosen = self._aims.pattern_name(plan.patterns)
         self.patterns.clear()
         for name in self._aims.pattern_sets():
