@@ -9,6 +9,7 @@ A. B. Forbes, "Least-squares best-fit geometric elements", NPL DITC 140/89, 1989
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from math import sqrt
 from typing import Protocol
 
 import numpy as np
@@ -52,18 +53,22 @@ class Model(Distances, Protocol):
 
 def tangents(direction: FloatArray) -> FloatArray:
     """Return two unit vectors (2, 3) that form a right-handed triad with ``direction``."""
-    x, y, z = map(float, direction)  # written out: for three numbers `np.cross` takes thirty times as long, and fits call this all the time
-    across = ((0.0, z, -y), (-z, 0.0, x), (y, -x, 0.0))  # the direction times each axis of the frame
-    first = np.array(across[int(np.argmin(np.abs(direction)))])
-    first /= np.linalg.norm(first)
-    a, b, c = map(float, first)
+    x, y, z = map(float, direction)  # written out: for three numbers NumPy takes many times as long, and fits call this all the time
+    if abs(x) <= min(abs(y), abs(z)):  # the direction times the axis of the frame that is most across it
+        a, b, c = 0.0, z, -y
+    elif abs(y) <= abs(z):
+        a, b, c = -z, 0.0, x
+    else:
+        a, b, c = y, -x, 0.0
+    length = sqrt(a * a + b * b + c * c)
+    a, b, c = a / length, b / length, c / length
     return np.array([(a, b, c), (y * c - z * b, z * a - x * c, x * b - y * a)])
 
 
 def tilt(direction: FloatArray, step: FloatArray) -> FloatArray:
     """Tilt a unit direction by the two components of ``step`` along its tangents."""
     leaning = direction + step @ tangents(direction)
-    return leaning / np.linalg.norm(leaning)
+    return np.asarray(leaning / sqrt(leaning @ leaning))
 
 
 def _radial(state: State, points: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:

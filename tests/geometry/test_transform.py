@@ -1,3 +1,4 @@
+import cv2
 import numpy as np
 import pytest
 from hypothesis import given
@@ -43,6 +44,18 @@ def test_a_rotation_about_z_is_right_handed():
 def test_a_transform_cannot_be_written_to():
     with pytest.raises(ValueError, match="read-only"):
         RigidTransform.identity("a", "b").matrix[0, 3] = 1.0
+
+
+@pytest.mark.parametrize("coefficients", [4, 5, 8, 12, 14])
+@pytest.mark.parametrize("count", [3, 500])
+def test_points_are_projected_as_by_opencv_also_in_the_plane_of_the_camera_and_behind_it(coefficients, count):
+    generator = np.random.default_rng(coefficients)
+    lens = generator.normal(scale=0.05, size=coefficients)
+    camera = PinholeCamera(2592, 1944, np.array([[4091, 0, 1295.5], [0, 4080, 971.5], [0, 0, 1]]), lens)
+    points = generator.normal((0.0, 0.0, 300.0), 40.0, (count, 3))
+    points[:2, 2] = 0.0, -200.0
+    expected, _ = cv2.projectPoints(points, np.zeros(3), np.zeros(3), camera.matrix.copy(), lens)
+    np.testing.assert_allclose(camera.project(points), expected.reshape(-1, 2), rtol=1e-11)
 
 
 def test_projecting_and_undistorting_cancel_for_a_distorted_lens():
