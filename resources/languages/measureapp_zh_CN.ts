@@ -10915,6 +10915,10 @@
       <translation>截面所垂直的轴</translation>
     </message>
     <message>
+      <source>Before the change</source>
+      <translation>更改前</translation>
+    </message>
+    <message>
       <source>Before the change: {value}, {verdict}</source>
       <translation>更改前：{value}，{verdict}</translation>
     </message>

@@ -82,6 +82,18 @@ def test_stop_keeps_what_was_taken_and_says_how_to_go_on(application, automatic,
     assert automatic.start.isVisible()
 
 
+def test_the_board_is_not_changed_during_a_run_and_is_afterwards_that_of_the_project_that_was_made(
+    application, automatic, quick, qtbot, rig, tmp_path
+):
+    automatic.start.click()
+    qtbot.waitUntil(lambda: not automatic.pictures.is_empty, timeout=PATIENCE_MS)
+    assert not automatic.board.isEnabled()
+    ProjectFolder.create(tmp_path / "board", ProjectSettings(name="board", part="board", rig=rig))  # as the run does
+    automatic.stop.click()
+    qtbot.waitUntil(ended(application), timeout=PATIENCE_MS)
+    assert automatic.board_note.text() == "The board of this project." and not automatic.board.isEnabled()
+
+
 def test_a_board_that_is_not_seen_is_shown_with_what_to_do(application, automatic, quick, qtbot):
     quick.error = CalibrationError("No camera detects the board from pose01.", "Put the board on its stand.")
     quick.gate.set()

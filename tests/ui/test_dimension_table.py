@@ -181,6 +181,10 @@ def test_a_row_that_is_measured_again_shows_neither_its_old_verdict_nor_its_old_
     monkeypatch.setattr(programming._measuring, "measure", lambda _state, _former: None)  # cancelled, or not possible
     type_in(page, qtbot, "half", Column.NOMINAL, "60.5")
     assert seen[-1][:4] == ("stale", "Stale", "", True) and "Not proven" in seen[-1][4]
+    page.side.table.select(row_named(page, "half").id)
+    (flag,) = [flag for flag in page.view._flags if flag.key == "dimension:half"]
+    assert flag.verdict == "" and flag.more[-1] == "Before the change"
+    assert [page.side.filter.buttons[name].text() for name in ("not proven", "stale")] == ["0", "1"]
 
 
 def test_a_tolerance_is_one_text_and_what_is_none_turns_red(application, page, qtbot):

@@ -10,6 +10,7 @@ import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
 
+from measureapp.calibrate.draft.advice import Gauge
 from measureapp.data.board import CheckerboardDescription
 from measureapp.errors import StorageError
 from measureapp.project.calibration.camera_file import read_cameras
@@ -20,6 +21,7 @@ from tests.ui.wizard_steps import PATIENCE_MS, read_folder, settle
 from ui.controllers.rig_connection import truth_of
 from ui.look.demo_settings import DemoSettings
 from ui.widgets.gauges import Level
+from ui.wizards.collect_page import gauge_words
 from ui.wizards.wizard import COLLECT, RESULT, SETUP
 
 
@@ -293,6 +295,11 @@ def test_in_a_small_window_what_is_missing_is_read_rather_than_measured(qtbot, w
         wizard.collect.guidance.show_guidance(("Tilt the board more.",), levels)
         shown.append((len(wizard.collect.guidance.gauges.levels), wizard.collect.guidance.rest.text()))
     assert shown == [(4, "and 4 more"), (7, "and 1 more")]
+
+
+def test_what_is_not_enough_is_not_rounded_to_what_is():
+    assert gauge_words(Gauge("Spread", 14.8, 15.0, "%", "left")) == "14\u00a0% of 15\u00a0%"
+    assert gauge_words(Gauge("Spread", 15.2, 15.0, "%", "left")) == "15\u00a0%"
 
 
 def test_a_wizard_does_not_open_while_the_rig_is_busy(calibration_page, application):

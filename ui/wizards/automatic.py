@@ -49,6 +49,7 @@ class AutomaticCalibration(QDialog):
         self.setModal(False)
         self.setMinimumSize(*SMALLEST)
         self._session, self._calibrating = session, calibrating
+        self._has_board = False  # of the project in the folder
         self._has_outcome = False  # of the last run: calibrated, or failed with a reason
         self.folder = PathField(look, "Folder of the project", "New folder, or an existing project of this rig", "projects")
         self.board, self.board_note = BoardForm(), label("", "small", wrap=True)
@@ -121,7 +122,7 @@ class AutomaticCalibration(QDialog):
         known = self._calibrating.board_in(self.folder.value())
         if known is not None:
             self.board.setValue(known)
-        self.board.setEnabled(known is None)
+        self._has_board = known is not None
         self.board_note.setText(tr("A new project is made.") if known is None else tr("The board of this project."))
         self._show_running()
 
@@ -134,6 +135,7 @@ class AutomaticCalibration(QDialog):
         self.stop.setVisible(running)
         self.bar.setVisible(running)
         self.folder.setEnabled(not running)
+        self.board.setEnabled(not running and not self._has_board)
         if running:
             self._timer.start()
         else:
@@ -143,7 +145,7 @@ class AutomaticCalibration(QDialog):
     def _show_ended(self) -> None:
         if not self._has_outcome:
             self.state.setText(tr("Stopped. Views taken so far are kept; Start continues."))
-        self._show_running()
+        self._show_board()
 
     def _show_progress(self, share: float, note: str) -> None:
         self.bar.setValue(round(1000 * share))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from math import floor
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -224,6 +225,7 @@ class CollectPage(QWidget):
 
 
 def gauge_words(gauge: Gauge) -> str:
-    """Return how much there is, and of how much while that is not enough: ``12 of 15``, ``24°``."""
-    value, target = (quantity(number, gauge.unit, 0) for number in (gauge.value, gauge.target))
-    return value if gauge.reached else tr("{count} of {total}", count=value, total=target)
+    """Return how much there is, and of how much while that is not enough: ``12 of 15``, ``24°``; what is not enough is never rounded up."""
+    if gauge.reached:
+        return quantity(gauge.value, gauge.unit, 0)
+    return tr("{count} of {total}", count=quantity(floor(gauge.value), gauge.unit, 0), total=quantity(gauge.target, gauge.unit, 0))

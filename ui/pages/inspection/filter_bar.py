@@ -64,8 +64,7 @@ class FilterBar(QWidget):
 
     def show_rows(self, rows: Sequence[DimensionRow]) -> None:
         """Count the rows of each chip; a chip without rows is hidden."""
-        counts = Counter(one.verdict for one in rows)
-        counts[STALE] = sum(one.status in ("stale", "calculating") for one in rows)
+        counts = Counter(STALE if one.is_outdated else one.verdict for one in rows)
         for name, made in self.buttons.items():
             made.setText(str(counts[name]))
             made.setAccessibleName(tr(CHIPS[name], count=counts[name]))

@@ -226,6 +226,7 @@ class InspectionPage(ViewportPage):
         if new is not None:
             self.side.list.setValue("dimensions")
             self.side.table.select(new)
+        self.content.show()
         self._show_undo()
 
     def _store_scale(self) -> None:

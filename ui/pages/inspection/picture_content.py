@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -25,6 +26,7 @@ if TYPE_CHECKING:
     from measureapp.data.feature import Feature
     from measureapp.inspection.section_curves import SectionCurves
 
+OUTDATED = "Before the change"  # in place of a verdict that no longer holds
 WORST = {"fail": 0, "not proven": 1, "not measured": 2}
 
 
@@ -56,12 +58,15 @@ class PictureContent(QObject):
             return
         dimension, theme = chosen.dimension, self._look.theme
         accent = rgb(theme, "accent")
-        colour = accent if dimension is None else verdict_rgb(theme, dimension)
+        outdated = {row.found.name for row in self._side.rows if row.found is not None and row.is_outdated}
+        colour = accent if dimension is None or dimension.name in outdated else verdict_rgb(theme, dimension)
         lines = feature_lines(inspection.features, chosen.features, dimension, self._sections(), colour)
         shown = inspection.dimensions if self.all_flags else () if dimension is None else (dimension,)
         worst_first = sorted(shown, key=lambda one: (one is not dimension, WORST.get(str(one.verdict), 3)))
         frames = {row.found.name: row.frame for row in self._side.rows if row.found is not None}
         flags = dimension_flags(worst_first, inspection.features, self._sections(), self._pins, frames)
+        renewed = {f"{DIMENSION}{name}" for name in outdated}
+        flags = [replace(flag, verdict="", more=(*flag.more, OUTDATED)) if flag.key in renewed else flag for flag in flags]
         if self.is_deviation:
             comparison = self._session.comparison
             flags += self._probing.flags(self._pins)
