@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable
+from functools import cache
 from pathlib import Path
 
 from measureapp.data.length_unit import LengthUnit
@@ -33,11 +34,17 @@ def make_part(name_or_path: str, unit: LengthUnit = LengthUnit.MM) -> Part:
         Neither a sample part nor a readable mesh file.
     """
     if name_or_path in SAMPLES:
-        return SAMPLES[name_or_path]()
+        return _sample(name_or_path)
     path = Path(name_or_path)
     if not path.suffix:
         raise InputError(f"There is no sample part {name_or_path!r}.", f"Name one of {', '.join(SAMPLES)}, or a mesh file (STL, PLY, OBJ).")
     return part_from_file(path, unit)
+
+
+@cache
+def _sample(name: str) -> Part:
+    """Return a sample part, made once: triangles between thousands of chords take a second."""
+    return SAMPLES[name]()
 
 
 def stl_bytes(part: Part) -> bytes:

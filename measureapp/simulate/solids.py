@@ -105,14 +105,20 @@ def triangulate(outlines: list[FloatArray]) -> FloatArray:
 
 def _inside(points: FloatArray, outlines: list[FloatArray]) -> BoolArray:
     """Point-in-polygon test by the even-odd rule, along +x."""
+    order = np.argsort(points[:, 1])
+    across, up = points[order].T
     crossings = np.zeros(len(points), int)
     for outline in outlines:
-        for start, end in zip(outline, np.roll(outline, -1, axis=0), strict=True):
-            spans = (start[1] > points[:, 1]) != (end[1] > points[:, 1])
-            if start[1] != end[1]:
-                at_x = start[0] + (points[:, 1] - start[1]) * (end[0] - start[0]) / (end[1] - start[1])
-                crossings += spans & (points[:, 0] < at_x)
-    return crossings % 2 == 1
+        following = np.roll(outline, -1, axis=0)
+        firsts = np.searchsorted(up, np.minimum(outline[:, 1], following[:, 1]))
+        lasts = np.searchsorted(up, np.maximum(outline[:, 1], following[:, 1]))
+        for start, end, first, last in zip(outline, following, firsts, lasts, strict=True):
+            if first < last:  # else no point is as high as this edge
+                at_x = start[0] + (up[first:last] - start[1]) * (end[0] - start[0]) / (end[1] - start[1])
+                crossings[first:last] += across[first:last] < at_x
+    inside = np.empty(len(points), bool)
+    inside[order] = crossings % 2 == 1
+    return inside
 
 
 def _lost_borders(triangles: IntArray, outlines: list[FloatArray]) -> bool:

@@ -65,10 +65,13 @@ class _Evidence:
 
     def gain(self, scatter: MarkScatter) -> float:
         """Return twice the logarithm of how much more probable the residuals are with displaced marks than without."""
-        covariance = np.kron(scatter.covariance(self.marks_mm), np.eye(IN_PLANE))
-        factors = lu_factor(np.eye(len(covariance)) + covariance @ self.information)
+        covariance = scatter.covariance(self.marks_mm)  # the same along x and y, and none between them: half of the products are zero
+        product = (covariance @ self.information.reshape(len(covariance), -1)).reshape(self.information.shape)
+        np.fill_diagonal(product, np.diag(product) + 1.0)
+        factors = lu_factor(product)
         spread = float(np.sum(np.log(np.abs(np.diag(factors[0])))))
-        return float(self.pull @ lu_solve(factors, covariance @ self.pull)) - spread
+        pulled = (covariance @ self.pull.reshape(len(covariance), IN_PLANE)).ravel()
+        return float(self.pull @ lu_solve(factors, pulled)) - spread
 
 
 def find_scatter(bundle: Bundle, minimum: Minimum[BundleState], known_cameras: int = 0) -> MarkScatter | None:
