@@ -6,6 +6,7 @@ from measureapp.errors import MeasureError
 from measureapp.progress import Cancelled
 from ui.controllers.jobs import JobRunner
 from ui.session import Session
+from ui.workers.job import Job
 
 PATIENCE_MS = 10_000
 
@@ -29,3 +30,30 @@ def test_a_job_that_is_cancelled_reports_so_and_nothing_else(qtbot) -> None:
     runner.run("Stopping", stop, told.append, on_failed=told.append, on_stopped=lambda: told.append("cancelled"))
     qtbot.waitUntil(lambda: not runner.queue.busy, timeout=PATIENCE_MS)
     assert told == ["cancelled"]
+
+
+def test_a_package_that_another_thread_is_importing_is_waited_for(qtbot) -> None:
+    trials = []
+
+    def work(_job: Job) -> str:
+        trials.append("")
+        if len(trials) == 1:
+            raise ImportError("cannot import name 'b' from partially initialized module 'a' (most likely due to a circular import)")
+        return "read"
+
+    job = Job("Opening project", work)
+    with qtbot.waitSignal(job.succeeded, timeout=5000) as done:
+        job.start()
+    assert done.args == ["read"] and len(trials) == 2
+    assert job.wait(5000)
+
+
+def test_a_job_that_has_told_something_is_not_done_twice(qtbot) -> None:
+    def work(job: Job) -> None:
+        job.emit_event("the first image")
+        raise ImportError("cannot import name 'b' from partially initialized module 'a'")
+
+    job = Job("Scan", work)
+    with qtbot.waitSignal(job.failed, timeout=5000):
+        job.start()
+    assert job.wait(5000)

@@ -15,6 +15,7 @@ from measureapp.progress import Cancelled
 from ui.look.language.words import tr
 
 REPORT_INTERVAL_S = 0.05
+IMPORT_TRIALS, IMPORT_WAIT_S = 3, 0.2
 LOG = "measureapp.log"
 Work = Callable[["Job"], Any]
 _log = logging.getLogger(__name__)
@@ -40,12 +41,13 @@ class Job(QThread):
         self._work = work
         self._stop = threading.Event()
         self._last_report = 0.0
+        self._has_told = False  # an event of its work
 
     def run(self) -> None:
         """Execute the work; called in the thread."""
         try:
             self.check()
-            result = self._work(self)
+            result = self._result()
         except Cancelled:
             self.cancelled.emit()
         except MeasureError as error:
@@ -63,6 +65,17 @@ class Job(QThread):
         else:
             self.succeeded.emit(result)
 
+    def _result(self) -> Any:
+        """Do the work; anew where a package was being imported by another thread, which then has parts of it only, and nothing was told yet."""
+        for left in reversed(range(IMPORT_TRIALS)):
+            try:
+                return self._work(self)
+            except ImportError as error:
+                if not left or self.moves or self._has_told or "partially initialized module" not in str(error):
+                    raise
+                time.sleep(IMPORT_WAIT_S)
+        return None
+
     def report(self, done: float, total: float, note: str = "") -> None:
         """Report progress. Raises Cancelled when the user has cancelled."""
         self.check()
@@ -79,6 +92,7 @@ class Job(QThread):
 
     def emit_event(self, event: object) -> None:
         """Send an event to the window."""
+        self._has_told = True
         self.happened.emit(event)
 
     def cancel(self) -> None:
