@@ -262,9 +262,13 @@ class OperatorController(QObject):
 
     @Slot()
     def start(self) -> None:
-        """Measure the part in a new folder, unless something prevents it."""
-        card = self.chosen
-        if card is not None and card.program is not None and not self.why_not():
+        """Measure the part in a new folder, or say what prevents it."""
+        card, why = self.chosen, self.why_not()
+        if card is None or card.program is None:
+            return
+        if why:
+            self.said.emit("\n".join(why), "error")
+        else:
             self.run.start(ToMeasure(card, card.program, self.entered, self.reason))
 
     def counts(self) -> bool:

@@ -165,8 +165,10 @@ class Bundle:
         corners = np.array(self.flat_mm[seen.ids])
         corners[:, :IN_PLANE] += state.marks_mm[seen.ids]
         corners[:, 2] += self.bow_terms[seen.ids] @ state.bow_mm
-        boards = state.reference_from_board[seen.views_of_corners]
-        return np.einsum("nij,nj->ni", boards[:, :3, :3], corners), boards[:, :3, 3]
+        turned = np.empty_like(corners)
+        for view, first, last in zip(seen.views, seen.firsts, [*seen.firsts[1:], len(corners)], strict=True):
+            np.matmul(corners[first:last], state.reference_from_board[view, :3, :3].T, out=turned[first:last])
+        return turned, state.reference_from_board[seen.views_of_corners, :3, 3]
 
     def cost(self, state: BundleState) -> float:
         """Return the robust sum of squares; displaced marks count by what is known of the board."""
@@ -194,15 +196,14 @@ class Bundle:
             hessian[np.ix_(index, index)] += flat.T @ shared.reshape(-1, len(index))
             gradient[index] += flat.T @ residual.ravel()
             weighted_board = by_board * weight[:, None, None]
-            own = np.add.reduceat(np.einsum("nik,nil->nkl", weighted_board, by_board), seen.firsts)
-            mixed = np.add.reduceat(np.swapaxes(weighted, 1, 2) @ by_board, seen.firsts)
-            pulls = np.add.reduceat(np.einsum("nik,ni->nk", weighted_board, residual), seen.firsts)
-            for view, block, across, pull in zip(seen.views, own, mixed, pulls, strict=True):
-                at = self.layout.board_at(view)
-                hessian[at : at + POSE, at : at + POSE] += block
+            for view, first, last in zip(seen.views, seen.firsts, [*seen.firsts[1:], len(residual)], strict=True):
+                at, rows = self.layout.board_at(view), slice(2 * first, 2 * last)
+                pulling = weighted_board[first:last].reshape(-1, POSE).T
+                across = flat[rows].T @ by_board[first:last].reshape(-1, POSE)
+                hessian[at : at + POSE, at : at + POSE] += pulling @ by_board[first:last].reshape(-1, POSE)
                 hessian[index, at : at + POSE] += across
                 hessian[at : at + POSE, index] += across.T
-                gradient[at : at + POSE] += pull
+                gradient[at : at + POSE] += pulling @ residual[first:last].ravel()
             if self.layout.marks:
                 self._add_marks(state, seen, (weight, residual), (weighted, by_board, index), (hessian, gradient))
         if self.layout.marks:

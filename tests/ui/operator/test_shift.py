@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from measureapp.data.dimension import Verdict
 from measureapp.errors import DeviceError
 from measureapp.project.folder import ProjectFolder
@@ -195,6 +197,18 @@ def test_a_fault_of_many_words_leaves_the_buttons_where_they_are_pressed(worksho
     places = [button.mapTo(workshop.window, button.rect().topLeft()).y() for button in (run.resume, run.again, run.call)]
     assert places[0] + run.resume.height() <= places[1] and places[1] + run.again.height() <= places[2]
     assert call.isVisible() and call.height() < 160
+
+
+def test_start_again_says_why_it_cannot(workshop):
+    workshop.fault = DeviceError("The robot was stopped.", "")
+    workshop.identify("GC-0014")
+    workshop.screens.identify.next.click()
+    workshop.load_and_start()
+    session = workshop.application.session
+    session.set_cell(replace(session.cell, stopped="The door is open."))
+    workshop.screens.run.again.click()
+    assert len(workshop.requests) == 1 and "The rig was stopped: The door is open." in workshop.screens._words.text()
+    assert workshop.screens.words.isVisible()
 
 
 def test_start_is_disabled_with_the_reason_in_sight(workshop, monkeypatch):
