@@ -10903,8 +10903,8 @@
       <translation>应用</translation>
     </message>
     <message>
-      <source>Available when the points have been compared with the nominal (CAD). After the installation the program first prepares itself for some minutes.</source>
-      <translation>测量点与名义模型（CAD）比较完成后即可使用。安装后首次启动时，程序需要先准备几分钟。</translation>
+      <source>Available when the points have been compared with the nominal (CAD).</source>
+      <translation>测量点与名义模型（CAD）比较完成后即可使用。</translation>
     </message>
     <message>
       <source>Average the colours of neighbouring points; values, extremes and the histogram use every point as measured</source>

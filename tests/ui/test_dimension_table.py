@@ -185,6 +185,10 @@ def test_a_row_that_is_measured_again_shows_neither_its_old_verdict_nor_its_old_
     (flag,) = [flag for flag in page.view._flags if flag.key == "dimension:half"]
     assert flag.verdict == "" and flag.more[-1] == "Before the change"
     assert [page.side.filter.buttons[name].text() for name in ("not proven", "stale")] == ["0", "1"]
+    table.set_filter(frozenset({"stale"}), "")
+    assert [row.name for row in table.shown_rows] == ["half"]
+    table.set_filter(frozenset({"not proven"}), "")
+    assert not table.shown_rows
 
 
 def test_a_tolerance_is_one_text_and_what_is_none_turns_red(application, page, qtbot):

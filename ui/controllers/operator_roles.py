@@ -101,9 +101,8 @@ class RoleController(QObject):
     def _refuse(self, error: MeasureError) -> None:
         from measureapp.project.engineer_pin import RESET
 
-        self.pinRefused.emit(
-            error.message if error.hint == RESET else with_hint(error.message, error.hint)
-        )  # the screen has this hint always
+        is_there = error.hint == RESET  # on the screen, always
+        self.pinRefused.emit(error.message if is_there else with_hint(error.message, error.hint))
 
     def set_pin(self, pin: str) -> None:
         """Store another PIN; only the engineer can."""

@@ -18,10 +18,7 @@ if TYPE_CHECKING:
     from ui.session import Comparison
 
 QUANTITY = "Surface deviation"
-NOT_COMPARED = (
-    "Available when the points have been compared with the nominal (CAD). "
-    "After the installation the program first prepares itself for some minutes."
-)
+NOT_COMPARED = "Available when the points have been compared with the nominal (CAD)."
 Carrier = Literal["cad", "points"]
 
 

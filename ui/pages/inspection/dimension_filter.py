@@ -48,7 +48,7 @@ class DimensionFilter(QSortFilterProxyModel):
     def _has_chip(self, row: DimensionRow) -> bool:
         if not self._chips:
             return True
-        return row.verdict in self._chips or (STALE in self._chips and row.is_outdated)
+        return (STALE if row.is_outdated else row.verdict) in self._chips
 
     def lessThan(self, left: Index, right: Index) -> bool:
         """Return the order of two rows; equal ones are in the order of the worst first."""
