@@ -55,6 +55,13 @@ class DocumentsController(QObject):
         """Return whether a document of the report is there, or can be written from the project."""
         return FORMATS[kind][1] in self._session.files or (kind in DOCUMENTS and self._is_stored)
 
+    def can_export(self, kind: str) -> bool:
+        """Return whether the measurement has something of a kind of `FORMATS`."""
+        measurement = self._session.measurement
+        if measurement is None:
+            return False
+        return kind in ("ply", "open") or (kind == "stl" and measurement.mesh is not None) or self.can_write(kind)
+
     @Slot()
     def preview(self) -> None:
         """Draw the pages of the report."""
