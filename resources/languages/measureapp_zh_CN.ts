@@ -1028,6 +1028,10 @@
       <translation>正在加载测量系统</translation>
     </message>
     <message>
+      <source>Looking for what is stored</source>
+      <translation>正在查看已存储的内容</translation>
+    </message>
+    <message>
       <source>Make one on the page Plan, or choose a plan file.</source>
       <translation>请在“计划”页制定一个，或选择计划文件。</translation>
     </message>
@@ -6761,10 +6765,6 @@
       <translation>请重新接上其磁盘或恢复文件夹，然后继续扫描。</translation>
     </message>
     <message>
-      <source>Connect its disk again, or restore the folder from a backup.</source>
-      <translation>请重新接上其磁盘，或从备份恢复文件夹。</translation>
-    </message>
-    <message>
       <source>Correct bit_depth in the rig description; images of 10 or 12 bit are stored with 16.</source>
       <translation>请更正测量系统描述中的 bit_depth；10 或 12 位图像以 16 位存储。</translation>
     </message>
@@ -6987,10 +6987,6 @@
     <message>
       <source>The plan has no viewpoint {v1}.</source>
       <translation>计划没有视点 {v1}。</translation>
-    </message>
-    <message>
-      <source>The project folder {v1} is gone.</source>
-      <translation>项目文件夹 {v1} 已不在。</translation>
     </message>
     <message>
       <source>The region {v1},{v2},{v3},{v4} is not inside the images of camera {v5}.</source>
@@ -7887,6 +7883,10 @@
       <translation>请选择含标定板图像的文件夹。</translation>
     </message>
     <message>
+      <source>Connect its disk again, or put the folder back where it was.</source>
+      <translation>请重新连接其磁盘，或把该文件夹放回原处。</translation>
+    </message>
+    <message>
       <source>Convert the positions from metres to mm.</source>
       <translation>请将位置从米换算为 mm。</translation>
     </message>
@@ -8427,10 +8427,6 @@
       <translation>请从备份恢复文件。</translation>
     </message>
     <message>
-      <source>Restore the folder, or connect its disk again.</source>
-      <translation>请恢复该文件夹，或重新连接其磁盘。</translation>
-    </message>
-    <message>
       <source>Save it as ascii or (uncompressed) binary PCD, or as PLY.</source>
       <translation>请保存为 ascii 或（未压缩的）二进制 PCD，或 PLY。</translation>
     </message>
@@ -8567,8 +8563,8 @@
       <translation>{v1} 的路径太长：超过 {v2} 字节。</translation>
     </message>
     <message>
-      <source>The project {v1} is not there any more.</source>
-      <translation>项目 {v1} 已不存在。</translation>
+      <source>The project folder {v1} is gone.</source>
+      <translation>项目文件夹 {v1} 已不在。</translation>
     </message>
     <message>
       <source>The results in {v1} cannot be read: {v2}</source>
@@ -15094,6 +15090,10 @@ The first run of this part counts.</source>
       <translation>尚未存储任何视点。</translation>
     </message>
     <message>
+      <source>Not everything could be measured. Clean the part, see that it lies right, and press Repeat.</source>
+      <translation>有些尺寸未能测得。请清洁工件，检查其放置是否正确，然后按“重复”。</translation>
+    </message>
+    <message>
       <source>Not measured yet</source>
       <translation>尚未测量</translation>
     </message>
@@ -15148,6 +15148,10 @@ The first run of this part counts.</source>
     <message>
       <source>Progress of the measurement</source>
       <translation>测量进度</translation>
+    </message>
+    <message>
+      <source>Put the part aside. If it was dirty or clamped wrongly, mend that and press Repeat.</source>
+      <translation>请把工件放到一边。若工件不干净或装夹有误，请改正后按“重复”。</translation>
     </message>
     <message>
       <source>Put the part in</source>
@@ -15262,6 +15266,10 @@ The first run of this part counts.</source>
       <translation>正在停止…</translation>
     </message>
     <message>
+      <source>The folder of this part is gone, with all that was stored in it.</source>
+      <translation>此工件的文件夹已不存在，其中存储的内容也随之丢失。</translation>
+    </message>
+    <message>
       <source>The images are checked</source>
       <translation>正在检查图像</translation>
     </message>
@@ -15288,6 +15296,10 @@ The first run of this part counts.</source>
     <message>
       <source>The part was cleaned</source>
       <translation>工件已清洁</translation>
+    </message>
+    <message>
+      <source>The program has no tolerances, so nothing was decided. Call the engineer.</source>
+      <translation>程序没有给出公差，因此无法判定。请呼叫工程师。</translation>
     </message>
     <message>
       <source>The program states no tolerance.</source>
@@ -15322,12 +15334,24 @@ The first run of this part counts.</source>
       <translation>两次 PIN 不一致。</translation>
     </message>
     <message>
+      <source>The verdict is {verdict}.</source>
+      <translation>判定结果：{verdict}。</translation>
+    </message>
+    <message>
       <source>There is no part program in {folder}. Call the engineer.</source>
       <translation>{folder} 中没有工件程序。请呼叫工程师。</translation>
     </message>
     <message>
       <source>This file cannot be used.</source>
       <translation>无法使用此文件。</translation>
+    </message>
+    <message>
+      <source>Too close to a limit to decide. Clean the part and press Repeat, or put it aside and call the engineer.</source>
+      <translation>离极限太近，无法判定。请清洁工件后按“重复”，或把它放到一边并呼叫工程师。</translation>
+    </message>
+    <message>
+      <source>When it is back, hold Resume. Otherwise start again.</source>
+      <translation>文件夹恢复后，请按住“继续”；否则请重新开始。</translation>
     </message>
     <message>
       <source>Which part?</source>
@@ -15358,8 +15382,8 @@ The first run of this part counts.</source>
       <translation>至少 {limit}</translation>
     </message>
     <message>
-      <source>at least {limit}, U = {u}</source>
-      <translation>至少 {limit}，U = {u}</translation>
+      <source>at least {limit}, measured to ± {u}</source>
+      <translation>至少 {limit}，测量不确定度 ± {u}</translation>
     </message>
     <message>
       <source>at least {limit}: {past} too small</source>
@@ -15370,8 +15394,8 @@ The first run of this part counts.</source>
       <translation>最多 {limit}</translation>
     </message>
     <message>
-      <source>at most {limit}, U = {u}</source>
-      <translation>最多 {limit}，U = {u}</translation>
+      <source>at most {limit}, measured to ± {u}</source>
+      <translation>至多 {limit}，测量不确定度 ± {u}</translation>
     </message>
     <message>
       <source>at most {limit}: {past} too large</source>

@@ -204,4 +204,4 @@ def _writing(project: Path) -> Iterator[None]:
 
 def vanished(project: Path) -> DiskFailed:
     """Return the error for a project whose folder is not there any more."""
-    return DiskFailed(f"The project {project} is not there any more.", "Restore the folder, or connect its disk again.")
+    return DiskFailed(f"The project folder {project} is gone.", "Connect its disk again, or put the folder back where it was.")
