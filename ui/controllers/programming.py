@@ -170,6 +170,7 @@ class ProgrammingController(QObject):
     def edit(self, change: Edit, words: str) -> bool:
         """Edit the program; an edit that is not possible is refused with a message. Return whether it was made."""
         if self.state is None or not self.can_change:
+            self._tell_if_gone()
             return False
         try:
             after = change(self.state.program)
@@ -179,6 +180,13 @@ class ProgrammingController(QObject):
         if after != self.state.program:
             self._push(self.state.edited(after), words)
         return True
+
+    def _tell_if_gone(self) -> None:
+        """Say that the project's folder is gone, where that is why nothing can be changed; the edits are kept in the window."""
+        folder = self._session.folder
+        if folder is not None and self.folder is None and self.state is not None:
+            words = tr("The project folder {folder} is gone.", folder=folder)
+            self._session.tell(words, "Connect its disk again, or put the folder back where it was.", "error", cause=MOMENT)
 
     def _push(self, after: ProgramState, words: str) -> None:
         assert self.state is not None
@@ -231,6 +239,7 @@ class ProgrammingController(QObject):
         """Save the edited program with the project, and the results with the report if they belong to it."""
         folder, measurement, state = self.folder, self._session.measurement, self.state
         if folder is None or measurement is None or state is None or not self.can_change:
+            self._tell_if_gone()
             return
         current = self.is_current
         self._runner.run(

@@ -125,8 +125,8 @@ class ReportPage(Page):
             return
         documents = self.controllers.documents
         for kind, made in self.exports.items():
-            made.setVisible(kind in ("ply", "open") or (kind == "stl" and measurement.mesh is not None) or documents.can_write(kind))
-        self.open_pdf.setVisible(documents.can_write("pdf"))
+            made.setVisible(kind != "stl" or measurement.mesh is not None)
+        self.open_pdf.setVisible(documents.can_open_pdf)
         self.state.setText(
             tr(
                 "{part_words}, measured {value}.",
@@ -196,7 +196,7 @@ class ReportPage(Page):
 
     def export(self, kind: str) -> None:
         """Ask for a file and export a document or geometry to it."""
-        words, _, ending = FORMATS[kind]
+        words, ending = FORMATS[kind]
         name = safe_file_name(self.session.project_name or "measurement", f".{ending}")
         chosen = choose_new(self, words, name, "exports", f"*.{ending}")
         if chosen is not None:
