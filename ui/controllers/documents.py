@@ -56,6 +56,11 @@ class DocumentsController(QObject):
         """Whether the PDF is there, or can be written to the project."""
         return "report_pdf" in self._session.files or self._is_stored
 
+    def can_export(self, kind: str) -> bool:
+        """Return whether the measurement has something of a kind of `FORMATS`."""
+        measurement = self._session.measurement
+        return measurement is not None and (kind != "stl" or measurement.mesh is not None)
+
     @Slot()
     def preview(self) -> None:
         """Draw the pages of the report."""

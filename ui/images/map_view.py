@@ -256,7 +256,8 @@ class MapView(Chart):
         for handle in line.getHandles():
             at = line.mapToParent(handle.pos())
             ends.append((min(max(0, round(at.y())), self._shape[0] - 1), min(max(0, round(at.x())), self._shape[1] - 1)))
-        self.lineMoved.emit(tuple(ends))
+        self._ends = ends[0], ends[1]  # where it stays when the image is another
+        self.lineMoved.emit(self._ends)
 
 
 def _coloured(layer: Layer) -> np.ndarray:
