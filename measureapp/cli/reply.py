@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import sys
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from typing import Annotated, Any
 
 import typer
@@ -30,7 +30,7 @@ def say(message: str) -> None:
     print(message, file=sys.stderr)
 
 
-def triple(values: Sequence[float], digits: int) -> str:
+def triple(values: Iterable[float], digits: int) -> str:
     """Return a point or a direction with fixed digits.
 
     >>> triple([0.5, -1e-9, 1], 3)
