@@ -848,6 +848,10 @@
       <translation>正在与名义模型比较</translation>
     </message>
     <message>
+      <source>Connect its disk again, or put the folder back where it was.</source>
+      <translation>请重新连接其磁盘，或把该文件夹放回原处。</translation>
+    </message>
+    <message>
       <source>Connect the rig on the page Rig first.</source>
       <translation>请先在“测量系统”页连接测量系统。</translation>
     </message>
@@ -1280,10 +1284,6 @@
       <translation>就绪。</translation>
     </message>
     <message>
-      <source>Recompute the project to create its documents.</source>
-      <translation>请重新计算项目以生成其文档。</translation>
-    </message>
-    <message>
       <source>Recompute the project to create one.</source>
       <translation>请重新计算项目以生成。</translation>
     </message>
@@ -1536,6 +1536,10 @@
       <translation>测量系统的位置未知。</translation>
     </message>
     <message>
+      <source>The project folder {folder} is gone.</source>
+      <translation>项目文件夹 {folder} 已不存在。</translation>
+    </message>
+    <message>
       <source>The project is saved to {folder}.</source>
       <translation>项目已保存到 {folder}。</translation>
     </message>
@@ -1646,10 +1650,6 @@
     <message>
       <source>There is nothing at the clicked place: click the part.</source>
       <translation>单击处没有任何内容：请单击工件。</translation>
-    </message>
-    <message>
-      <source>This document does not exist yet.</source>
-      <translation>此文档尚不存在。</translation>
     </message>
     <message>
       <source>This is impossible: {problem}</source>
@@ -7823,6 +7823,10 @@
       <translation>请检查路径。</translation>
     </message>
     <message>
+      <source>Check the path. If its disk was removed, connect it again; if it was moved, put it back.</source>
+      <translation>请检查路径。若其磁盘已移除，请重新连接；若已被移动，请放回原处。</translation>
+    </message>
+    <message>
       <source>Check the permissions of the folder.</source>
       <translation>请检查文件夹的权限。</translation>
     </message>
@@ -7881,10 +7885,6 @@
     <message>
       <source>Choose the folder that holds the images of the board.</source>
       <translation>请选择含标定板图像的文件夹。</translation>
-    </message>
-    <message>
-      <source>Connect its disk again, or put the folder back where it was.</source>
-      <translation>请重新连接其磁盘，或把该文件夹放回原处。</translation>
     </message>
     <message>
       <source>Convert the positions from metres to mm.</source>
@@ -8533,6 +8533,10 @@
     <message>
       <source>The copy needs {v1} GB, and {v2} has {v3} GB left.</source>
       <translation>副本需要 {v1} GB，而 {v2} 剩余 {v3} GB。</translation>
+    </message>
+    <message>
+      <source>The folder {v1} does not exist.</source>
+      <translation>文件夹 {v1} 不存在。</translation>
     </message>
     <message>
       <source>The image of camera {v1} cannot be encoded.</source>

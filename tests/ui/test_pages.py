@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 from PySide6.QtGui import QImage
 
+from ui.controllers.documents import FORMATS
 from ui.look.wording import millimetres
 from ui.pages.calibration_rows import added_to_length_mm
 from ui.session import DriverRow
@@ -239,7 +240,7 @@ def test_the_report_page_shows_pages_and_offers_what_can_be_exported(filled):
     shown = page.pages[0]
     assert shown.height() == pytest.approx(shown.sizeHint().width() * 80 / 60, abs=1)
     assert shown.grab().toImage().pixelColor(shown.width() // 2, shown.height() // 2).name() == "#336699"
-    assert [kind for kind, button in page.exports.items() if button.isVisible()] == ["ply", "stl", "open"]
+    assert [kind for kind, button in page.exports.items() if button.isVisible()] == list(FORMATS)
     assert not page.open_pdf.isVisible()
 
 
@@ -276,12 +277,11 @@ def test_an_open_patch_is_joined_without_closing_it_and_a_closed_body_is_refused
     assert not mesh.is_watertight and mesh.bounds[0][2] > 99.9
 
 
-def test_a_document_that_is_not_there_is_refused_in_words(filled, application, qtbot, tmp_path):
+def test_a_measurement_without_a_project_has_its_documents(filled, application, qtbot, tmp_path):
     application.controllers.documents.export("csv", tmp_path / "a.csv")
-    qtbot.waitUntil(lambda: [message.level for message in application.session.messages][-1:] == ["error"], timeout=10_000)
-    assert "does not exist yet" in application.session.messages[-1].text
-    assert not (tmp_path / "a.csv").exists()
-    qtbot.waitUntil(lambda: not application.controllers.jobs.queue.busy, timeout=10_000)
+    qtbot.waitUntil(lambda: not application.controllers.jobs.queue.busy, timeout=20_000)
+    assert application.session.messages[-1].text.startswith("a.csv saved to")
+    assert application.session.inspection.dimensions[0].name in (tmp_path / "a.csv").read_text(encoding="utf-8")
 
 
 def test_a_preview_that_fails_says_so(filled, application, qtbot):

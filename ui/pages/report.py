@@ -124,7 +124,7 @@ class ReportPage(Page):
         documents = self.controllers.documents
         for kind, made in self.exports.items():
             made.setVisible(documents.can_export(kind))
-        self.open_pdf.setVisible(documents.can_write("pdf"))
+        self.open_pdf.setVisible(documents.can_open_pdf)
         self.state.setText(
             tr(
                 "{part_words}, measured {value}.",
@@ -186,7 +186,7 @@ class ReportPage(Page):
 
     def export(self, kind: str) -> None:
         """Ask for a file and export a document or geometry to it."""
-        words, _, ending = FORMATS[kind]
+        words, ending = FORMATS[kind]
         name = safe_file_name(self.session.project_name or "measurement", f".{ending}")
         chosen = choose_new(self, words, name, "exports", f"*.{ending}")
         if chosen is not None:
