@@ -17597,6 +17597,10 @@ in danger use the emergency stop.</source>
       <translation>{most} 已解码</translation>
     </message>
     <message>
+      <source>{name} with {count}</source>
+      <translation>{name}，含 {count}</translation>
+    </message>
+    <message>
       <source>{name}, connected</source>
       <translation>{name}，已连接</translation>
     </message>

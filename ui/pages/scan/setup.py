@@ -163,7 +163,7 @@ class ScanSetup(QWidget):
         self.plan.text.setPlaceholderText(
             tr("None yet: choose a file, or make one on the page Plan")
             if plan is None
-            else tr("{name}, {count}", name=plan.name, count=several(len(plan), "viewpoint"))
+            else tr("{name} with {count}", name=plan.name, count=several(len(plan), "viewpoint"))
         )
         self._form.setRowVisible(self.part, not chosen.is_existing)
         for editor in (self.nominal, self.program):
