@@ -23,3 +23,12 @@ print(round(float(hit[0]), 6), sorted({"dash", "plotly", "IPython"} & set(sys.mo
 def test_the_library_is_imported_without_its_viewers() -> None:
     done = subprocess.run([sys.executable, "-c", CODE], capture_output=True, text=True, check=True)
     assert done.stdout.strip() == "0.333333 []"
+
+
+def test_another_thread_that_imports_meanwhile_does_not_fail_the_import(tmp_path) -> None:
+    (tmp_path / "open3d").mkdir()
+    text = 'import sys\nsys.trials = getattr(sys, "trials", 0) + 1\nif sys.trials < 3:\n    raise RuntimeError("dictionary changed size during iteration")\n'
+    (tmp_path / "open3d" / "__init__.py").write_text(text, encoding="utf-8")
+    code = f"import sys; sys.path.insert(0, {str(tmp_path)!r}); from measureapp.open3d_library import open3d; print(open3d().__name__, sys.trials)"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert done.stdout.strip() == "open3d 3"

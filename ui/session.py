@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
@@ -133,6 +133,7 @@ class Session(QObject):
         self.images: Mailboxes[ImageTaken] = Mailboxes()  # one for each camera
         self.messages = Messages(self)
         self.messages.added.connect(self.messageAdded)
+        self.is_letting_go = False  # of a closed project: even what is out of sight must not keep it
         self.busy_with = ""
         self.unsaved = ""  # what would be lost with the open project, in a sentence
         self.role: Role = "engineer"
@@ -189,9 +190,13 @@ class Session(QObject):
         self._reset()
         self.messages.end(PROJECT)
         self.project_name, self.part, self.folder = name, part, folder
-        self.projectChanged.emit()
-        self.planChanged.emit()
-        self._emit_results_changed()
+        self.is_letting_go = True
+        try:
+            self.projectChanged.emit()
+            self.planChanged.emit()
+            self._emit_results_changed()
+        finally:
+            self.is_letting_go = False
 
     def set_rig(self, rig: RigDescription | None, drivers: tuple[DriverRow, ...] | None = None, file: Path | None = None) -> None:
         """Set the rig, the user's file that describes it, and the drivers."""
@@ -264,6 +269,11 @@ class Session(QObject):
     def set_viewpoint(self, id_: str, status: ViewpointStatus, note: str = "") -> None:
         """Set the progress of one viewpoint."""
         self.viewpoints[id_] = ViewpointState(id_, status, note)
+        self.viewpointsChanged.emit()
+
+    def set_stored(self, ids: Iterable[str]) -> None:
+        """Set viewpoints whose images are stored, all at once."""
+        self.viewpoints |= {id_: ViewpointState(id_, "stored") for id_ in ids}
         self.viewpointsChanged.emit()
 
     def add_view(self, view: ViewResult) -> None:

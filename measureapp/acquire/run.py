@@ -121,7 +121,7 @@ class Run(Generic[T]):
             except StorageError as error:
                 if not self._control.attended:
                     raise
-                hint = f"Then resume the run: the images of {viewpoint.id} are in memory and are stored first. Skip it to discard them."
+                hint = f"The images of {viewpoint.id} are in memory; they are stored first when the run goes on."
                 self._control.interrupt(PauseCause(error.message, f"{error.hint} {hint}".strip()))
                 self._wait_while_paused()
         self._enter(viewpoint.id, ViewpointState.STORED)

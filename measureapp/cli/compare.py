@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from measureapp.cli.outcome import alignment_lines
-from measureapp.cli.reply import JsonOption, TerminalProgress, UnitOption, reply
+from measureapp.cli.reply import JsonOption, TerminalProgress, UnitOption, reply, triple
 from measureapp.data.length_unit import LengthUnit
 from measureapp.data.shown_number import shown_number
 from measureapp.errors import InputError
@@ -101,7 +101,7 @@ def _statistics(
 
 def _statistics_lines(found: DeviationStatistics) -> list[str]:
     confirmed = [
-        f"{word} {shown_number(one.value_mm, signed=True)} mm at ({', '.join(shown_number(value, 1) for value in one.point_mm)})"
+        f"{word} {shown_number(one.value_mm, signed=True)} mm at {triple(one.point_mm, 1)}"
         for word, one in (("smallest", found.minimum), ("greatest", found.maximum))
         if one is not None
     ]

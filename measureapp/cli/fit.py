@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import numpy as np
 import typer
 
-from measureapp.cli.reply import JsonOption, UnitOption, reply
+from measureapp.cli.reply import JsonOption, UnitOption, reply, triple
 from measureapp.data.length_unit import LengthUnit
 
 if TYPE_CHECKING:
@@ -131,7 +131,7 @@ def _lines(document: dict[str, Any]) -> str:
         elif isinstance(value, float):
             rows.append(f"{name:<18} {value:.6f}")
         elif isinstance(value, np.ndarray):
-            rows.append(f"{name:<18} " + " ".join(f"{number:.6f}" for number in value))
+            rows.append(f"{name:<18} " + triple(value, 6))
         else:
             rows.append(f"{name:<18} {value}")
     return "\n".join(rows)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from measureapp.cli.reply import say
+from measureapp.cli.reply import say, triple
 from measureapp.data.dimension import Verdict
 from measureapp.data.shown_number import shown_number
 from measureapp.data.surroundings import SURROUNDINGS
@@ -120,6 +120,7 @@ def alignment_lines(alignment: Alignment) -> str:
     if alignment.fixed < 6:
         lines.append(f"Fixed by its features: {alignment.fixed} of 6 degrees of freedom.")
     if alignment.weakest_mm is not None:
-        direction = ", ".join(f"{value:.2f}" for value in alignment.weakest_direction)
-        lines.append(f"Weakest direction ({direction}): ± {alignment.weakest_mm:.3f} mm (k = 2) at a corner of the part.")
+        lines.append(
+            f"Weakest direction {triple(alignment.weakest_direction, 2)}: ± {alignment.weakest_mm:.3f} mm (k = 2) at a corner of the part."
+        )
     return "\n".join([*lines, *(f"{note}." for note in alignment.notes)])

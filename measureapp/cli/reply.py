@@ -5,13 +5,14 @@ from __future__ import annotations
 import json
 import sys
 import time
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Annotated, Any
 
 import typer
 
 from measureapp.data.json_values import jsonable
 from measureapp.data.length_unit import LengthUnit
+from measureapp.data.shown_number import shown_number
 
 JsonOption = Annotated[bool, typer.Option("--json", help="Answer with exactly one JSON document on standard output.")]
 
@@ -27,6 +28,15 @@ def reply(document: Mapping[str, Any], lines: str, as_json: bool) -> None:
 def say(message: str) -> None:
     """Print a message to standard error."""
     print(message, file=sys.stderr)
+
+
+def triple(values: Iterable[float], digits: int) -> str:
+    """Return a point or a direction with fixed digits.
+
+    >>> triple([0.5, -1e-9, 1], 3)
+    '(0.500, 0.000, 1.000)'
+    """
+    return f"({', '.join(shown_number(value, digits) for value in values)})"
 
 
 class TerminalProgress:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -70,11 +71,7 @@ class AxisMotions:
 
         Radial motion and tilt that turn with the table are no error motions: they are how eccentric and how level the part stands (ISO 230-7).
         """
-        turned = np.vstack([_without_setting(self.table[:2]), _without_setting(self.table[2:4]), self.table[4:]])
-        turned = turned @ fourier(np.linspace(0, 2 * np.pi, STEPS, endpoint=False)).T
-        slid = self.guide @ half_waves(np.linspace(self.limits_mm[0], self.limits_mm[1], STEPS), self.limits_mm).T
-        parts = {"radial": turned[2:4], "axial": turned[4:], "tilt": turned[:2], "straightness": slid[[3, 5]], "angles": slid[:3]}
-        return {name: _half_range(course) for name, course in parts.items()}
+        return _amplitudes(self)
 
     @property
     def table_words(self) -> str:
@@ -98,6 +95,16 @@ class AxisMotions:
             f"they move the board by {_um(self.explained_mm)} rms between the views of the calibration; positions are corrected for them"
         )
         return [f"error motions of the table: {self.table_words}", *([guide] if self.guide_words else []), share]
+
+
+@lru_cache(maxsize=4)
+def _amplitudes(motions: AxisMotions) -> dict[str, float]:
+    """Return `AxisMotions.amplitudes`; the window asks for those of one calibration again and again."""
+    turned = np.vstack([_without_setting(motions.table[:2]), _without_setting(motions.table[2:4]), motions.table[4:]])
+    turned = turned @ fourier(np.linspace(0, 2 * np.pi, STEPS, endpoint=False)).T
+    slid = motions.guide @ half_waves(np.linspace(motions.limits_mm[0], motions.limits_mm[1], STEPS), motions.limits_mm).T
+    parts = {"radial": turned[2:4], "axial": turned[4:], "tilt": turned[:2], "straightness": slid[[3, 5]], "angles": slid[:3]}
+    return {name: _half_range(course) for name, course in parts.items()}
 
 
 def _without_setting(motion: FloatArray) -> FloatArray:

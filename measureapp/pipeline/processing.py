@@ -24,6 +24,7 @@ from measureapp.pipeline.watch import Stopwatch
 from measureapp.pipeline.worker import LEAVE_S, STOPPED_WITHIN_S, Worker
 from measureapp.progress import NoProgress, Progress
 from measureapp.project.folder import ProjectFolder
+from measureapp.project.journal.publish import vanished
 from measureapp.reconstruct.rectification.rectifier import Rectifier
 from measureapp.register.joint.registration_cache import RegistrationCache
 
@@ -83,9 +84,7 @@ class Processing:
     def store(self, stack: FringeStack) -> None:
         """Store the raw images; then have them processed. Raises StorageError, after which nothing is forgotten."""
         if not (self._project.path / "project.json").is_file():
-            raise StorageError(
-                f"The project folder {self._project.path} is gone.", "Connect its disk again, or restore the folder from a backup."
-            )
+            raise vanished(self._project.path)
         started = time.monotonic()
         with self._watch.stage("storing"):
             self._project.frames.store(stack)

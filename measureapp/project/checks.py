@@ -12,7 +12,7 @@ from measureapp.errors import Damaged, StorageError
 from measureapp.progress import NoProgress, Progress
 from measureapp.project import raw_images
 from measureapp.project.inputs import changes, current_inputs
-from measureapp.project.journal import publish, seal
+from measureapp.project.journal import disk, publish, seal
 from measureapp.project.journal.database import JOURNAL, find_damage
 from measureapp.project.journal.state import Contents, Journal
 
@@ -138,10 +138,10 @@ def _unknown(project: Path, contents: Contents) -> list[str]:
     found = []
     for folder, folders, names in os.walk(project):
         here = Path(folder).relative_to(project)
-        folders[:] = sorted(name for name in folders if not publish.PART.match(name))
+        folders[:] = sorted(name for name in folders if not disk.PART.match(name))
         for name in sorted(names):
             relative = (here / name).as_posix()
-            own = name in publish.OWN or publish.PART.match(name) is not None
+            own = name in publish.OWN or disk.PART.match(name) is not None
             if not own and relative not in contents.files and relative not in waiting:
                 found.append(relative)
     return found

@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import shutil
 from collections.abc import Iterator
-from contextlib import suppress
+from contextlib import nullcontext, suppress
 from pathlib import Path
 
 from measureapp.errors import InputError, StorageError
@@ -42,7 +42,8 @@ def copy_project(source: Path, target: Path, progress: Progress = NoProgress()) 
     part = target.with_name(f".{target.name}.copy")
     shutil.rmtree(part, ignore_errors=True)
     try:
-        with project.lock():
+        # where nothing can be written, there is nobody to lock out, and a copy is what helps
+        with project.lock() if os.access(source, os.W_OK) else nullcontext():
             _copy_files(source, part, progress)
         with disk.explained(target):
             with suppress(FileNotFoundError):

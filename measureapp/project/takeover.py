@@ -56,9 +56,9 @@ def renew(project: Path) -> None:
 
 def _files(project: Path) -> Iterator[Path]:
     for folder, folders, names in os.walk(project):
-        folders[:] = sorted(name for name in folders if not publish.PART.match(name))
+        folders[:] = sorted(name for name in folders if not disk.PART.match(name))
         here = Path(folder)
-        yield from (here / name for name in sorted(names) if not publish.PART.match(name) and (here != project or name not in publish.OWN))
+        yield from (here / name for name in sorted(names) if not disk.PART.match(name) and (here != project or name not in publish.OWN))
 
 
 def _stack(project: Path, folder: Path) -> Entry | None:

@@ -19,6 +19,10 @@ SETTINGS = "project.json"
 
 def require_project(path: Path) -> None:
     """Raise InputError where a folder is no project."""
+    if not Path(path).exists():
+        raise InputError(
+            f"The folder {path} does not exist.", "Check the path. If its disk was removed, connect it again; if it was moved, put it back."
+        )
     if not (Path(path) / SETTINGS).is_file():
         raise InputError(f"{path} is not a MeasureApp project.", f"Name a folder that contains a {SETTINGS}.")
 

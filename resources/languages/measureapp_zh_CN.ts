@@ -848,6 +848,10 @@
       <translation>正在与名义模型比较</translation>
     </message>
     <message>
+      <source>Connect its disk again, or put the folder back where it was.</source>
+      <translation>请重新连接其磁盘，或把该文件夹放回原处。</translation>
+    </message>
+    <message>
       <source>Connect the rig on the page Rig first.</source>
       <translation>请先在“测量系统”页连接测量系统。</translation>
     </message>
@@ -1026,6 +1030,10 @@
     <message>
       <source>Loading the rig</source>
       <translation>正在加载测量系统</translation>
+    </message>
+    <message>
+      <source>Looking for what is stored</source>
+      <translation>正在查看已存储的内容</translation>
     </message>
     <message>
       <source>Make one on the page Plan, or choose a plan file.</source>
@@ -1274,10 +1282,6 @@
     <message>
       <source>Ready.</source>
       <translation>就绪。</translation>
-    </message>
-    <message>
-      <source>Recompute the project to create its documents.</source>
-      <translation>请重新计算项目以生成其文档。</translation>
     </message>
     <message>
       <source>Recompute the project to create one.</source>
@@ -1532,6 +1536,10 @@
       <translation>测量系统的位置未知。</translation>
     </message>
     <message>
+      <source>The project folder {folder} is gone.</source>
+      <translation>项目文件夹 {folder} 已不存在。</translation>
+    </message>
+    <message>
       <source>The project is saved to {folder}.</source>
       <translation>项目已保存到 {folder}。</translation>
     </message>
@@ -1642,10 +1650,6 @@
     <message>
       <source>There is nothing at the clicked place: click the part.</source>
       <translation>单击处没有任何内容：请单击工件。</translation>
-    </message>
-    <message>
-      <source>This document does not exist yet.</source>
-      <translation>此文档尚不存在。</translation>
     </message>
     <message>
       <source>This is impossible: {problem}</source>
@@ -2031,6 +2035,10 @@
       <translation>相机 {v1} 的图像在 {v2} µs 时过暗。</translation>
     </message>
     <message>
+      <source>The images of {v1} are in memory; they are stored first when the run goes on.</source>
+      <translation>{v1} 的图像在内存中；运行继续时会先存储它们。</translation>
+    </message>
+    <message>
       <source>The linear guide</source>
       <translation>直线导轨</translation>
     </message>
@@ -2065,10 +2073,6 @@
     <message>
       <source>The run has not started yet.</source>
       <translation>运行尚未开始。</translation>
-    </message>
-    <message>
-      <source>Then resume the run: the images of {v1} are in memory and are stored first. Skip it to discard them.</source>
-      <translation>然后请继续运行：{v1} 的图像在内存中，会先存储。若跳过该视点则丢弃它们。</translation>
     </message>
     <message>
       <source>Viewpoint {v1} cannot be skipped: it is {v2}.</source>
@@ -8228,10 +8232,6 @@
       <translation>请重新接上其磁盘或恢复文件夹，然后继续扫描。</translation>
     </message>
     <message>
-      <source>Connect its disk again, or restore the folder from a backup.</source>
-      <translation>请重新接上其磁盘，或从备份恢复文件夹。</translation>
-    </message>
-    <message>
       <source>Correct the read-backs, and process the images again; they are kept.</source>
       <translation>请更正读回，然后重新处理图像；图像已保留。</translation>
     </message>
@@ -8422,10 +8422,6 @@
     <message>
       <source>The plan has no viewpoint {v1}.</source>
       <translation>计划没有视点 {v1}。</translation>
-    </message>
-    <message>
-      <source>The project folder {v1} is gone.</source>
-      <translation>项目文件夹 {v1} 已不在。</translation>
     </message>
     <message>
       <source>The region {v1},{v2},{v3},{v4} is not inside the images of camera {v5}.</source>
@@ -9338,6 +9334,10 @@
       <translation>请检查路径。</translation>
     </message>
     <message>
+      <source>Check the path. If its disk was removed, connect it again; if it was moved, put it back.</source>
+      <translation>请检查路径。若其磁盘已移除，请重新连接；若已被移动，请放回原处。</translation>
+    </message>
+    <message>
       <source>Check the permissions of the folder.</source>
       <translation>请检查文件夹的权限。</translation>
     </message>
@@ -9938,10 +9938,6 @@
       <translation>请从备份恢复文件。</translation>
     </message>
     <message>
-      <source>Restore the folder, or connect its disk again.</source>
-      <translation>请恢复该文件夹，或重新连接其磁盘。</translation>
-    </message>
-    <message>
       <source>Save it as ascii or (uncompressed) binary PCD, or as PLY.</source>
       <translation>请保存为 ascii 或（未压缩的）二进制 PCD，或 PLY。</translation>
     </message>
@@ -10042,6 +10038,10 @@
       <translation>副本需要 {v1} GB，而 {v2} 剩余 {v3} GB。</translation>
     </message>
     <message>
+      <source>The folder {v1} does not exist.</source>
+      <translation>文件夹 {v1} 不存在。</translation>
+    </message>
+    <message>
       <source>The image of camera {v1} cannot be encoded.</source>
       <translation>相机 {v1} 的图像无法编码。</translation>
     </message>
@@ -10074,8 +10074,8 @@
       <translation>{v1} 的路径太长：超过 {v2} 字节。</translation>
     </message>
     <message>
-      <source>The project {v1} is not there any more.</source>
-      <translation>项目 {v1} 已不存在。</translation>
+      <source>The project folder {v1} is gone.</source>
+      <translation>项目文件夹 {v1} 已不在。</translation>
     </message>
     <message>
       <source>The results in {v1} cannot be read: {v2}</source>
@@ -18058,6 +18058,10 @@ The first run of this part counts.</source>
       <translation>尚未存储任何视点。</translation>
     </message>
     <message>
+      <source>Not everything could be measured. Clean the part, see that it lies right, and press Repeat.</source>
+      <translation>有些尺寸未能测得。请清洁工件，检查其放置是否正确，然后按“重复”。</translation>
+    </message>
+    <message>
       <source>Not measured yet</source>
       <translation>尚未测量</translation>
     </message>
@@ -18112,6 +18116,10 @@ The first run of this part counts.</source>
     <message>
       <source>Progress of the measurement</source>
       <translation>测量进度</translation>
+    </message>
+    <message>
+      <source>Put the part aside. If it was dirty or clamped wrongly, mend that and press Repeat.</source>
+      <translation>请把工件放到一边。若工件不干净或装夹有误，请改正后按“重复”。</translation>
     </message>
     <message>
       <source>Put the part in</source>
@@ -18226,6 +18234,10 @@ The first run of this part counts.</source>
       <translation>正在停止…</translation>
     </message>
     <message>
+      <source>The folder of this part is gone, with all that was stored in it.</source>
+      <translation>此工件的文件夹已不存在，其中存储的内容也随之丢失。</translation>
+    </message>
+    <message>
       <source>The images are checked</source>
       <translation>正在检查图像</translation>
     </message>
@@ -18252,6 +18264,10 @@ The first run of this part counts.</source>
     <message>
       <source>The part was cleaned</source>
       <translation>工件已清洁</translation>
+    </message>
+    <message>
+      <source>The program has no tolerances, so nothing was decided. Call the engineer.</source>
+      <translation>程序没有给出公差，因此无法判定。请呼叫工程师。</translation>
     </message>
     <message>
       <source>The program states no tolerance.</source>
@@ -18286,12 +18302,24 @@ The first run of this part counts.</source>
       <translation>两次 PIN 不一致。</translation>
     </message>
     <message>
+      <source>The verdict is {verdict}.</source>
+      <translation>判定结果：{verdict}。</translation>
+    </message>
+    <message>
       <source>There is no part program in {folder}. Call the engineer.</source>
       <translation>{folder} 中没有工件程序。请呼叫工程师。</translation>
     </message>
     <message>
       <source>This file cannot be used.</source>
       <translation>无法使用此文件。</translation>
+    </message>
+    <message>
+      <source>Too close to a limit to decide. Clean the part and press Repeat, or put it aside and call the engineer.</source>
+      <translation>离极限太近，无法判定。请清洁工件后按“重复”，或把它放到一边并呼叫工程师。</translation>
+    </message>
+    <message>
+      <source>When it is back, hold Resume. Otherwise start again.</source>
+      <translation>文件夹恢复后，请按住“继续”；否则请重新开始。</translation>
     </message>
     <message>
       <source>Which part?</source>
@@ -18322,8 +18350,8 @@ The first run of this part counts.</source>
       <translation>至少 {limit}</translation>
     </message>
     <message>
-      <source>at least {limit}, U = {u}</source>
-      <translation>至少 {limit}，U = {u}</translation>
+      <source>at least {limit}, measured to ± {u}</source>
+      <translation>至少 {limit}，测量不确定度 ± {u}</translation>
     </message>
     <message>
       <source>at least {limit}: {past} too small</source>
@@ -18334,8 +18362,8 @@ The first run of this part counts.</source>
       <translation>最多 {limit}</translation>
     </message>
     <message>
-      <source>at most {limit}, U = {u}</source>
-      <translation>最多 {limit}，U = {u}</translation>
+      <source>at most {limit}, measured to ± {u}</source>
+      <translation>至多 {limit}，测量不确定度 ± {u}</translation>
     </message>
     <message>
       <source>at most {limit}: {past} too large</source>

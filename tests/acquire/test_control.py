@@ -185,9 +185,7 @@ def test_images_for_which_the_disk_has_no_room_wait_in_memory_until_there_is(run
     assert run.cell.shown == DARK
     paused = of(run, RunPaused)[-1]
     assert paused.message == "The disk is full."
-    assert paused.hint == (
-        "Free some space. Then resume the run: the images of v0 are in memory and are stored first. Skip it to discard them."
-    )
+    assert paused.hint == "Free some space. The images of v0 are in memory; they are stored first when the run goes on."
     run.control.resume()
     until(run, "store")
     run.steps.go("full")  # still no room

@@ -63,7 +63,8 @@ def test_the_sample_plan_measures_all_but_the_underside_and_what_is_hidden(impel
     downward = coverage.samples.normals[:, 2] < -0.2
     assert coverage.predicted / coverage.share(~downward) > 0.93
     assert not coverage.counts[downward & (coverage.samples.points_mm[:, 2] < 1.0)].any()
-    assert sum(coverage.unseen().values()) + coverage.predicted == pytest.approx(1.0)
+    assert sum(coverage.unmeasurable().values()) + sum(coverage.unseen().values()) + coverage.predicted == pytest.approx(1.0)
+    assert max(coverage.unmeasurable(), key=coverage.unmeasurable().get) == "touches the support"
     assert coverage.twice <= coverage.predicted
 
 

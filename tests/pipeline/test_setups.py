@@ -92,7 +92,7 @@ def test_clouds_of_a_set_up_that_changed_since_are_refused(copied: Path, capsys)
 
 def test_a_set_up_that_is_missing_and_a_damaged_description_are_refused(copied: Path, capsys) -> None:
     shutil.rmtree(copied.parent / "down")
-    assert "is not a MeasureApp project" in refused(capsys, ["process", str(copied)])
+    assert "down does not exist" in refused(capsys, ["process", str(copied)])
     (copied / SETUPS).write_text('{"schema_version": 1, "sources": []}', encoding="utf-8")
     assert SETUPS in refused(capsys, ["process", str(copied)])
 

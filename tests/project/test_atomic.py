@@ -9,6 +9,8 @@ import pytest
 
 from measureapp.errors import StorageError
 from measureapp.project.atomic import write_text
+from measureapp.project.journal.disk import storage_error
+from measureapp.project.journal.publish import part_of
 
 
 @pytest.mark.parametrize(
@@ -28,3 +30,10 @@ def test_the_remedy_is_for_what_went_wrong_and_the_old_file_stays(tmp_path, monk
     assert told.value.hint.startswith(remedy)
     assert path.read_bytes() == b"before"
     assert [one.name for one in tmp_path.iterdir()] == ["a.txt"]
+
+
+def test_an_error_names_the_file_that_is_written_and_not_its_temporary_name(tmp_path):
+    part = part_of(tmp_path / "calibration") / "cameras.json"
+    assert str(storage_error(part, OSError(28, "No space left on device"))).startswith(
+        f"{tmp_path / 'calibration' / 'cameras.json'} cannot"
+    )

@@ -33,6 +33,16 @@ def test_a_copy_is_a_whole_project_with_the_name_of_its_folder(project, tmp_path
     assert sorted(path.name for path in tmp_path.iterdir()) == ["part", "second part"]
 
 
+def test_a_project_on_a_disk_that_cannot_be_written_to_can_be_copied(project, tmp_path, monkeypatch):
+    def refuse():
+        raise StorageError("Read-only.", "Copy it.")
+
+    monkeypatch.setattr(copying.os, "access", lambda _path, _mode: False)
+    monkeypatch.setattr(ProjectFolder, "lock", lambda _self: refuse())
+    monkeypatch.setattr(copying, "accept_changes", lambda _path, _names: None)  # locks the copy
+    assert copy_project(project.path, tmp_path / "second").name == "second"
+
+
 def test_a_folder_that_holds_something_or_lies_in_the_project_is_refused(project, tmp_path):
     (tmp_path / "full").mkdir()
     (tmp_path / "full" / "a.txt").write_text("x", encoding="utf-8")

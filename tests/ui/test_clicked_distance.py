@@ -85,14 +85,16 @@ def test_on_the_clouds_page_clicks_measure_while_the_tool_is_on_and_undo_takes_t
     assert not page.distance.can_undo
 
 
-def test_on_the_inspection_page_a_click_shows_view_and_position_in_the_nominal_and_measures_on_the_points(application, window, measurement):
+def test_on_the_inspection_page_a_click_shows_view_and_position_in_the_nominal_and_measures_on_the_points(
+    application, window, measurement, qtbot
+):
     application.session.set_measurement(measurement, {})
     window.show_page("inspection")
     page = window.pages["inspection"]
     page.shape.setValue("points")
     page.view.pointPicked.emit(0, 10)
     assert page.properties.title == "Point"
-    assert len(page.view._labels) == 1 and len(page.view._flags) == 1  # the point, and the dimension selected
+    qtbot.waitUntil(lambda: len(page.view._labels) == 1 and len(page.view._flags) == 1)  # the point, and the dimension selected
     page.shape.setValue("surface")
     page.distance.button.setChecked(True)
     assert page.shape.value() == "points"

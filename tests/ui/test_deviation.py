@@ -118,6 +118,7 @@ def test_the_histogram_counts_what_lies_beyond_its_scale_in_the_outermost_bars_i
     histogram.show_values(np.array([-9.0, -0.001, 0.001, 0.002, 7.0, 8.0]), Legend("Deviation", -0.05, 0.05))
     assert (histogram.counts[0], histogram.counts[-1], histogram.counts.sum(), len(histogram.counts)) == (1, 2, 6, BINS)
     histogram.resize(480, 160)
+    qtbot.waitUntil(lambda: histogram.plot is not None)
     picture = histogram.grab().toImage()
     colours = [picture.pixelColor(x, y) for x in range(picture.width()) for y in range(picture.height())]
     assert any(colour.blue() - colour.red() > 80 for colour in colours)
@@ -172,16 +173,18 @@ def test_the_inspection_page_cuts_where_the_bar_says_and_labels_all_dimensions(q
     application.session.set_stitched(compared.stitched)
     application.session.set_comparison(compared)
     assert page.shape.button("deviation").toolTip() == SHAPE_TIPS["deviation"] and not page.side.list.button("deviation").toolTip()
+    qtbot.waitUntil(lambda: bool(page.view._lines))
     before = len(page.view._lines)
     for place_mm in (-20.0, 5.0, 0.0):  # each is cut on a thread; the last wish is what is shown in the end
         page.cut.setValue(CutPlane("x", place_mm))
     qtbot.waitUntil(lambda: page.cut.words.words.startswith("Deviations") and not page.cutting._is_cutting, timeout=20_000)
-    assert len(page.view._lines) > before and page.cut.value() == CutPlane("x", 0.0)
+    qtbot.waitUntil(lambda: len(page.view._lines) > before)
+    assert page.cut.value() == CutPlane("x", 0.0)
     page.cut.button.setChecked(False)
-    assert len(page.view._lines) == before
+    qtbot.waitUntil(lambda: len(page.view._lines) == before)
     page.labels.setChecked(True)
-    flags = {flag.title: flag.verdict for flag in page.view._flags if flag.verdict}
-    assert flags == {"a": "pass", "b": "fail", "c": "not proven"}  # d has no features
+    labelled = {"a": "pass", "b": "fail", "c": "not proven"}  # d has no features
+    qtbot.waitUntil(lambda: {flag.title: flag.verdict for flag in page.view._flags if flag.verdict} == labelled)
 
 
 def test_residuals_of_single_points_are_signed_before_merging_and_rms_on_the_merged_cloud(application, window, measurement, qtbot):

@@ -57,7 +57,8 @@ def test_a_click_grows_the_ball_and_its_lines_can_be_copied_and_undone(applicati
     program = InspectionProgram.model_validate({"name": "p", "alignment": "none", **copied})
     assert program.features[0].grow.seed_mm == pytest.approx(grown.seed_mm, abs=1e-3)
     page.undo.click()
-    assert page.grow.last is None and len(page.view._lines) == lines and not page.undo.isVisible()
+    assert page.grow.last is None and not page.undo.isVisible()
+    qtbot.waitUntil(lambda: len(page.view._lines) == lines)
 
 
 def test_where_no_such_shape_is_nothing_grows_and_the_reason_is_shown(application, page, qtbot):

@@ -80,6 +80,21 @@ def settled(application, qtbot):
     return application.session.messages[-1]
 
 
+def test_a_project_folder_that_is_gone_is_told_and_its_edits_can_be_saved_when_it_is_back(opened, application, project, qtbot, tmp_path):
+    programming, away = application.controllers.programming, tmp_path / "away"
+    programming.replace(PROGRAM.replace("nominal = 120", "nominal = 119"))
+    settled(application, qtbot)
+    project.path.rename(away)
+    programming.save()
+    said = settled(application, qtbot)
+    assert said.text == f"The project folder {project.path} is gone." and said.hint.startswith("Connect its disk again")
+    assert programming.is_modified
+    away.rename(project.path)
+    programming.save()
+    assert settled(application, qtbot).text == "Program and results saved."
+    assert "nominal = 119" in project.program.read_text(encoding="utf-8")
+
+
 def ball_mesh(path, *, scale=1.0, radius=60.0):
     ball = trimesh.creation.icosphere(subdivisions=4, radius=radius)
     ball.apply_translation([0, 0, 60.0])

@@ -62,6 +62,7 @@ def test_the_demo_runs_from_its_button_and_ends_with_dimensions_shown(started, w
     assert window.strip.cancel.isVisible()
     assert window.strip.title.text() == "Demo: gypsum"
     assert not window.pages["rig"].run_demo.isEnabled()
+    window.show_page("scan")
     assert window.pages["scan"].tiles.words().count("Processed") == 5
     demo.gate.set()
     qtbot.waitUntil(lambda: idle(started), timeout=10_000)

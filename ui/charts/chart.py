@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from PySide6.QtCore import QTimer
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QSizePolicy, QVBoxLayout, QWidget
 
+from ui.charts.turns import turns
 from ui.look.language.words import translated
 from ui.look.look import Look
 
@@ -39,46 +39,53 @@ class Chart(QWidget):
         look.changed.connect(self._follow_theme)
 
     def redraw(self, spoken: str) -> None:
-        """Draw the present data, now or as soon as the chart is in sight; ``spoken`` describes them to a screen reader."""
+        """Draw the present data as soon as the chart is in sight; ``spoken`` describes them to a screen reader."""
         self.setAccessibleDescription(translated(spoken))
-        if self.isVisible():
-            self.draw()
-        else:
-            self._is_outdated = True
+        self._is_outdated = True
+        self._catch_up()
 
-    def draw(self) -> None:
-        """Draw the present data at once."""
-        plot = self.prepare()
+    def begin(self) -> bool:
+        """Make the axes, which takes a while, and draw; whether there was something to do."""
+        if self.plot is not None or not self._is_wanted:
+            return False
+        self.plot = self._axes_of(self)
+        self.layout().addWidget(self.plot)
+        self.plot.show()  # else only with the next event
+        self._dress(self.plot)
+        return True
+
+    @property
+    def _is_wanted(self) -> bool:
+        return self._is_outdated and self.isVisible()
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Draw what was changed while the chart could not be seen."""
+        super().showEvent(event)
+        if self._is_outdated and self.plot is not None:
+            self._dress(self.plot)  # the theme may be another
+        else:
+            self._catch_up()
+
+    def _catch_up(self) -> None:
+        if not self._is_wanted:
+            return
+        if self.plot is None:
+            turns().wait(self)
+        else:
+            self._draw(self.plot)
+
+    def _draw(self, plot: Plot) -> None:
         plot.clear()
         self._draw_on(self, plot)
         self._is_outdated = False
 
-    def prepare(self) -> Plot:
-        """Return the axes; they are made where there are none yet, which takes a while."""
-        if self.plot is None:
-            self.plot = self._axes_of(self)
-            self.layout().addWidget(self.plot)
-            self.plot.show()  # else only with the next event
-            self.plot.dress(self._look.theme, self._ground)
-        return self.plot
-
-    def showEvent(self, event: QShowEvent) -> None:
-        """Draw what was changed while the chart could not be seen; axes are made after the page is laid out, as they take a while."""
-        if self._is_outdated and self.plot is not None:
-            self._dress()
-        elif self._is_outdated:
-            QTimer.singleShot(0, self, self._catch_up)
-        super().showEvent(event)
-
-    def _catch_up(self) -> None:
-        if self._is_outdated and self.isVisible():
-            self._dress()
-
     def _follow_theme(self) -> None:
-        self._is_outdated = self._is_outdated or self.plot is not None  # axes that are made later are made in the theme
-        self._catch_up()
+        if self.plot is None:
+            return  # axes are made in the theme
+        self._is_outdated = True
+        if self.isVisible():
+            self._dress(self.plot)
 
-    def _dress(self) -> None:
-        if self.plot is not None:
-            self.plot.dress(self._look.theme, self._ground)
-        self.draw()
+    def _dress(self, plot: Plot) -> None:
+        plot.dress(self._look.theme, self._ground)
+        self._draw(plot)

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import shutil
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QObject, QUrl, Signal, Slot
 from PySide6.QtGui import QDesktopServices, QImage
 
-from measureapp.errors import InputError, StorageError
+from measureapp.errors import InputError
 from ui.controllers.jobs import JobRunner
 from ui.controllers.report_header import ReportHeader, read_header, save_header
 from ui.look.language.words import tr
@@ -18,17 +17,18 @@ from ui.session import Session
 if TYPE_CHECKING:
     from measureapp.data.cloud import StitchedCloud
     from measureapp.data.measurement import Measurement
+    from measureapp.report.model import ReportModel
     from ui.workers.job import Job
 
-FORMATS = {  # words, the file of the project, ending
-    "pdf": ("PDF report", "report_pdf", "pdf"),
-    "html": ("3-D report (HTML)", "report_pdf", "html"),
-    "xlsx": ("Table of dimensions (XLSX)", "report_pdf", "xlsx"),
-    "csv": ("Table of dimensions (CSV)", "report_csv", "csv"),
-    "json": ("Everything as JSON", "report_json", "json"),
-    "ply": ("Stitched cloud (PLY)", "stitched_cloud", "ply"),
-    "stl": ("Surface mesh (STL)", "mesh", "stl"),
-    "open": ("Open patch (STL)", "", "stl"),
+FORMATS = {  # words, ending
+    "pdf": ("PDF report", "pdf"),
+    "html": ("3-D report (HTML)", "html"),
+    "xlsx": ("Table of dimensions (XLSX)", "xlsx"),
+    "csv": ("Table of dimensions (CSV)", "csv"),
+    "json": ("Everything as JSON", "json"),
+    "ply": ("Stitched cloud (PLY)", "ply"),
+    "stl": ("Surface mesh (STL)", "stl"),
+    "open": ("Open patch (STL)", "stl"),
 }
 DOCUMENTS = ("pdf", "html", "xlsx", "csv", "json")
 
@@ -51,9 +51,15 @@ class DocumentsController(QObject):
         folder = self._session.folder
         return folder is not None and (folder / "project.json").exists()
 
-    def can_write(self, kind: str) -> bool:
-        """Return whether a document of the report is there, or can be written from the project."""
-        return FORMATS[kind][1] in self._session.files or (kind in DOCUMENTS and self._is_stored)
+    @property
+    def can_open_pdf(self) -> bool:
+        """Whether the PDF is there, or can be written to the project."""
+        return "report_pdf" in self._session.files or self._is_stored
+
+    def can_export(self, kind: str) -> bool:
+        """Return whether the measurement has something of a kind of `FORMATS`."""
+        measurement = self._session.measurement
+        return measurement is not None and (kind != "stl" or measurement.mesh is not None)
 
     @Slot()
     def preview(self) -> None:
@@ -132,14 +138,14 @@ class DocumentsController(QObject):
         if measurement is None:
             self._session.tell("There is no measurement yet.", "Run the demo, or open a project.", "warning")
             return
-        source, folder = self._session.files.get(FORMATS[kind][1]), self._session.folder
+        folder = self._session.folder
         cloud = self._session.filtered or measurement.stitched
         work = (
             (lambda job: export_open(cloud, target, job))
             if kind == "open"
             else (lambda job: export_document(kind, folder, measurement, target, job))
-            if kind in DOCUMENTS and folder is not None and self._is_stored
-            else (lambda job: export(kind, source, measurement, target, job))
+            if kind in DOCUMENTS
+            else (lambda job: export(kind, measurement, target, job))
         )
         self._runner.run(tr("Exporting {name}", name=target.name), work, self._report_export)
 
@@ -151,25 +157,31 @@ class DocumentsController(QObject):
 def page_images(measurement: Measurement, folder: Path | None, job: Job) -> tuple[QImage, ...]:
     """Return the report's pages; runs on a job's thread, also what unpacks them, which takes 20 ms a page."""
     job.report(0, 2, "Rendering the pages")
-    from measureapp.project.folder import ProjectFolder
-    from measureapp.report.compose import compose
     from measureapp.report.pdf import page_images as pages_of
-    from measureapp.report.project import compose_project
 
-    stored = folder is not None and (folder / "project.json").exists()
-    model = compose_project(ProjectFolder.open(folder), measurement) if folder is not None and stored else compose(measurement)
+    model = _model(folder, measurement, None)
     job.report(1, 2, "Rendering the pages")
     return tuple(QImage.fromData(page) for page in pages_of(model))
 
 
-def export_document(kind: str, folder: Path, measurement: Measurement, target: Path, job: Job) -> Path:
-    """Write one document of the report as it is now; runs on a job's thread."""
-    job.report(0, 1, target.name)
+def _model(folder: Path | None, measurement: Measurement, job: Job | None) -> ReportModel:
+    """Return the report as it is now, of the measurement alone where its project is not stored, or gone."""
+    from measureapp.progress import NoProgress
     from measureapp.project.folder import ProjectFolder
-    from measureapp.report.documents import write_document
+    from measureapp.report.compose import compose
     from measureapp.report.project import compose_project
 
-    return write_document(compose_project(ProjectFolder.open(folder), measurement, progress=job), kind, target)  # type: ignore[arg-type]
+    if folder is None or not (folder / "project.json").exists():
+        return compose(measurement)
+    return compose_project(ProjectFolder.open(folder), measurement, progress=job or NoProgress())
+
+
+def export_document(kind: str, folder: Path | None, measurement: Measurement, target: Path, job: Job) -> Path:
+    """Write one document of the report as it is now; runs on a job's thread."""
+    job.report(0, 1, target.name)
+    from measureapp.report.documents import write_document
+
+    return write_document(_model(folder, measurement, job), kind, target)  # type: ignore[arg-type]
 
 
 def save_documents(folder: Path, measurement: Measurement, job: Job) -> dict[str, Path]:
@@ -181,7 +193,7 @@ def save_documents(folder: Path, measurement: Measurement, job: Job) -> dict[str
     return write_reports(ProjectFolder.open(folder), measurement)
 
 
-def export(kind: str, source: Path | None, measurement: Measurement, target: Path, job: Job) -> Path:
+def export(kind: str, measurement: Measurement, target: Path, job: Job) -> Path:
     """Write one document; runs on a job's thread."""
     job.report(0, 1, target.name)
     from measureapp.project.geometry.files import write_cloud, write_mesh
@@ -192,8 +204,6 @@ def export(kind: str, source: Path | None, measurement: Measurement, target: Pat
         write_mesh(target, measurement.mesh)
     elif kind == "stl":
         raise InputError("This measurement has no surface mesh.", "Recompute the project to create one.")
-    else:
-        _copy(source, target)
     return target
 
 
@@ -204,12 +214,3 @@ def export_open(cloud: StitchedCloud, target: Path, job: Job) -> Path:
 
     write_mesh(target, triangulate_open_patch(cloud, job))
     return target
-
-
-def _copy(source: Path | None, target: Path) -> None:
-    from measureapp.project.atomic import replacing
-
-    if source is None or not source.exists():
-        raise StorageError("This document does not exist yet.", "Recompute the project to create its documents.")
-    with replacing(target) as temporary:
-        shutil.copyfile(source, temporary)

@@ -64,6 +64,7 @@ class Fault:
     stored: int
     planned: int
     following: str = ""  # viewpoint that is taken next
+    is_lost: bool = False  # the folder is gone, with what was stored
 
     @property
     def may_resume(self) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -141,7 +142,18 @@ class OperatorRun(QObject):
         """Show a fault when a run has ended without a result."""
         if self.waits and self._session.run.state == "idle":
             self.waits = False
-            self.fault = self._fault()
+            fault = self.fault = self._fault()
+            self.faultChanged.emit()
+            folder = self._folder
+            if fault.stored and folder is not None:  # by a job: a disk that does not answer must not stop the window
+                title = "Looking for what is stored"
+                self._reading.run(title, lambda _job: (fault, work.is_stored(folder)), self._show_stored, quiet=True)
+
+    @Slot(object)
+    def _show_stored(self, found: tuple[Fault, bool]) -> None:
+        fault, is_stored = found
+        if fault is self.fault and not is_stored:
+            self.fault = replace(fault, is_lost=True)
             self.faultChanged.emit()
 
     def _fault(self) -> Fault:

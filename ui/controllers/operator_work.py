@@ -192,6 +192,14 @@ def next_run_folder(settings: OperatorSettings, program: str, serial: str) -> Pa
     return next(part / f"run-{number}" for number in numbers if not (part / f"run-{number}").exists())
 
 
+def is_stored(folder: Path) -> bool:
+    """Return whether the project of a run is where it was stored."""
+    try:
+        return (folder / "project.json").is_file()
+    except OSError:
+        return False
+
+
 def scan_request(rig: RigDescription, program: PartProgram, entered: Entered, settings: OperatorSettings, folder: Path) -> ScanRequest:
     """Return the scan of one part; what is stored in its folder already is kept."""
     from measureapp.pipeline.run import NewProject, ScanRequest

@@ -170,6 +170,7 @@ class ProgrammingController(QObject):
     def edit(self, change: Edit, words: str) -> bool:
         """Edit the program; an edit that is not possible is refused with a message. Return whether it was made."""
         if self.state is None or not self.can_change:
+            _tell_if_gone(self._session)
             return False
         try:
             after = change(self.state.program)
@@ -231,6 +232,7 @@ class ProgrammingController(QObject):
         """Save the edited program with the project, and the results with the report if they belong to it."""
         folder, measurement, state = self.folder, self._session.measurement, self.state
         if folder is None or measurement is None or state is None or not self.can_change:
+            _tell_if_gone(self._session)
             return
         current = self.is_current
         self._runner.run(
@@ -330,6 +332,14 @@ class ProgrammingController(QObject):
 def added_words(name: str) -> str:
     """Return what is told of a new entry, by its name as tables show it."""
     return tr("{name} added to the inspection program.", name=sentence_case(name))
+
+
+def _tell_if_gone(session: Session) -> None:
+    """Say that the project's folder is gone, where that is why nothing can be changed; the edits are kept in the window."""
+    folder = session.folder
+    if folder is not None and session.measurement is not None and not (folder / "project.json").exists():
+        words = tr("The project folder {folder} is gone.", folder=folder)
+        session.tell(words, "Connect its disk again, or put the folder back where it was.", "error", cause=MOMENT)
 
 
 def _status(is_stale: bool, found: Dimension | None, is_measuring: bool) -> Status:

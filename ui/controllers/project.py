@@ -187,8 +187,7 @@ class ProjectController(QObject):
         session.set_rig(read.rig)
         session.set_plan(read.plan)
         session.set_calibration(read.calibration)
-        for id_ in read.stored:
-            session.set_viewpoint(id_, "stored")
+        session.set_stored(read.stored)
         if read.measurement is not None:
             session.set_measurement(read.measurement, read.files, read.filters)
         session.set_validity(read.validity)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-from PySide6.QtCore import QTimer
 from PySide6.QtWidgets import QWidget
 
 from ui.images.camera_view import CameraView
@@ -25,10 +24,6 @@ class CameraImages(QWidget):
         self.images: dict[str, CameraView] = {}
         self._saturations: dict[str, int] = {}
         self._shown: dict[str, tuple[str, float]] = {}  # viewpoint and saturated share of the image of a camera
-        self._waiting: dict[str, tuple[np.ndarray, str, int]] = {}  # the first images of cameras whose axes are not made yet
-        self._next = QTimer(self)
-        self._next.setSingleShot(True)
-        self._next.timeout.connect(self._show_waiting)
         self._layout = column(spacing=8)
         self.setLayout(self._layout)
 
@@ -37,7 +32,6 @@ class CameraImages(QWidget):
         if saturations == self._saturations:
             return
         clear(self._layout)
-        self._waiting.clear()
         self._saturations, self._shown = dict(saturations), {}
         self.images = {name: CameraView(self._look, name) for name in saturations}
         for image in self.images.values():
@@ -56,21 +50,7 @@ class CameraImages(QWidget):
         share = float(np.mean(pixels[::EVERY, ::EVERY] >= saturation))
         self._shown[camera] = (of, share)
         saturated = tr(" · {share} saturated", share=percent(share, 1)) if share > LEAST_SHOWN else ""
-        image = pixels, f"{camera} · {exposure(exposure_us)}{saturated}", saturation
-        if self._next.isActive() and self.images[camera].is_new:
-            self._waiting[camera] = image  # to make the axes of all cameras at once would hold up the window
-        else:
-            self._show(camera, image)
-
-    def _show(self, camera: str, image: tuple[np.ndarray, str, int]) -> None:
-        if self.images[camera].is_new:
-            self._next.start()
-        self.images[camera].show_image(*image)
-
-    def _show_waiting(self) -> None:
-        if self._waiting:
-            camera = next(iter(self._waiting))
-            self._show(camera, self._waiting.pop(camera))
+        self.images[camera].show_image(pixels, f"{camera} · {exposure(exposure_us)}{saturated}", saturation)
 
     @property
     def is_empty(self) -> bool:

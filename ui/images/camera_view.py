@@ -62,11 +62,6 @@ class CameraView(QWidget):
         """Whether there is no image."""
         return self.map.is_empty
 
-    @property
-    def is_new(self) -> bool:
-        """Whether no image has been shown yet: the first one takes longer."""
-        return self.map.plot is None
-
     def show_image(self, pixels: np.ndarray, caption: str, saturation: int | None = None) -> None:
         """Show an image (H, W) of 8 or 16 bits, its pixels that reach ``saturation`` in red."""
         self.map.show_layer(frame_layer(pixels), saturation)

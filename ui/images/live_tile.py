@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-from PySide6.QtCore import QTimer
-from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QWidget
 
 from ui.charts.level_histogram import EVERY, SATURATED_IS_MUCH, LevelHistogram
@@ -28,23 +26,8 @@ class LiveTile(QWidget):
         layout.setStretch(0, 1)
         self.setLayout(layout)
 
-    def showEvent(self, event: QShowEvent) -> None:
-        """Make the axes before the first image."""
-        super().showEvent(event)
-        QTimer.singleShot(0, self, self._prepare)
-
-    def _prepare(self) -> None:
-        """Make the axes one after the other, so that the window answers in between."""
-        for chart in (self.image.map, self.histogram):
-            if chart.plot is None:
-                chart.prepare()
-                QTimer.singleShot(0, self, self._prepare)
-                return
-
     def show_pixels(self, pixels: np.ndarray, exposure_us: int) -> None:
         """Show a new image (H, W)."""
-        if self.isVisible() and (self.image.map.plot is None or self.histogram.plot is None):
-            return  # the axes are being made; the next image comes within a tenth of a second
         self.image.show_image(pixels, f"{self._camera} · {exposure(exposure_us)}", self._saturation)
         self.histogram.show_levels(pixels, self._saturation)
         thin = pixels[::EVERY, ::EVERY]

@@ -43,6 +43,8 @@ class MapView(Chart):
         self.saturation: int | None = None
         self.cursor_pixel: Pixel | None = None
         self._shape = (0, 0)
+        self._is_unfitted = False  # an image of another size is not fitted into the view yet
+        self._ends: tuple[Pixel, Pixel] | None = None  # of the line
         self._items: dict[str, Any] = {}
         self._moving = False  # the line, by the program
         self.setMinimumSize(320, 240)
@@ -60,11 +62,8 @@ class MapView(Chart):
         self._show("Picture", pixels.shape[:2])
 
     def _show(self, words: str, shape: tuple[int, ...]) -> None:
-        new, self._shape = shape != self._shape, (shape[0], shape[1])
-        self.setAccessibleDescription(tr("{words}, {width} × {height} px", words=words, width=shape[1], height=shape[0]))
-        self.draw()  # zoom, cursor and line need the axes
-        if new:
-            self.show_all()
+        self._is_unfitted, self._shape = self._is_unfitted or shape != self._shape, (shape[0], shape[1])
+        self.redraw(tr("{words}, {width} × {height} px", words=words, width=shape[1], height=shape[0]))
 
     @property
     def is_empty(self) -> bool:
@@ -81,18 +80,24 @@ class MapView(Chart):
     def show_all(self) -> None:
         """Fit the image into the view."""
         if self.plot is not None:
+            self._is_unfitted = False
             height, width = self._shape
             self.plot.setRange(xRange=(-0.5, width - 0.5), yRange=(-0.5, height - 0.5), padding=0.0)
 
     def show_line(self, ends: tuple[Pixel, Pixel] | None) -> None:
         """Draw the line of a profile between two pixels, or none."""
-        if self.plot is None or (ends is None and "line" not in self._items):
+        self._ends = ends
+        if self.plot is not None:
+            self._place_line(self.plot)
+
+    def _place_line(self, plot: Plot) -> None:
+        if self._ends is None and "line" not in self._items:
             return
-        line = self._line(self.plot)
-        line.setVisible(ends is not None)
-        if ends is not None:
+        line = self._line(plot)
+        line.setVisible(self._ends is not None)
+        if self._ends is not None:
             self._moving = True
-            for handle, (row, column) in zip(line.getHandles(), ends, strict=True):
+            for handle, (row, column) in zip(line.getHandles(), self._ends, strict=True):
                 line.movePoint(handle, (column, row), coords="parent")
             self._moving = False
 
@@ -118,13 +123,20 @@ class MapView(Chart):
     def choose(self, pixel: Pixel | None) -> None:
         """Put the cursor on a pixel, and scroll to it; or remove the cursor."""
         self.cursor_pixel = pixel
-        if self.plot is None:
-            return
-        self._items["cursor"].setData(*([], []) if pixel is None else ([pixel[1]], [pixel[0]]))
-        if pixel is not None and not self.plot.getViewBox().viewRect().contains(QPointF(pixel[1], pixel[0])):
-            shown = self.plot.getViewBox().viewRect()
+        if self.plot is not None:
+            self._place_cursor(self.plot)
+
+    def _place_cursor(self, plot: Plot) -> None:
+        pixel = self.cursor_pixel
+        self._mark_cursor()
+        if pixel is not None and not plot.getViewBox().viewRect().contains(QPointF(pixel[1], pixel[0])):
+            shown = plot.getViewBox().viewRect()
             shown.moveCenter(QPointF(pixel[1], pixel[0]))
-            self.plot.setRange(shown, padding=0.0)
+            plot.setRange(shown, padding=0.0)
+
+    def _mark_cursor(self) -> None:
+        pixel = self.cursor_pixel
+        self._items["cursor"].setData(*([], []) if pixel is None else ([pixel[1]], [pixel[0]]))
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         """Move the cursor by one pixel, with Shift by ten."""
@@ -213,6 +225,10 @@ class MapView(Chart):
         for name in ("image", "cursor", "line"):
             if name in self._items:
                 plot.addItem(self._items[name])
+        self._mark_cursor()
+        self._place_line(plot)
+        if self._is_unfitted:
+            self.show_all()
         if self._over is not None:
             self._over(plot, theme)
 
@@ -240,7 +256,8 @@ class MapView(Chart):
         for handle in line.getHandles():
             at = line.mapToParent(handle.pos())
             ends.append((min(max(0, round(at.y())), self._shape[0] - 1), min(max(0, round(at.x())), self._shape[1] - 1)))
-        self.lineMoved.emit(tuple(ends))
+        self._ends = ends[0], ends[1]  # where it stays when the image is another
+        self.lineMoved.emit(self._ends)
 
 
 def _coloured(layer: Layer) -> np.ndarray:

@@ -75,9 +75,9 @@ class CalibrationPage(Page):
         layout.setStretch(1, 100)
         self.body.setLayout(layout)
         self._rows: list[SolutionRow] = []
-        session.calibrationChanged.connect(self._show)
-        session.rigChanged.connect(self._show)
-        session.busyChanged.connect(self._show_busy)
+        self.follow(session.calibrationChanged, self._show)
+        self.follow(session.rigChanged, self._show)
+        self.follow(session.busyChanged, self._show_busy)
         self._show()
 
     def _make_menus(self) -> None:

@@ -114,8 +114,11 @@ class DistanceTool(QObject):
 
     def keep_for(self, where: object) -> None:
         """Discard points of another cloud or alignment."""
-        if where != self._where:
-            self._where, self._first, self.distances = where, None, []
+        if where == self._where:
+            return
+        had_any = self._first is not None or bool(self.distances)
+        self._where, self._first, self.distances = where, None, []
+        if had_any:
             self.changed.emit()
 
     def lines(self, colour: tuple[int, int, int]) -> list[LineLayer]:

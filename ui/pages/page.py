@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import ClassVar
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QObject, Qt, Signal, SignalInstance, Slot
+from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QStackedWidget, QWidget
 
 from ui.controllers.controllers import Controllers
@@ -35,6 +37,7 @@ class Page(QWidget):
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self.look, self.session, self.controllers, self.empty = look, session, controllers, empty
         self.properties = NOTHING_SELECTED
+        self._owed: dict[Callable[[], object], None] = {}  # what was not shown while the page was out of sight, in order
         self.title, self.state = label(self.word, "title"), label("", "soft", wrap=True)
         self.action_row = row(spacing=8)
         self.body = QWidget()
@@ -70,6 +73,29 @@ class Page(QWidget):
             if widget is not None:
                 widget.setVisible(filled)
 
+    def follow(self, signal: SignalInstance, *shows: Callable[[], object]) -> None:
+        """Call ``shows`` whenever ``signal`` is emitted: at once while the page is in sight, else once when it comes into sight.
+
+        To show at every event of a job what nobody sees would hold up the window. Results of a closed project are let go at once.
+        """
+        for show in shows:
+            signal.connect(Following(self, show).take)
+
+    def owe(self, show: Callable[[], object]) -> None:
+        """Call ``show`` now, or when the page comes into sight."""
+        if self.isVisible() or (self.shows_results and self.session.is_letting_go):
+            self._owed.pop(show, None)
+            show()
+        else:
+            self._owed[show] = None
+
+    def showEvent(self, event: QShowEvent) -> None:
+        """Show what changed while the page was out of sight."""
+        super().showEvent(event)
+        owed, self._owed = self._owed, {}
+        for show in owed:
+            show()
+
     def say_running(self, heading: str, text: str) -> None:
         """Say on the empty page what the running job brings; one that reads a project calibrates, plans and measures nothing."""
         if self.session.busy_with in (OPENING, OPENING_SAMPLE):
@@ -89,3 +115,16 @@ class Page(QWidget):
 
     def close_page(self) -> None:
         """Release resources that must not outlive the window."""
+
+
+class Following(QObject):
+    """Tells a page that there is something to show; it goes with the page."""
+
+    def __init__(self, page: Page, show: Callable[[], object]) -> None:
+        super().__init__(page)
+        self._page, self._show = page, show
+
+    @Slot()
+    def take(self) -> None:
+        """Show it, now or later."""
+        self._page.owe(self._show)

@@ -47,7 +47,6 @@ class ReportPage(Page):
         self._pages = column(spacing=16)
         self._sheet.setLayout(self._pages)
         self.pages: list[PagePicture] = []
-        self._is_stale = False
         self._scroll = QScrollArea()
         self._scroll.setWidgetResizable(True)
         self._scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
@@ -85,8 +84,8 @@ class ReportPage(Page):
         self.action_row.addWidget(self.open_pdf)
         controllers.documents.pagesReady.connect(self.show_pages)
         controllers.documents.pagesFailed.connect(self._show_no_pages)
-        session.reportChanged.connect(self._show)
-        session.busyChanged.connect(self._show_busy)
+        self.follow(session.reportChanged, self._show)
+        self.follow(session.busyChanged, self._show_busy)
         self._show()
 
     def open_repeats(self) -> None:
@@ -125,8 +124,8 @@ class ReportPage(Page):
             return
         documents = self.controllers.documents
         for kind, made in self.exports.items():
-            made.setVisible(kind in ("ply", "open") or (kind == "stl" and measurement.mesh is not None) or documents.can_write(kind))
-        self.open_pdf.setVisible(documents.can_write("pdf"))
+            made.setVisible(documents.can_export(kind))
+        self.open_pdf.setVisible(documents.can_open_pdf)
         self.state.setText(
             tr(
                 "{part_words}, measured {value}.",
@@ -138,13 +137,7 @@ class ReportPage(Page):
         times = tuple((sentence_case(name), f"{seconds:.1f} s") for name, seconds in measurement.timings_s.items())
         groups = [Group("Measurement", rows), *([Group("Time", times)] if times else [])]
         self.show_properties(Properties("Report", tuple(groups)))
-        self._draw_pages()
-
-    def _draw_pages(self) -> None:
-        """Have the pages drawn, or remember it until this page is shown: drawing takes a second of a processor."""
-        self._is_stale = self.session.measurement is not None and not self.isVisible()
-        if not self._is_stale:
-            self.controllers.documents.preview()
+        documents.preview()
 
     def show_pages(self, pages: tuple[QImage, ...]) -> None:
         """Show the pages of the report."""
@@ -172,10 +165,8 @@ class ReportPage(Page):
         QTimer.singleShot(0, self, self._fit_pages)
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Draw the pages if the measurement is another one, and fit them to the available width."""
+        """Fit the pages to the available width."""
         super().showEvent(event)
-        if self._is_stale:
-            self._draw_pages()
         QTimer.singleShot(0, self, self._fit_pages)
 
     @property
@@ -196,7 +187,7 @@ class ReportPage(Page):
 
     def export(self, kind: str) -> None:
         """Ask for a file and export a document or geometry to it."""
-        words, _, ending = FORMATS[kind]
+        words, ending = FORMATS[kind]
         name = safe_file_name(self.session.project_name or "measurement", f".{ending}")
         chosen = choose_new(self, words, name, "exports", f"*.{ending}")
         if chosen is not None:

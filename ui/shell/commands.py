@@ -186,7 +186,7 @@ def _exports(window: CommandedWindow) -> tuple[Action, ...]:
     def reason(kind: str) -> str:
         if window.session.measurement is None:
             return "No part has been measured."
-        return "The measurement has nothing of this kind." if page.exports[kind].isHidden() else ""
+        return "" if window.controllers.documents.can_export(kind) else "The measurement has nothing of this kind."
 
     return tuple(
         Action(f"report.{kind}", f"{words}…", partial(page.export, kind), EXPORT_KEYWORDS, "report", why_not=partial(reason, kind))

@@ -91,7 +91,7 @@ def _spread(flange: FloatArray, angle: FloatArray) -> tuple[float, FloatArray]:
 
 
 def _verdict(spread_deg: float, axis: FloatArray) -> str:
-    direction = " ".join(f"{value:.2f}" for value in axis)
+    direction = ", ".join(f"{value:.2f}" for value in axis)
     if spread_deg < PARALLEL_DEG:
         raise CalibrationError(
             f"All motions turn about nearly the same axis of the flange ({direction}; {spread_deg:.1f}° from parallel): "

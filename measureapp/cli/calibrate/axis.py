@@ -11,7 +11,7 @@ import typer
 from measureapp.cli.calibrate.limits import RequiredLimits, limit_lines, limits_answer
 from measureapp.cli.calibrate.option_groups import with_groups
 from measureapp.cli.calibrate.options import Answer, BoardSource
-from measureapp.cli.reply import TerminalProgress
+from measureapp.cli.reply import TerminalProgress, triple
 from measureapp.errors import InputError
 
 if TYPE_CHECKING:
@@ -160,8 +160,7 @@ def _lines(document: dict[str, Any]) -> list[str]:
     for name in ("least_squares", "distance_weighted", "maximum_likelihood"):
         if name in document:
             entry = document[name]
-            direction = " ".join(f"{value:+.6f}" for value in entry["direction"])
-            point = " ".join(f"{value:.3f}" for value in entry["point_mm"])
+            direction, point = triple(entry["direction"], 6), triple(entry["point_mm"], 3)
             deviations = entry["standard_deviations"]
             lines.append(
                 f"  {name:<19} direction {direction} ± {deviations['direction_deg']:.4f}°, point {point} ± {deviations['point_mm']:.4f} mm, "

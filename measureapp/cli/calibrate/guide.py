@@ -13,7 +13,7 @@ from measureapp.cli.calibrate.limits import RequiredLimits, limit_lines, limits_
 from measureapp.cli.calibrate.option_groups import with_groups
 from measureapp.cli.calibrate.options import Answer, BoardPosesOption, BoardSource, RobotPosesOption
 from measureapp.cli.calibrate.pose_options import GuidePositionsOption, RobotNoise
-from measureapp.cli.reply import TerminalProgress
+from measureapp.cli.reply import TerminalProgress, triple
 from measureapp.errors import InputError, MeasureError
 
 if TYPE_CHECKING:
@@ -140,10 +140,9 @@ def guide_answer(solution: GuideSolution, names: list[str]) -> dict[str, Any]:
 
 
 def _lines(document: dict[str, Any]) -> list[str]:
-    direction = " ".join(f"{value:+.6f}" for value in document["direction"])
     deviations = document["standard_deviations"]
     return [
-        f"Guide direction {direction} ± {deviations['direction_deg']:.4f}°, scale {document['scale']:.6f} ± {deviations['scale']:.6f}",
+        f"Guide direction {triple(document['direction'], 6)} ± {deviations['direction_deg']:.4f}°, scale {document['scale']:.6f} ± {deviations['scale']:.6f}",
         f"  straightness {document['straightness_mm']['rms']:.4f} mm rms over {document['stroke_mm']:.0f} mm; "
         f"pure +Y would have cost {document['paper_cost_mm']:.3f} mm",
         *(f"  rejected: {name}: {reason}" for name, reason in document["moved"].items()),

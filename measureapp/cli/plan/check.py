@@ -82,7 +82,11 @@ def _document(plan: ScanPlan, found: PlanCheck, coverage: PlanCoverage | None) -
         else {
             "predicted": coverage.predicted,
             "twice": coverage.twice,
-            "unreachable": [{"reason": reason, "share": share} for reason, share in coverage.unseen().items()],
+            "unreachable": [
+                {"reason": reason, "share": share, "by_any_viewpoint": by_any}
+                for shares, by_any in ((coverage.unmeasurable(), True), (coverage.unseen(), False))
+                for reason, share in shares.items()
+            ],
         },
     }
 
@@ -93,6 +97,7 @@ def _lines(plan: ScanPlan, found: PlanCheck, coverage: PlanCoverage | None) -> l
     lines += [found.note] if found.note else []
     if coverage is not None:
         lines.append(f"Predicted coverage {coverage.predicted:.1%}; {coverage.twice:.1%} are seen twice or more.")
+        lines += [f"Not measurable: {share:.1%}, {cause}." for cause, share in coverage.unmeasurable().items()]
         lines += [
             f"  seen by no viewpoint of this plan, {share:.1%}: {reason} at the best one" for reason, share in coverage.unseen().items()
         ]

@@ -10,7 +10,7 @@ import numpy as np
 import typer
 
 from measureapp.cli.plan.options import PoseFileOption, TurnOption, UpsideDownOption, pose_of_options
-from measureapp.cli.reply import JsonOption, TerminalProgress, reply
+from measureapp.cli.reply import JsonOption, TerminalProgress, reply, triple
 from measureapp.data.length_unit import LengthUnit, likely_unit
 from measureapp.errors import InputError
 
@@ -163,5 +163,4 @@ def _lines(made: GeneratedPlan) -> list[str]:
 
 
 def _area_line(cause: str, area_mm2: float, place_mm: tuple[float, float, float]) -> str:
-    x, y, z = place_mm
-    return f"  {area_mm2:.0f} mm² near ({x:.0f}, {y:.0f}, {z:.0f}) mm: {cause}"
+    return f"  {area_mm2:.0f} mm² near {triple(place_mm, 0)} mm: {cause}"

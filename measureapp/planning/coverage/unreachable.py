@@ -39,6 +39,7 @@ class Cause(StrEnum):
 
 
 ORDER = tuple(Cause)
+UNKNOWN = -1
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,23 +58,23 @@ def find_causes(
     head: Head,
     scene: PartScene,
     limits: VisibilityLimits,
-    candidates: tuple[FloatArray, FloatArray],
+    candidates: tuple[FloatArray, FloatArray] | None,
     progress: Progress,
 ) -> IntArray:
-    """Return the index in `ORDER` of what prevents each of N samples, none of which any feasible viewpoint sees, (N,) int.
+    """Return the index in `ORDER` of what prevents each of N samples, none of which the viewpoints at hand see, (N,) int.
 
     Conditions are relaxed one after the other: for a head anywhere in space, whatever the incidence and light; then at an admissible
     incidence; then only at poses within reach; then only where nothing collides.
 
     Parameters
     ----------
-    candidates : part_from_head (V, 4, 4) of all poses within reach, and of those of them at which nothing touches
+    candidates : part_from_head (V, 4, 4) of all poses within reach, and of those of them at which nothing touches; None: they are not
+        known, and what a head anywhere in space would measure is `UNKNOWN`
     """
-    reachable, free = candidates
-    cause = np.full(len(samples), ORDER.index(Cause.LIGHT))
+    cause = np.full(len(samples), UNKNOWN)
 
     def blame(what: Cause, sees: Callable[[SurfaceSamples], BoolArray]) -> None:
-        left = np.flatnonzero(cause == ORDER.index(Cause.LIGHT))
+        left = np.flatnonzero(cause == UNKNOWN)
         if len(left):
             cause[left[~sees(samples.subset(left))]] = ORDER.index(what)
 
@@ -81,9 +82,12 @@ def find_causes(
     blame(Cause.SUPPORT, lambda some: ~touches_support(some, scene))
     blame(Cause.NO_PAIR, lambda some: _seen_from_anywhere(some, head, scene, limits.without_incidence(), progress))
     blame(Cause.INCIDENCE, lambda some: _seen_from_anywhere(some, head, scene, limits.without_light(), progress))
+    if candidates is None:
+        return cause
+    reachable, free = candidates
     blame(Cause.REACH, lambda some: _seen_from_any(reachable, some, head, scene, limits.without_light(), progress))
     blame(Cause.COLLISION, lambda some: _seen_from_any(free, some, head, scene, limits.without_light(), progress))
-    return cause
+    return np.where(cause == UNKNOWN, ORDER.index(Cause.LIGHT), cause)
 
 
 def as_areas(unseen: IntArray, cause: IntArray, samples: SurfaceSamples) -> tuple[UnreachableArea, ...]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import errno
 import hashlib
 import os
+import re
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
@@ -17,6 +18,8 @@ NOT_ALLOWED = (errno.EACCES, errno.EPERM, errno.EROFS)
 MISPLACED = (errno.EEXIST, errno.ENOTDIR, errno.EISDIR)
 FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
 BLOCK = 8 * 2**20
+PART = re.compile(r"^\.(?P<stem>.+)\.(?P<process>\d+)(-(?P<run>[0-9a-f]{6})-[0-9a-f]{6})?\.part(?P<ending>\.[^.]*)?$")
+"""Name of a file or folder while it is being written, see `publish.part_of`."""
 
 
 @contextmanager
@@ -38,8 +41,15 @@ def explained(path: Path) -> Iterator[None]:
         raise storage_error(path, error) from error
 
 
+def _final_name(name: str) -> str:
+    """Return the name that a file or folder has when it is written."""
+    part = PART.match(name)
+    return name if part is None else part["stem"] + (part["ending"] or "")
+
+
 def storage_error(path: Path, error: OSError) -> StorageError:
     """Return the StorageError for ``error`` on ``path``."""
+    path = Path(*(_final_name(name) for name in path.parts))
     reason = error.strerror or _without_system_words(error)
     message = f"{path} cannot be written: {reason}."
     if error.errno in FULL:

@@ -28,7 +28,6 @@ HOLDER = ".lock.json"
 WRITING = ".journal.lock"
 WRITING_TIMEOUT_S = 30.0
 SEAL = "journal.seal.json"
-PART = re.compile(r"^\..+\.(?P<process>\d+)(-(?P<run>[0-9a-f]{6})-[0-9a-f]{6})?\.part(\.[^.]*)?$")
 RUN = secrets.token_hex(3)  # of this program: after a restart of the computer another one may have its process number
 OWN = {database.JOURNAL, *database.COMPANIONS, LOCK, HOLDER, WRITING, SEAL}
 
@@ -48,7 +47,7 @@ def part_of(path: Path) -> Path:
 
 def is_part(relative: Path) -> bool:
     """Whether a path inside a project is a file that is being written, or lies in a folder of such files."""
-    return any(PART.match(name) for name in relative.parts)
+    return any(disk.PART.match(name) for name in relative.parts)
 
 
 def project_of(path: Path) -> Path | None:
@@ -154,10 +153,10 @@ def sweep(project: Path) -> None:
     """Delete temporary files and folders of programs that do not run any more."""
     for folder, folders, files in os.walk(project):
         for name in (*files, *folders):
-            if (found := PART.match(name)) and not _is_running(found):
+            if (found := disk.PART.match(name)) and not _is_running(found):
                 shutil.rmtree(Path(folder) / name, ignore_errors=True)
                 discard([Path(folder) / name])
-        folders[:] = [name for name in folders if not PART.match(name)]
+        folders[:] = [name for name in folders if not disk.PART.match(name)]
 
 
 def _is_running(found: re.Match[str]) -> bool:
@@ -181,7 +180,7 @@ def _take_places(project: Path, entry: Entry) -> None:
             with disk.explained(folder):
                 disk.sync_folder(folder)
     for name in {state.part.split("/")[0] for state in entry.files.values() if state is not None}:
-        if PART.match(name):  # a folder of staged files
+        if disk.PART.match(name):  # a folder of staged files
             shutil.rmtree(project / name, ignore_errors=True)
 
 
@@ -204,4 +203,4 @@ def _writing(project: Path) -> Iterator[None]:
 
 def vanished(project: Path) -> DiskFailed:
     """Return the error for a project whose folder is not there any more."""
-    return DiskFailed(f"The project {project} is not there any more.", "Restore the folder, or connect its disk again.")
+    return DiskFailed(f"The project folder {project} is gone.", "Connect its disk again, or put the folder back where it was.")

@@ -36,9 +36,15 @@ def shown(qtbot, chart, width=480, height=200):
     return chart
 
 
+def begun(qtbot, chart):
+    """Wait until the axes are made, which charts do in turn."""
+    qtbot.waitUntil(lambda: chart.plot is not None)
+
+
 def test_bars_have_the_lengths_of_their_values_with_names_and_unit(qtbot, look):
     chart = shown(qtbot, BarChart(look, "Contribution"))
     chart.show_bars(BARS)
+    begun(qtbot, chart)
     (bars,) = drawn(chart, pg.BarGraphItem)
     assert bars.opts["width"] == [bar.value for bar in BARS]
     bottom, left = chart.plot.axes
@@ -56,6 +62,7 @@ def test_bars_have_the_lengths_of_their_values_with_names_and_unit(qtbot, look):
 def test_no_percentage_beyond_the_whole_is_written_at_an_axis(qtbot, look):
     chart = shown(qtbot, BarChart(look, "Valid pixels", "%", lambda value: f"{value:.1f} %", most=100.0), 320)
     chart.show_bars([Bar("80 ms", 96.8), Bar("Composite", 99.9)])
+    begun(qtbot, chart)
     bottom = chart.plot.axes[0]
     assert bottom.range[1] > 100.0  # room for the numbers behind the bars
     assert bottom.tickStrings([0, 50, 100, 150], 1.0, 50.0) == ["0", "50", "100", ""]
@@ -67,6 +74,7 @@ def test_the_deviation_histogram_counts_finite_values_on_the_range_of_the_legend
     legend = Legend("Deviation", -0.05, 0.05, tolerance=(-0.03, 0.03))
     chart = shown(qtbot, DeviationHistogram(look))
     chart.show_values(values, legend)
+    begun(qtbot, chart)
     heights, strip = drawn(chart, pg.BarGraphItem)
     expected, _ = np.histogram(np.clip(values[7:], -0.05, 0.05), BINS, (-0.05, 0.05))
     assert heights.opts["y1"] == pytest.approx(expected)
@@ -90,6 +98,7 @@ def test_levels_are_shares_and_saturation_is_marked_only_where_it_is_much(qtbot,
     chart = shown(qtbot, LevelHistogram(look), 240, 90)
     pixels = np.full((64, 64), 100, np.uint8)
     chart.show_levels(pixels, 255)
+    begun(qtbot, chart)
     (bars,) = drawn(chart, pg.BarGraphItem)
     assert chart.shares.sum() == pytest.approx(1.0) and int(np.argmax(chart.shares)) == 25
     fail = look.theme.colour("verdict_fail")
@@ -116,6 +125,7 @@ def test_a_run_chart_has_every_value_at_its_part_and_marks_those_beyond_a_limit(
     chart = shown(qtbot, RunChart(look))
     values = np.array([10.0, 10.02, np.nan, 10.06, 9.99])
     chart.show_run(Run("width", "mm", values, (9.95, 10.05), 10.0175))
+    begun(qtbot, chart)
     (points,) = drawn(chart, pg.PlotDataItem)
     assert points.xData.tolist() == [1, 2, 4, 5] and points.yData.tolist() == [10.0, 10.02, 10.06, 9.99]
     fail, usual = look.theme.colour("verdict_fail"), look.theme.colour("accent")
@@ -140,6 +150,7 @@ def test_a_run_of_few_or_equal_values_is_drawn(qtbot, look, values):
 def test_charts_follow_the_theme_without_new_data(qtbot, look):
     chart = shown(qtbot, BarChart(look, "Contribution"))
     chart.show_bars(BARS)
+    begun(qtbot, chart)
     for shade in ("dark", "light"):
         look.set_shade(shade)
         theme = Theme.load(shade)
@@ -154,6 +165,7 @@ def test_charts_follow_the_theme_without_new_data(qtbot, look):
 def test_a_chart_that_cannot_be_seen_takes_the_theme_when_it_is_shown(qtbot, look):
     chart = shown(qtbot, BarChart(look, "Contribution"))
     chart.show_bars(BARS)
+    begun(qtbot, chart)
     chart.hide()
     look.set_shade("dark")
     assert chart.plot.backgroundBrush().color() == Theme.load("light").colour("surface")
@@ -181,6 +193,7 @@ def test_data_that_arrive_out_of_sight_are_drawn_when_the_chart_is_shown(qtbot, 
 def test_negative_numbers_have_a_true_minus_sign_and_no_prefix(qtbot, look):
     chart = shown(qtbot, DeviationHistogram(look))
     chart.show_values(np.zeros(3), Legend("Deviation", -0.0005, 0.0005))
+    begun(qtbot, chart)
     texts = chart.plot.axes[0].tickStrings([-0.0004, 0.0004], 1.0, 0.0001)
     assert texts == ["\u22120.0004", "0.0004"]
 

@@ -16,6 +16,17 @@ def look(qapp):
 
 
 @pytest.fixture
+def begun(qtbot):
+    """Wait until the axes of a map are made, which charts do in turn, and everything is laid out."""
+
+    def wait(view):
+        qtbot.waitUntil(lambda: view.plot is not None)
+        qtbot.wait(30)
+
+    return wait
+
+
+@pytest.fixture
 def view(qtbot, look):
     made = MapView(look)
     qtbot.addWidget(made)

@@ -12,9 +12,10 @@ from tests.ui.images.maps import LARGE, phase_map
 from ui.images.layers import Layer, frame_layer, layer_of
 
 
-def test_a_map_draws_its_array_with_scale_and_unit(view):
+def test_a_map_draws_its_array_with_scale_and_unit(view, begun):
     layer = layer_of(phase_map(), "phase")
     view.show_layer(layer)
+    begun(view)
     image, scale = view._items["image"], view._items["scale"]
     assert np.array_equal(image.image, layer.values, equal_nan=True)
     assert tuple(image.getLevels()) == pytest.approx(layer.span)
@@ -26,28 +27,29 @@ def test_a_map_draws_its_array_with_scale_and_unit(view):
 
 
 @pytest.mark.parametrize("pixel", [(0, 0), (39, 59), (20, 31)])
-def test_the_pixel_under_the_cursor_is_the_one_that_is_drawn_there(qtbot, view, pixel):
+def test_the_pixel_under_the_cursor_is_the_one_that_is_drawn_there(view, begun, pixel):
     view.show_layer(layer_of(phase_map(), "phase"))
-    qtbot.wait(30)
+    begun(view)
     assert view.pixel_at(view.place_of(*pixel)) == pixel
 
 
-def test_saturated_pixels_of_a_stored_image_are_red(view):
+def test_saturated_pixels_of_a_stored_image_are_red(view, begun):
     image = np.full((20, 30), 100, np.uint8)
     image[4, 5] = 255
     view.show_layer(frame_layer(image), 255)
+    begun(view)
     item = view._items["image"]
     assert tuple(item.lut[item.image[0, 0]]) == (100, 100, 100)
     assert tuple(item.lut[item.image[4, 5]]) == (209, 73, 91)
 
 
 @pytest.mark.parametrize("colour", [(12, 90, 200), (240, 128, 7)])
-def test_a_picture_is_drawn_in_its_colours_from_the_first_time_on(qtbot, view, colour):
+def test_a_picture_is_drawn_in_its_colours_from_the_first_time_on(view, begun, colour):
     pixels = np.empty((30, 40, 3), np.uint8)
     pixels[:] = colour
     for _ in range(2):
         view.show_pixels(pixels)
-        qtbot.wait(30)
+        begun(view)
         drawn = view.grab().toImage().pixelColor(view.place_of(15, 20).toPoint())
         assert drawn.getRgb()[:3] == colour
 

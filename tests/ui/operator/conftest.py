@@ -38,6 +38,7 @@ class Workshop:
     qtbot: Any
     verdicts: tuple[str, ...] = ("pass", "pass", "pass", "pass")
     fault: DeviceError | None = None
+    is_folder_lost: bool = False  # after a fault
     requests: list[Any] = field(default_factory=list)
 
     @property
@@ -60,6 +61,8 @@ class Workshop:
             session.set_plan(request.plan)
             first = next(iter(request.plan)).id
             session.set_viewpoint(first, "stored")
+            if not self.is_folder_lost:
+                self.stored_project(request)
             session.tell(self.fault.message, self.fault.hint, "error")
             session.set_run(RunNow("idle"))
             return
@@ -76,8 +79,7 @@ class Workshop:
         moment = (datetime.now(UTC) - timedelta(seconds=10 - len(self.requests))).isoformat()
         inspection = replace(self.measurement.inspection, dimensions=dimensions)
         found = replace(self.measurement, inspection=inspection, measured_at=moment)
-        new = request.created
-        project = ProjectFolder.create(request.folder, ProjectSettings(name=new.name, part=new.part, rig=request.rig, board=new.board))
+        project = self.stored_project(request)
         with project.lock():
             project.save_calibration(self.measurement.calibration)
             project.save_plan(request.plan)
@@ -86,6 +88,11 @@ class Workshop:
             project.report_pdf.parent.mkdir(exist_ok=True)
             project.report_pdf.write_bytes(b"%PDF-1.7 of this run")
         return found
+
+    def stored_project(self, request: Any) -> ProjectFolder:
+        """Create the project of a scan, or open it."""
+        new = request.created
+        return ProjectFolder.create(request.folder, ProjectSettings(name=new.name, part=new.part, rig=request.rig, board=new.board))
 
     def wait(self, condition: Callable[[], Any]) -> None:
         """Wait for a job; what the window said meanwhile is in the failure."""

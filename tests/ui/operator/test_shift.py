@@ -183,6 +183,30 @@ def test_stop_is_answered_at_once_and_an_operator_is_not_sent_to_a_page_he_has_n
     assert run.cause.text() == "The measurement was stopped." and run.remedy.text() == "The project folder is gone."
 
 
+def test_what_is_gone_with_its_folder_is_not_said_to_be_kept(workshop):
+    workshop.fault, workshop.is_folder_lost = DeviceError("The project folder is gone.", ""), True
+    workshop.identify("GC-0016")
+    workshop.screens.identify.next.click()
+    workshop.load_and_start()
+    run = workshop.screens.run
+    workshop.wait(lambda: workshop.operator.fault.is_lost)
+    assert run.kept.text() == "The folder of this part is gone, with all that was stored in it."
+    assert run.press.text() == "When it is back, hold Resume. Otherwise start again." and run.resume.isVisible()
+
+
+def test_the_engineer_can_be_called_while_a_run_is_paused(workshop, monkeypatch):
+    session = workshop.application.session
+    monkeypatch.setattr(workshop.application.controllers.scanning, "run", lambda *_: session.set_run(RunNow("running")))
+    workshop.identify("GC-0017")
+    workshop.screens.identify.next.click()
+    workshop.load_and_start()
+    run = workshop.screens.run
+    assert not run.help.isVisible()
+    session.set_run(RunNow("paused", "The project folder is gone.", "Connect its disk again."))
+    run.help.click()
+    assert "The project folder is gone." in workshop.screens.call.words.text()
+
+
 def test_a_fault_of_many_words_leaves_the_buttons_where_they_are_pressed(workshop):
     workshop.fault = DeviceError("Seven devices cannot be connected. " + "Camera left: no camera with this serial number answers. " * 12)
     workshop.window.resize(1280, 720)

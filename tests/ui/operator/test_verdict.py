@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
+import pytest
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QLabel
 
@@ -18,6 +19,28 @@ def test_the_pages_of_the_report_are_shown(workshop):
     workshop.application.controllers.documents.pagesReady.emit((page, page))
     shown = [one for one in report.findChildren(QLabel) if not one.pixmap().isNull() and one.pixmap().height() > 300]
     assert len(shown) == 2
+
+
+@pytest.mark.parametrize(
+    ("verdicts", "advice"),
+    [
+        (("pass", "pass"), ""),
+        (("pass", "fail"), "Put the part aside."),
+        (("pass", "not proven"), "Too close to a limit to decide."),
+        (("pass", "not measured"), "Not everything could be measured."),
+        (("no tolerance", "no tolerance"), "The program has no tolerances"),
+    ],
+)
+def test_each_verdict_says_what_to_do_next(workshop, verdicts, advice):
+    workshop.verdicts = verdicts
+    workshop.identify("GC-0020")
+    workshop.screens.identify.next.click()
+    workshop.load_and_start()
+    workshop.wait(lambda: workshop.operator.filed is not None)
+    shown = workshop.screens.verdict.advice
+    assert shown.text().startswith(advice) and shown.isVisible() == bool(advice) == bool(shown.text())
+    workshop.screens.verdict.call.click()
+    assert f"The verdict is {workshop.screens.verdict.band.word.text()}." in workshop.screens.call.words.text()
 
 
 def test_a_part_is_not_shown_from_below_where_nothing_was_measured(inspection):

@@ -38,6 +38,23 @@ def test_properties_end_with_the_project(application, filled, plan, measurement)
         assert "view-0" not in str(filled.properties.shown) and "left" not in str(filled.properties.shown), name
 
 
+def test_a_page_out_of_sight_shows_once_what_it_missed_and_lets_a_closed_project_go_at_once(application, filled, measurement):
+    filled.show_page("clouds")
+    page, session = filled.pages["inspection"], application.session
+    shown = []
+    page.follow(session.inspectionChanged, lambda: shown.append(session.inspection))
+    for _ in range(3):
+        session.set_inspection(measurement.inspection)
+    assert not shown
+    filled.show_page("inspection")
+    assert shown == [measurement.inspection] and page.side.table.texts()
+    session.set_inspection(measurement.inspection)
+    assert len(shown) == 2
+    filled.show_page("clouds")
+    session.open_project("another", "gear", None)
+    assert shown[2:] == [None] and page.is_empty and not page.side.table.texts()
+
+
 def test_properties_of_a_viewpoint_end_when_it_is_deleted_and_come_back_with_undo(application, filled, qtbot):
     filled.show_page("plan")
     page = filled.page

@@ -109,10 +109,9 @@ class CloudsPage(ViewportPage):
         self.view.pointPicked.connect(self._show_point)
         self.view.legendEdited.connect(self._edit_scale)
         self.stage.valueChanged.connect(self._forget_point)
-        session.cloudsChanged.connect(self._show)
-        session.cloudsChanged.connect(lambda: self.distance.keep_for(session.stitched or session.views))
         session.projectChanged.connect(self.table.hidden.clear)
-        session.busyChanged.connect(self._show_busy)
+        self.follow(session.cloudsChanged, self._show, self._forget_distances)
+        self.follow(session.busyChanged, self._show_busy)
         self._show()
 
     @cached_property
@@ -283,6 +282,10 @@ class CloudsPage(ViewportPage):
     def _forget_point(self) -> None:
         self._point = None
         self._show_marks()
+
+    def _forget_distances(self) -> None:
+        """Discard distances in former clouds."""
+        self.distance.keep_for(self.session.stitched or self.session.views)
 
     def _show_distances(self) -> None:
         """Show the measured distances, and what to click next."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from PySide6.QtCore import QTimer, Slot
+from PySide6.QtCore import Slot
 from PySide6.QtWidgets import QWidget
 
 from measureapp.errors import MeasureError
@@ -105,19 +105,6 @@ class ImagesDialog(ViewDialog):
     def steering(self) -> tuple[QWidget, ...]:
         """Return the choices of map and image."""
         return self.kind, self.frames, self.line, self.whole
-
-    def load(self) -> None:
-        """Decode, or show what is known."""
-        QTimer.singleShot(0, self, self._prepare)
-        super().load()
-
-    def _prepare(self) -> None:
-        """Make the axes while the images are decoded, one after the other so that the window answers in between."""
-        for chart in (self.map, self.chart, self.histogram, self.panel.upper, self.panel.lower):
-            if chart.plot is None:
-                chart.prepare()
-                QTimer.singleShot(0, self, self._prepare)
-                return
 
     @Slot(str)
     def show_stopped(self, reason: str) -> None:

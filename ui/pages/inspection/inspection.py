@@ -81,16 +81,16 @@ class InspectionPage(ViewportPage):
             (QKeySequence.StandardKey.Find, self.side.filter.search.setFocus),
         ):
             QShortcut(key, self, act, context=Qt.ShortcutContext.WidgetWithChildrenShortcut)
-        session.inspectionChanged.connect(self._show)
         session.cloudsChanged.connect(self.redraw)
-        session.cloudsChanged.connect(self._forget_distances)
-        session.comparisonChanged.connect(self._show_comparison)
+        self.follow(session.inspectionChanged, self._show)
+        self.follow(session.cloudsChanged, self._forget_distances)
+        self.follow(session.comparisonChanged, self._show_comparison)
         session.projectChanged.connect(self.display.forget)
         look.changed.connect(self.content.show)
         self.view.legendEdited.connect(self.display.take_legend)
         self.display.changed.connect(self._show_display)
-        session.busyChanged.connect(self._show_busy)
-        session.appearanceChanged.connect(self._show_undo)
+        self.follow(session.busyChanged, self._show_busy)
+        self.follow(session.appearanceChanged, self._show_undo)
         self._show_comparison()
         self._show_distances()
         self._show()
@@ -104,7 +104,7 @@ class InspectionPage(ViewportPage):
         self.labels.toggled.connect(self._show_all_flags)
         contouring = self.controllers.contouring
         self.clicking = ClickingTools(look, self.controllers.growing, contouring, self.side.contour, self)
-        contouring.changed.connect(self._show_contour)
+        self.follow(contouring.changed, self._show_contour)
         self.distance, self.grow = self.clicking.distance, self.clicking.grow
         self.distance.changed.connect(self._show_distances)
         self.undo = Button("Undo", look, "undo", "quiet", UNDO)
@@ -113,7 +113,7 @@ class InspectionPage(ViewportPage):
         self.program = ProgramTools(look, self.session, self.controllers, self)
         for widget in (self.hint, self.undo, self.program.text, self.program.nominal):
             self.action_row.addWidget(widget)
-        self.controllers.programming.changed.connect(self._show_program)
+        self.follow(self.controllers.programming.changed, self._show_program)
         self.side.deviation.storeAsked.connect(self._store_scale)
         self.cut = SectionBar(look)
         self.cutting = Cutting(self.session, self.cut, self.controllers.drawing, self)

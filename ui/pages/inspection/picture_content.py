@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
-from PySide6.QtCore import QObject, Slot
+from PySide6.QtCore import QObject, QTimer, Slot
 
 from ui.look.look import Look
 from ui.pages.inspection.clicking import ClickingTools
@@ -41,6 +41,9 @@ class PictureContent(QObject):
         self.all_flags = False
         self.is_deviation = False
         self._preview: Feature | None = None  # construction that is not confirmed yet
+        self._soon = QTimer(self)
+        self._soon.setSingleShot(True)
+        self._soon.timeout.connect(self._draw)
         side.create.previewed.connect(self._show_preview)
         view.flagMoved.connect(self._pin)
         view.flagChosen.connect(self._choose)
@@ -52,6 +55,11 @@ class PictureContent(QObject):
 
     @Slot()
     def show(self) -> None:
+        """Draw with the next event, once for everything that changed: one choice changes several of the things that are drawn."""
+        self._soon.start(0)
+
+    @Slot()
+    def _draw(self) -> None:
         """Outline all features in grey and those of the selected row in colour; a dimension has a flag with its value."""
         inspection, chosen = self._session.inspection, self._side.selection
         if inspection is None:

@@ -32,10 +32,13 @@ STEPS = {  # status of the present viewpoint
 NO_CLOUD = "The measured points appear here when the first viewpoint is computed."
 CALIBRATED_FIRST = "The rig is calibrated first"
 NOT_EMERGENCY = "Stop is not an emergency stop."
+CALL = "Call the engineer"
 RESUME = "Resume: hold for 1 s"
 KEPT = "{stored} of {planned} viewpoints are stored and kept."
 NOTHING_KEPT = "No viewpoint was stored yet."
 PRESS = "If the part has not been moved, hold Resume: the measurement goes on with {following}. If it has been moved, start again."
+LOST = "The folder of this part is gone, with all that was stored in it."
+PRESS_LOST = "When it is back, hold Resume. Otherwise start again."
 PRESS_PROCESS = "All viewpoints are stored. Hold Resume to compute the result, or start again."
 
 
@@ -73,10 +76,17 @@ class RunScreen(QWidget):
     def _running(self, look: Look) -> QWidget:
         self.pause, self.go_on = BigButton("Pause", look, "pause"), BigButton("Go on", look, "run", "primary")
         self.stop = BigButton("Stop", look, "stop", "stop")
+        self.help = BigButton(CALL, look, "person")
         self.paused = big_label("", "strong", wrap=True)
         panel = QWidget()
         layout = column(
-            _readable(self.paused), self.pause, self.go_on, 8, self.stop, big_label(NOT_EMERGENCY, "soft", wrap=True), spacing=16
+            _readable(self.paused),
+            self.pause,
+            row(self.help, self.go_on, spacing=12),
+            8,
+            self.stop,
+            big_label(NOT_EMERGENCY, "soft", wrap=True),
+            spacing=16,
         )
         layout.setStretch(0, 1)
         panel.setLayout(layout)
@@ -86,7 +96,7 @@ class RunScreen(QWidget):
         self.cause, self.remedy = big_label("", "error", wrap=True), big_label("", "body", wrap=True)
         self.kept, self.press = big_label("", "strong", wrap=True), big_label("", "body", wrap=True)
         self.resume = HoldButton(RESUME, look, "run")
-        self.again, self.call = BigButton("Start again", look, "again"), BigButton("Call the engineer", look, "person")
+        self.again, self.call = BigButton("Start again", look, "again"), BigButton(CALL, look, "person")
         self.home = BigButton("Part programs", look, "home")
         panel = QWidget()
         words = _readable(self.cause, self.remedy, self.kept, self.press)
@@ -103,7 +113,8 @@ class RunScreen(QWidget):
         self.resume.held.connect(operator.run.resume)
         self.again.pressedOnce.connect(operator.start)
         self.home.pressedOnce.connect(operator.go_home)
-        self.call.pressedOnce.connect(self.callClicked)
+        for call in (self.help, self.call):
+            call.pressedOnce.connect(self.callClicked)
         operator.run.faultChanged.connect(self._show_state)
         operator.stepChanged.connect(self._begin)
         self._controllers.jobs.progressed.connect(self._take_progress)
@@ -140,10 +151,11 @@ class RunScreen(QWidget):
     def _show_state(self) -> None:
         fault, run = self._controllers.operator.fault, self._session.run
         self._panels.setCurrentIndex(0 if fault is None else 1)
-        self._panels.setFixedWidth(SIDE_WIDTH if fault is None else FAULT_WIDTH)
         for shown in (self.bar, self.time):
             shown.setVisible(fault is None)
         paused = run.state == "paused"
+        self._panels.setFixedWidth(FAULT_WIDTH if paused or fault is not None else SIDE_WIDTH)
+        self.help.setVisible(paused)
         self.pause.setVisible(not paused)
         self.go_on.setVisible(paused)
         self.paused.setText(with_hint(run.cause, run.remedy) if paused else "")
@@ -155,8 +167,9 @@ class RunScreen(QWidget):
         self.cause.setText(translated(fault.cause))
         self.remedy.setText(translated(fault.remedy))
         self.remedy.setVisible(bool(fault.remedy))
-        self.kept.setText(tr(KEPT, stored=fault.stored, planned=fault.planned) if fault.stored else translated(NOTHING_KEPT))
-        self.press.setText(tr(PRESS, following=fault.following) if fault.following else translated(PRESS_PROCESS) if fault.stored else "")
+        kept, press = _kept_words(fault)
+        self.kept.setText(kept)
+        self.press.setText(press)
         self.resume.setVisible(bool(self.press.text()))  # images of a calibration are kept, too, before any viewpoint is stored
         self.resume.restore()
 
@@ -211,6 +224,16 @@ class RunScreen(QWidget):
             return Picture(tuple(layers))
 
         self.view.compose(compose if views else None)
+
+
+def _kept_words(fault: Fault) -> tuple[str, str]:
+    """Return what is kept after a fault, and what to press."""
+    if fault.is_lost:
+        return translated(LOST), translated(PRESS_LOST)
+    kept = tr(KEPT, stored=fault.stored, planned=fault.planned) if fault.stored else translated(NOTHING_KEPT)
+    if fault.following:
+        return kept, tr(PRESS, following=fault.following)
+    return kept, translated(PRESS_PROCESS) if fault.stored else ""
 
 
 def _readable(*words: QWidget) -> QScrollArea:

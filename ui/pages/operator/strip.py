@@ -45,6 +45,8 @@ class ShiftStrip(QFrame):
 
     def show_shift(self, count: ShiftCount, since: datetime) -> None:
         """Show the numbers of a shift that began at ``since``."""
+        if self._shown == (count, since):
+            return  # asked every minute: signs that are made anew would flicker
         self._shown = count, since
         self.since.setText(tr("Since {since:%H:%M}: {count}", since=since, count=_parts(count.parts)))
         numbers = {"pass": count.passed, "fail": count.failed, "not proven": count.open}

@@ -21,6 +21,12 @@ from ui.widgets.basic import clear, column, row
 
 SIGN_PX, WORD_PX = 96, 96
 SIDE_WIDTH = 520
+NEXT = {  # what an operator can do about a verdict
+    "fail": "Put the part aside. If it was dirty or clamped wrongly, mend that and press Repeat.",
+    "not proven": "Too close to a limit to decide. Clean the part and press Repeat, or put it aside and call the engineer.",
+    "not measured": "Not everything could be measured. Clean the part, see that it lies right, and press Repeat.",
+}
+UNDECIDED = "The program has no tolerances, so nothing was decided. Call the engineer."
 DRIFTED = "A camera has moved since the calibration: the values may be wrong. Call the engineer."
 
 
@@ -92,6 +98,7 @@ class VerdictScreen(QWidget):
         self._cards = column(spacing=8)
         self.filed = big_label("", "soft", wrap=True)
         self.problem = big_label("", "error", wrap=True)
+        self.advice = big_label("", "strong", wrap=True)
         side = QWidget()
         side.setFixedWidth(SIDE_WIDTH)
         layout = column(self._cards, 0, self.problem, self.filed, spacing=8)
@@ -99,7 +106,7 @@ class VerdictScreen(QWidget):
         middle = row(side, big_card(self.view, margin=2), spacing=16)
         middle.setContentsMargins(24, 0, 24, 0)
         middle.setStretch(1, 1)
-        whole = column(self.band, middle, self._buttons(look), spacing=12)
+        whole = column(self.band, middle, row(24, self.advice, 24), self._buttons(look), spacing=12)
         whole.setStretch(1, 1)
         self.setLayout(whole)
         self._operator.run.began.connect(self.view.clear)
@@ -150,6 +157,9 @@ class VerdictScreen(QWidget):
             self._cards.addWidget(WorstCard(self._look, words.name, words.value, words.limit, words.verdict))
         drift = measurement.validity.drift
         self._drifted = drift is not None and drift.status == "drifted"
+        undecided = all(one.verdict == "no tolerance" for one in dimensions) and bool(dimensions)
+        self.advice.setText(translated(UNDECIDED if undecided else NEXT.get(str(verdict), "")))
+        self.advice.setVisible(bool(self.advice.text()) and not self._drifted)  # a camera that has moved is told as a problem
         self.view.compose(part_composer(measurement, self._look.theme.shade))
         if inspection is not None:
             self.view.mark(*drawn(inspection, self._look.theme))

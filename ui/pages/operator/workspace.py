@@ -182,7 +182,13 @@ class OperatorWorkspace(QWidget):
         operator = self._controllers.operator
         facts, fault = operator.facts, operator.fault
         about = [] if facts is None else [" ".join((facts.name, operator.entered.serial)).strip() + "."]
-        about += [fault.cause] if fault is not None and operator.step == "run" else operator.why_not() if operator.step == "load" else []
+        match operator.step:
+            case "run":
+                about += [self._session.run.cause if fault is None else fault.cause]
+            case "load":
+                about += operator.why_not()
+            case "verdict":
+                about += [tr("The verdict is {verdict}.", verdict=loud(self.verdict.band.verdict))]
         self.call.call(" ".join(about))
 
     def _show_details(self) -> None:

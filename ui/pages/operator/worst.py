@@ -68,7 +68,7 @@ def _limit(dimension: Dimension, unit: str) -> str:
         "past": quantity(abs(deviation - bound), unit),
     }
     if dimension.verdict == "not proven":
-        return tr("at most {limit}, U = {u}" if above else "at least {limit}, U = {u}", **words)
+        return tr("at most {limit}, measured to ± {u}" if above else "at least {limit}, measured to ± {u}", **words)
     if dimension.verdict == "fail":
         return tr("at most {limit}: {past} too large" if above else "at least {limit}: {past} too small", **words)
     return tr("at most {limit}" if above else "at least {limit}", **words)

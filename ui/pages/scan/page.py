@@ -112,12 +112,13 @@ class ScanPage(ViewportPage):
         self.bar.retakeClicked.connect(self._retake)
         self.tiles.tileClicked.connect(self._choose)
         controllers.stored_images.imagesReady.connect(self.show_images)
-        session.viewpointsChanged.connect(self._show)
         session.cloudsChanged.connect(self.redraw)
-        session.rigChanged.connect(self._make_images)
         session.projectChanged.connect(self._forget)
-        session.runChanged.connect(self._show_started)
-        session.busyChanged.connect(self._show_busy)
+        session.runChanged.connect(self._leave_setup)
+        self.follow(session.rigChanged, self._make_images)
+        self.follow(session.viewpointsChanged, self._show)
+        self.follow(session.runChanged, self._show)
+        self.follow(session.busyChanged, self._show_busy)
 
     # what people do
 
@@ -153,10 +154,10 @@ class ScanPage(ViewportPage):
     def _show_checked(self, checked: CheckedScan) -> None:
         self.setup.show_checked(checked)
 
-    def _show_started(self) -> None:
+    def _leave_setup(self) -> None:
+        """A run is shown as soon as there is one."""
         if self.session.run.state != "idle":
             self._wants_setup = False
-        self._show()
 
     def _forget(self) -> None:
         self.tiles.choose("")
