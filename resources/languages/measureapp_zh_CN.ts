@@ -10075,7 +10075,7 @@
     </message>
     <message>
       <source>The project folder {v1} is gone.</source>
-      <translation>项目文件夹 {v1} 已不在。</translation>
+      <translation>项目文件夹 {v1} 已不存在。</translation>
     </message>
     <message>
       <source>The results in {v1} cannot be read: {v2}</source>
