@@ -48,7 +48,6 @@ class PluginManifest(Model):
 
 
 UNALLOWED = "It does not come with the program and was not allowed as it is now."
-ALLOW = "If you trust it, run: measureapp plugins --folder {0.folder.parent} --allow {0.id}"
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,7 +94,8 @@ def discover(folder: Path | None = None) -> tuple[PluginRow, ...]:
         for path in sorted(place.glob(f"*/{MANIFEST}")):
             row = _row(path)
             if not row.problem and not is_allowed(row.folder):
-                row = replace(row, problem=UNALLOWED, hint=ALLOW.format(row), allowed=False)
+                allow = f"If you trust it, run: measureapp plugins --folder {row.folder.parent} --allow {row.id}"
+                row = replace(row, problem=UNALLOWED, hint=allow, allowed=False)
             twin = next((other for other in rows if other.id == row.id), None)
             rows.append(row if twin is None else _refused_as_twin(row, twin))
     return tuple(rows)

@@ -1915,12 +1915,24 @@
   <context>
     <name>core.acquire</name>
     <message>
-      <source>Black and white by turns</source>
-      <translation>黑白交替</translation>
+      <source>A camera</source>
+      <translation>某台相机</translation>
+    </message>
+    <message>
+      <source>A controller</source>
+      <translation>某台控制器</translation>
+    </message>
+    <message>
+      <source>A step of {v1}{v2} by hand is too large.</source>
+      <translation>手动单步 {v1}{v2} 过大。</translation>
     </message>
     <message>
       <source>Camera {v1} is saturated even at {v2} µs.</source>
       <translation>相机 {v1} 在 {v2} µs 时仍饱和。</translation>
+    </message>
+    <message>
+      <source>Check for a collision or a protective stop, then repeat the viewpoint.</source>
+      <translation>请检查是否发生碰撞或保护性停止，然后重做该视点。</translation>
     </message>
     <message>
       <source>Check its power and cable, and connect the rig again.</source>
@@ -1931,8 +1943,44 @@
       <translation>请检查其电源和电缆，然后重新连接测量系统；若再次发生，请报告驱动的作者。</translation>
     </message>
     <message>
+      <source>Check projector, trigger lines and ambient light.</source>
+      <translation>请检查投影仪、触发线和环境光。</translation>
+    </message>
+    <message>
+      <source>Check the drives and the brakes, then repeat the viewpoint.</source>
+      <translation>请检查驱动器和制动器，然后重做该视点。</translation>
+    </message>
+    <message>
+      <source>Check the guide, then repeat the viewpoint.</source>
+      <translation>请检查导轨，然后重做该视点。</translation>
+    </message>
+    <message>
+      <source>Check the projector's lamp and ambient light.</source>
+      <translation>请检查投影仪的灯和环境光。</translation>
+    </message>
+    <message>
+      <source>Check the projector's lamp and lens cap, and the viewpoint.</source>
+      <translation>请检查投影仪的灯和镜头盖，以及该视点。</translation>
+    </message>
+    <message>
+      <source>Check the table, then repeat the viewpoint.</source>
+      <translation>请检查转台，然后重做该视点。</translation>
+    </message>
+    <message>
+      <source>Choose at most {v1}{v2}.</source>
+      <translation>请选择不超过 {v1}{v2} 的步长。</translation>
+    </message>
+    <message>
       <source>Images of the board from {v1}</source>
       <translation>来自 {v1} 的标定板图像</translation>
+    </message>
+    <message>
+      <source>It is taken again at the end of the run.</source>
+      <translation>运行结束时会重新拍摄它。</translation>
+    </message>
+    <message>
+      <source>Make it ready, then resume the run.</source>
+      <translation>请使其就绪，然后继续运行。</translation>
     </message>
     <message>
       <source>Name a viewpoint of the plan.</source>
@@ -1943,12 +1991,20 @@
       <translation>没有可跳过的视点。</translation>
     </message>
     <message>
+      <source>Paused by the user.</source>
+      <translation>已由用户暂停。</translation>
+    </message>
+    <message>
       <source>Point the cameras at a stationary surface (--plan), and check the projector.</source>
       <translation>请将相机对准静止表面 (--plan)，并检查投影仪。</translation>
     </message>
     <message>
       <source>Reduce the light, or close the aperture.</source>
       <translation>请减弱光线，或缩小光圈。</translation>
+    </message>
+    <message>
+      <source>Resume the run to go on.</source>
+      <translation>请继续运行。</translation>
     </message>
     <message>
       <source>Set sequence = "software" in [head] of the rig description.</source>
@@ -1967,6 +2023,10 @@
       <translation>请重新启动运行。</translation>
     </message>
     <message>
+      <source>The camera delivers stale images: check its trigger line and its driver.</source>
+      <translation>相机送出过期图像：请检查其触发线和驱动。</translation>
+    </message>
+    <message>
       <source>The control of a run cannot be used for another one.</source>
       <translation>一次运行的控制不能用于另一次。</translation>
     </message>
@@ -1975,8 +2035,32 @@
       <translation>相机 {v1} 的图像在 {v2} µs 时过暗。</translation>
     </message>
     <message>
+      <source>The images of {v1} are in memory; they are stored first when the run goes on.</source>
+      <translation>{v1} 的图像在内存中；运行继续时会先存储它们。</translation>
+    </message>
+    <message>
+      <source>The linear guide</source>
+      <translation>直线导轨</translation>
+    </message>
+    <message>
+      <source>The measuring head</source>
+      <translation>测头</translation>
+    </message>
+    <message>
+      <source>The projector</source>
+      <translation>投影仪</translation>
+    </message>
+    <message>
       <source>The rig {v1} is in use by another task.</source>
       <translation>测量系统 {v1} 正被另一任务使用。</translation>
+    </message>
+    <message>
+      <source>The robot</source>
+      <translation>机器人</translation>
+    </message>
+    <message>
+      <source>The rotary table</source>
+      <translation>转台</translation>
     </message>
     <message>
       <source>The run has ended.</source>
@@ -2011,6 +2095,14 @@
       <translation>请等待其完成，或停止。</translation>
     </message>
     <message>
+      <source>a run that is {v1} cannot become {v2}</source>
+      <translation>状态为 {v1} 的运行不能变为 {v2}</translation>
+    </message>
+    <message>
+      <source>cancelled by the user.</source>
+      <translation>已由用户取消。</translation>
+    </message>
+    <message>
       <source>exposure {v1} ms</source>
       <translation>曝光 {v1} ms</translation>
     </message>
@@ -2021,6 +2113,22 @@
     <message>
       <source>probe: image {v1} at {v2} ms</source>
       <translation>试测：图像 {v1}，{v2} ms</translation>
+    </message>
+    <message>
+      <source>viewpoint {v1}, which is {v2}, cannot become {v3}</source>
+      <translation>状态为 {v2} 的视点 {v1} 不能变为 {v3}</translation>
+    </message>
+    <message>
+      <source>{v1} ({v2}) is not ready: {v3} {v4}</source>
+      <translation>{v1}（{v2}）未就绪：{v3} {v4}</translation>
+    </message>
+    <message>
+      <source>{v1} It is tried once more at the end of the run.</source>
+      <translation>{v1} 运行结束时会再试一次。</translation>
+    </message>
+    <message>
+      <source>{v1} The images stored before are kept.</source>
+      <translation>{v1} 此前存储的图像已保留。</translation>
     </message>
     <message>
       <source>{v1} cannot trigger cameras, as the hardware sequence of {v2} needs.</source>
@@ -2035,8 +2143,40 @@
       <translation>{v1} 失败：{v2}：{v3}。</translation>
     </message>
     <message>
+      <source>{v1} of {v2} viewpoints are stored and kept; not {v3}. Continue the run to take the missing ones.</source>
+      <translation>{v2} 个视点中有 {v1} 个已存储并保留；未存储：{v3}。请继续运行以拍摄缺少的视点。</translation>
+    </message>
+    <message>
       <source>{v1}: image {v2} at {v3} ms</source>
       <translation>{v1}：图像 {v2}，{v3} ms</translation>
+    </message>
+    <message>
+      <source>{v1}: image {v2} of camera {v3} at {v4} µs is an image of {v5}.</source>
+      <translation>{v1}：相机 {v3} 在 {v4} µs 下的图像 {v2} 是 {v5} 的图像。</translation>
+    </message>
+    <message>
+      <source>{v1}: no camera sees fringes: the projector was dark, or nothing is in view.</source>
+      <translation>{v1}：没有相机看到条纹：投影仪不亮，或视野中没有物体。</translation>
+    </message>
+    <message>
+      <source>{v1}: the guide stopped at {v2} mm.</source>
+      <translation>{v1}：导轨停在 {v2} mm 处。</translation>
+    </message>
+    <message>
+      <source>{v1}: the light changed by {v2} between the patterns at {v3} µs (camera {v4}).</source>
+      <translation>{v1}：{v3} µs 曝光的图案之间，光强变化了 {v2}（相机 {v4}）。</translation>
+    </message>
+    <message>
+      <source>{v1}: the robot stopped away from its goal, by {v2} mm and {v3}°.</source>
+      <translation>{v1}：机器人停止时偏离目标 {v2} mm、{v3}°。</translation>
+    </message>
+    <message>
+      <source>{v1}: the table stopped at {v2}°.</source>
+      <translation>{v1}：转台停在 {v2}° 处。</translation>
+    </message>
+    <message>
+      <source>{v1}: the {v2} moved while images were taken.</source>
+      <translation>{v1}：拍摄图像期间{v2}发生了移动。</translation>
     </message>
     <message>
       <source>{v1}: {v2} It was tried {v3} times.</source>
@@ -2044,7 +2184,29 @@
     </message>
   </context>
   <context>
+    <name>core.actions</name>
+    <message>
+      <source>the action {v1} is registered twice</source>
+      <translation>操作 {v1} 注册了两次</translation>
+    </message>
+    <message>
+      <source>{v1} and {v2} have the same shortcut {v3}</source>
+      <translation>{v1} 与 {v2} 的快捷键同为 {v3}</translation>
+    </message>
+  </context>
+  <context>
+    <name>core.arrays</name>
+    <message>
+      <source>expected an array of shape {v1}, got {v2}</source>
+      <translation>应为形状 {v1} 的数组，实际为 {v2}</translation>
+    </message>
+  </context>
+  <context>
     <name>core.axis_modbus</name>
+    <message>
+      <source>Check for an obstacle, a limit switch, and the scale of the drive.</source>
+      <translation>请检查障碍物、限位开关和驱动器的比例。</translation>
+    </message>
     <message>
       <source>Check its emergency stop, its supply and its interlocks.</source>
       <translation>请检查其急停、电源和联锁。</translation>
@@ -2054,8 +2216,16 @@
       <translation>请检查端口或地址、电缆和电源，并确认没有其他程序使用。</translation>
     </message>
     <message>
+      <source>Check power, cable, station number and baud rate.</source>
+      <translation>请检查电源、电缆、站号和波特率。</translation>
+    </message>
+    <message>
       <source>Check power, cable, station number and baud rate; connect again, and find the reference anew if the drive lost it.</source>
       <translation>请检查电源、电缆、站号和波特率；重新连接，若驱动器丢失参考点，请重新回参考点。</translation>
+    </message>
+    <message>
+      <source>Check speed, counts_per_unit, zero_counts and the map of the drive; nothing was moved.</source>
+      <translation>请检查速度、counts_per_unit、zero_counts 和驱动器映射表；未作任何移动。</translation>
     </message>
     <message>
       <source>Check station number, port and drive map.</source>
@@ -2066,8 +2236,16 @@
       <translation>请检查映射表是否适合此驱动器，以及驱动器状态。</translation>
     </message>
     <message>
+      <source>Check the map of the drive, and that no other program commands it.</source>
+      <translation>请检查驱动器映射表，并确认没有其他程序在控制它。</translation>
+    </message>
+    <message>
       <source>Check the map of the drive.</source>
       <translation>请检查驱动器的映射表。</translation>
+    </message>
+    <message>
+      <source>Choose a goal inside the limits; nothing was moved.</source>
+      <translation>请选择限位以内的目标；未作任何移动。</translation>
     </message>
     <message>
       <source>Correct the file.</source>
@@ -2078,8 +2256,16 @@
       <translation>请更正此字段；README 说明了格式。</translation>
     </message>
     <message>
+      <source>Find its reference before it is moved.</source>
+      <translation>移动前请先寻找参考点。</translation>
+    </message>
+    <message>
       <source>Name one of {v1}, or the path of a map (.toml).</source>
       <translation>请指定 {v1} 之一，或映射表 (.toml) 的路径。</translation>
+    </message>
+    <message>
+      <source>Remove the cause and reset the drive, then {v1}.</source>
+      <translation>请排除原因并复位驱动器，然后{v1}。</translation>
     </message>
     <message>
       <source>There is no drive map {v1}.</source>
@@ -2088,6 +2274,90 @@
     <message>
       <source>[links]: {v1}.</source>
       <translation>[links]：{v1}。</translation>
+    </message>
+    <message>
+      <source>code {v1}</source>
+      <translation>代码 {v1}</translation>
+    </message>
+    <message>
+      <source>conditions.moving or conditions.in_position is needed to know when a move has ended</source>
+      <translation>需要 conditions.moving 或 conditions.in_position 才能知道移动何时结束</translation>
+    </message>
+    <message>
+      <source>connect again</source>
+      <translation>重新连接</translation>
+    </message>
+    <message>
+      <source>does not know this function</source>
+      <translation>不支持此功能</translation>
+    </message>
+    <message>
+      <source>failed while executing the request</source>
+      <translation>执行请求时失败</translation>
+    </message>
+    <message>
+      <source>give either equals or differs</source>
+      <translation>请给出 equals 或 differs 之一</translation>
+    </message>
+    <message>
+      <source>has no such register</source>
+      <translation>没有此寄存器</translation>
+    </message>
+    <message>
+      <source>is busy</source>
+      <translation>正忙</translation>
+    </message>
+    <message>
+      <source>is not reached by the gateway</source>
+      <translation>无法由网关访问</translation>
+    </message>
+    <message>
+      <source>received nothing</source>
+      <translation>未收到任何数据</translation>
+    </message>
+    <message>
+      <source>received {v1}{v2}</source>
+      <translation>收到 {v1}{v2}</translation>
+    </message>
+    <message>
+      <source>refused the request</source>
+      <translation>拒绝了该请求</translation>
+    </message>
+    <message>
+      <source>refuses this value</source>
+      <translation>拒绝此值</translation>
+    </message>
+    <message>
+      <source>registers.{v1} is not described</source>
+      <translation>registers.{v1} 没有描述</translation>
+    </message>
+    <message>
+      <source>see the drive</source>
+      <translation>查看驱动器</translation>
+    </message>
+    <message>
+      <source>sequences.move writes no goal</source>
+      <translation>sequences.move 没有写入目标</translation>
+    </message>
+    <message>
+      <source>sequences.{v1} is not described</source>
+      <translation>sequences.{v1} 没有描述</translation>
+    </message>
+    <message>
+      <source>the drive map</source>
+      <translation>驱动器映射表</translation>
+    </message>
+    <message>
+      <source>the line</source>
+      <translation>线路</translation>
+    </message>
+    <message>
+      <source>the line was closed</source>
+      <translation>线路已关闭</translation>
+    </message>
+    <message>
+      <source>{v1} (station {v2} at {v3}) did not reply ({v4}).</source>
+      <translation>{v1}（{v3} 上的站 {v2}）没有应答（{v4}）。</translation>
     </message>
     <message>
       <source>{v1} (station {v2} at {v3}) does not answer any more: {v4}.</source>
@@ -2102,6 +2372,10 @@
       <translation>{v1} 返回 {v2} 个寄存器，而非 {v3} 个 ({v4})。</translation>
     </message>
     <message>
+      <source>{v1} came to rest {v2} away from its goal.</source>
+      <translation>{v1} 停止时偏离目标 {v2}。</translation>
+    </message>
+    <message>
       <source>{v1} cannot be opened.</source>
       <translation>无法打开 {v1}。</translation>
     </message>
@@ -2114,8 +2388,28 @@
       <translation>{v1} 无法接通伺服。</translation>
     </message>
     <message>
+      <source>{v1} has another goal than was sent.</source>
+      <translation>{v1} 的目标与发送的不同。</translation>
+    </message>
+    <message>
+      <source>{v1} is not referenced.</source>
+      <translation>{v1} 未回参考点。</translation>
+    </message>
+    <message>
+      <source>{v1} reports an alarm: {v2}.</source>
+      <translation>{v1} 报警：{v2}。</translation>
+    </message>
+    <message>
       <source>{v1}: register {v2} reads {v3}, which is not a {v4}.</source>
       <translation>{v1}：寄存器 {v2} 为 {v3}，不是 {v4}。</translation>
+    </message>
+    <message>
+      <source>{v1}: the goal {v2}{v3} is outside {v4}…{v5}{v6}.</source>
+      <translation>{v1}：目标 {v2}{v3} 超出 {v4}…{v5}{v6}。</translation>
+    </message>
+    <message>
+      <source>{v1}: {v2} does not fit the register {v3} ({v4}…{v5}).</source>
+      <translation>{v1}：{v2} 超出寄存器 {v3} 的范围（{v4}…{v5}）。</translation>
     </message>
   </context>
   <context>
@@ -2125,8 +2419,32 @@
       <translation> 在其他机器人位姿下使用时，机器人与手眼关系增加 {v1} (k = 2)。</translation>
     </message>
     <message>
+      <source> {v1} were rejected because they fit badly.</source>
+      <translation>{v1} 因拟合不良被剔除。</translation>
+    </message>
+    <message>
       <source>, beyond what is stated of it ({v1})</source>
       <translation>，超出对其所声明的范围（{v1}）</translation>
+    </message>
+    <message>
+      <source>, which was calibrated as {v1}</source>
+      <translation>，标定时为 {v1}</translation>
+    </message>
+    <message>
+      <source>, {v1} mm at {v2} mm from the head</source>
+      <translation>，距测头 {v2} mm 处为 {v1} mm</translation>
+    </message>
+    <message>
+      <source>1 image</source>
+      <translation>1 幅图像</translation>
+    </message>
+    <message>
+      <source>; solutions from two halves of the views differ by {v1} px for {v2} where {v3} px was predicted</source>
+      <translation>；两半视图的解对 {v2} 相差 {v1} px，而预计为 {v3} px</translation>
+    </message>
+    <message>
+      <source>; there are too few views to compare two halves</source>
+      <translation>；视图太少，无法比较两半</translation>
     </message>
     <message>
       <source>A camera is called {v1}.</source>
@@ -2253,6 +2571,14 @@
       <translation>请先标定整个测量系统。</translation>
     </message>
     <message>
+      <source>Camera drift check: passed; none is off by more than {v1}, and the calibration left {v2} px.</source>
+      <translation>相机漂移检查：通过；偏差均不超过 {v1}，标定的残差为 {v2} px。</translation>
+    </message>
+    <message>
+      <source>Camera {v1} has</source>
+      <translation>相机 {v1} 已</translation>
+    </message>
+    <message>
       <source>Camera {v1} has no images yet.</source>
       <translation>相机 {v1} 尚无图像。</translation>
     </message>
@@ -2289,6 +2615,10 @@
       <translation>请检查导轨位置和位姿是否以 mm 为单位、顺序一致，且标定板未移动。</translation>
     </message>
     <message>
+      <source>Check that no two cameras are exchanged, that images of one position belong together, and that the board's size is right.</source>
+      <translation>请检查相机是否互换、同一位置的图像是否相互对应，以及标定板的尺寸是否正确。</translation>
+    </message>
+    <message>
       <source>Check that robot and board poses are in the same order, and that the rotations are unit quaternions, not degrees.</source>
       <translation>请检查机器人与标定板位姿顺序是否一致，旋转是否为单位四元数而非角度。</translation>
     </message>
@@ -2323,6 +2653,10 @@
     <message>
       <source>Choose one of: </source>
       <translation>请选择其一：</translation>
+    </message>
+    <message>
+      <source>Choose one of: {v1}.</source>
+      <translation>请从以下选择：{v1}。</translation>
     </message>
     <message>
       <source>Choose the calibration of these cameras as they are set now, or calibrate them.</source>
@@ -2421,8 +2755,8 @@
       <translation>请至少给出 {v1} 个，机器人位姿不同，转台转动 60° 以上。</translation>
     </message>
     <message>
-      <source>Give at least {v1}, with different poses of the robot, slide positions and table angles.</source>
-      <translation>请至少给出 {v1} 个，机器人位姿、滑台位置和转台角度各不相同。</translation>
+      <source>Give base_from_flange for the robot and camera_from_board for the board.</source>
+      <translation>请给出机器人的 base_from_flange 和标定板的 camera_from_board。</translation>
     </message>
     <message>
       <source>Give columns and rows of the projector.</source>
@@ -2491,6 +2825,10 @@
     <message>
       <source>Image centre y</source>
       <translation>图像中心 y</translation>
+    </message>
+    <message>
+      <source>It was {v1} °C at the head and {v2} °C at the calibration ({v3} K are allowed), which may cost {v4}: let the head come to its temperature, or check the calibration with a few views of the board.</source>
+      <translation>测头温度为 {v1} °C，标定时为 {v2} °C（允许 {v3} K），可能造成 {v4} 的误差：请待测头达到其温度，或用几个标定板视图检查标定。</translation>
     </message>
     <message>
       <source>Keep the robot still while the guide moves: the errors of its poses would count as errors of the guide</source>
@@ -2571,6 +2909,10 @@
     <message>
       <source>Observations changed since it was solved: solve again.</source>
       <translation>求解之后观测已更改：请重新求解。</translation>
+    </message>
+    <message>
+      <source>One of the cameras {v1} has</source>
+      <translation>相机 {v1} 之一已</translation>
     </message>
     <message>
       <source>Only {v1} corners of the {v2} can be seen; at least {v3} are needed.</source>
@@ -2789,6 +3131,18 @@
       <translation>标定板总共只转动了 {v1}°。</translation>
     </message>
     <message>
+      <source>The calibration does not belong to these cameras: {v1}.</source>
+      <translation>该标定不属于这些相机：{v1}。</translation>
+    </message>
+    <message>
+      <source>The calibration is dated {v1}, which is in the future: check the computer's clock.</source>
+      <translation>标定日期 {v1} 在未来：请检查计算机的时钟。</translation>
+    </message>
+    <message>
+      <source>The calibration of {v1} was valid for {v2} days and has expired; only images of the board show what that means in mm: check it with a few views of the board, or calibrate again.</source>
+      <translation>{v1} 的标定有效期为 {v2} 天，现已过期；只有标定板图像才能显示这相当于多少毫米：请用几个标定板视图检查，或重新标定。</translation>
+    </message>
+    <message>
       <source>The cameras are what is to be calibrated.</source>
       <translation>要标定的正是相机。</translation>
     </message>
@@ -2803,6 +3157,10 @@
     <message>
       <source>The corners of the board cannot be refined.</source>
       <translation>无法细化标定板的角点。</translation>
+    </message>
+    <message>
+      <source>The date of the calibration, {v1}, cannot be read, so that it counts as expired.</source>
+      <translation>无法读取标定日期 {v1}，因此视为已过期。</translation>
     </message>
     <message>
       <source>The derivatives of the board poses with respect to the cameras are missing.</source>
@@ -2821,12 +3179,20 @@
       <translation>图像中有 {v1} 个{v2}所没有的标记（其自身的标记为 0 至 {v3}）。</translation>
     </message>
     <message>
+      <source>The images contradict the calibration of the cameras by {rms:.1f} px in most observations.</source>
+      <translation>在多数观测中，图像与相机标定相差 {rms:.1f} px。</translation>
+    </message>
+    <message>
       <source>The images of camera {v1} are {v2} × {v3} px, it was calibrated for {v4} × {v5} px.</source>
       <translation>相机 {v1} 的图像为 {v2} × {v3} px，而标定时为 {v4} × {v5} px。</translation>
     </message>
     <message>
       <source>The images of cameras {v1} and {v2} do not belong together: in {v3} of {v4} views they show different board positions.</source>
       <translation>相机 {v1} 与 {v2} 的图像不匹配：{v4} 个视图中有 {v3} 个显示不同的标定板位置。</translation>
+    </message>
+    <message>
+      <source>The images of this scan cannot show whether the cameras moved; check them with a few views of the board.</source>
+      <translation>此次扫描的图像无法显示相机是否移动；请用几个标定板视图检查。</translation>
     </message>
     <message>
       <source>The marks in the image do not lie as on a {v1}.</source>
@@ -2881,6 +3247,14 @@
       <translation>这些位姿不能确定旋转。</translation>
     </message>
     <message>
+      <source>The poses turn the camera by at most {v1}° against each other, or by nearly half a turn.</source>
+      <translation>各位姿使相机相互间最多转动 {v1}°，或接近半圈。</translation>
+    </message>
+    <message>
+      <source>The poses turn the camera by at most {v1}° against each other.</source>
+      <translation>各位姿使相机相互间最多转动 {v1}°。</translation>
+    </message>
+    <message>
       <source>The positions of a corner lie on a line, not on an arc.</source>
       <translation>角点的位置成直线，而非圆弧。</translation>
     </message>
@@ -2909,6 +3283,10 @@
       <translation>参考相机 {v1} 没有图像。</translation>
     </message>
     <message>
+      <source>The residuals are {v1} times as large as expected: the board moved, the robot is less accurate than stated, or robot poses belong to other images. Check that the board is fixed, state the robot's errors, or take the poses again.</source>
+      <translation>残差是预期的 {v1} 倍：标定板移动了、机器人不如所述准确，或机器人位姿与图像不对应。请检查标定板是否固定，给出机器人的误差，或重新采集位姿。</translation>
+    </message>
+    <message>
       <source>The rest of the rig is not calibrated yet.</source>
       <translation>测量系统其余部分尚未标定。</translation>
     </message>
@@ -2931,6 +3309,14 @@
     <message>
       <source>The squares of the board are not plain: markers are printed in them.</source>
       <translation>标定板的方格不是纯色：其中印有标记。</translation>
+    </message>
+    <message>
+      <source>The stated uncertainty can be trusted: {v1}{v2}.</source>
+      <translation>所述不确定度可信：{v1}{v2}。</translation>
+    </message>
+    <message>
+      <source>The stated uncertainty is too small, there are errors other than noise: {v1}{v2}. Try 8 distortion coefficients, check the board for flatness and the images for blur.</source>
+      <translation>所述不确定度过小，存在噪声以外的误差：{v1}{v2}。请尝试 8 个畸变系数，检查标定板的平面度和图像的模糊。</translation>
     </message>
     <message>
       <source>The translations of the {v1} poses are about {v2} times too small for those of the others.</source>
@@ -3001,6 +3387,10 @@
       <translation>有：</translation>
     </message>
     <message>
+      <source>There are: {v1}.</source>
+      <translation>有：{v1}。</translation>
+    </message>
+    <message>
       <source>There is no solution yet.</source>
       <translation>尚无解。</translation>
     </message>
@@ -3043,6 +3433,10 @@
     <message>
       <source>To calibrate {v1}, calibrated cameras are needed.</source>
       <translation>标定{v1}需要已标定的相机。</translation>
+    </message>
+    <message>
+      <source>Too many observations of the board contradict each other: {v1}.</source>
+      <translation>过多的标定板观测相互矛盾：{v1}。</translation>
     </message>
     <message>
       <source>Travel of the guide</source>
@@ -3089,6 +3483,10 @@
       <translation>请使用拍摄这些图像的相机的标定。</translation>
     </message>
     <message>
+      <source>Use the calibration of the cameras that took the images: {v1}.</source>
+      <translation>请使用拍摄这些图像的相机的标定：{v1}。</translation>
+    </message>
+    <message>
       <source>View the board from higher up and from lower down: the camera was tilted up and down by only</source>
       <translation>请从更高和更低处观察标定板：相机上下只倾斜了</translation>
     </message>
@@ -3109,6 +3507,14 @@
       <translation>整个测量系统</translation>
     </message>
     <message>
+      <source>a calibration of several cameras</source>
+      <translation>多台相机的标定</translation>
+    </message>
+    <message>
+      <source>a camera</source>
+      <translation>一台相机</translation>
+    </message>
+    <message>
       <source>a point {v1} mm from the axis, between views half a turn apart,</source>
       <translation>距轴线 {v1} mm 的点（相差半圈的视图之间）</translation>
     </message>
@@ -3125,6 +3531,14 @@
       <translation>点（导轨上相距 {v1} mm 的视图之间）</translation>
     </message>
     <message>
+      <source>an even and an odd number of corners, such as 14 × 11 or 9 × 6, or a ChArUco board</source>
+      <translation>行列角点数一偶一奇，如 14 × 11 或 9 × 6，或使用 ChArUco 板</translation>
+    </message>
+    <message>
+      <source>an odd number of rows, such as 4 × 11</source>
+      <translation>奇数行，如 4 × 11</translation>
+    </message>
+    <message>
       <source>axis direction</source>
       <translation>轴线方向</translation>
     </message>
@@ -3137,6 +3551,10 @@
       <translation>轴线，横向</translation>
     </message>
     <message>
+      <source>bundle: </source>
+      <translation>光束法平差：</translation>
+    </message>
+    <message>
       <source>camera on the flange, place</source>
       <translation>法兰上的相机，位置</translation>
     </message>
@@ -3145,8 +3563,52 @@
       <translation>法兰上的相机，旋转</translation>
     </message>
     <message>
+      <source>camera {v1} gives {v2} × {v3} px, {v4} × {v5} px were calibrated</source>
+      <translation>相机 {v1} 给出 {v2} × {v3} px，标定时为 {v4} × {v5} px</translation>
+    </message>
+    <message>
+      <source>camera {v1} has serial number {v2}{v3}, {v4} was calibrated</source>
+      <translation>相机 {v1} 的序列号为 {v2}{v3}，标定的是 {v4}</translation>
+    </message>
+    <message>
+      <source>camera {v1} is set to {v2} {v3}, {v4} was calibrated</source>
+      <translation>相机 {v1} 的{v2}设为 {v3}，标定时为 {v4}</translation>
+    </message>
+    <message>
+      <source>cameras {v1} show different board positions: the board moved, or images were exchanged</source>
+      <translation>相机 {v1} 显示的标定板位置不同：标定板移动了，或图像互换了</translation>
+    </message>
+    <message>
+      <source>check the calibration with a few views of the board before the next measurement that matters.</source>
+      <translation>在下一次重要测量之前，请用几个标定板视图检查标定。</translation>
+    </message>
+    <message>
+      <source>direction of the guide, first tilt</source>
+      <translation>导轨方向，第一倾角</translation>
+    </message>
+    <message>
+      <source>direction of the guide, second tilt</source>
+      <translation>导轨方向，第二倾角</translation>
+    </message>
+    <message>
+      <source>direction of the rotation axis, first tilt</source>
+      <translation>旋转轴方向，第一倾角</translation>
+    </message>
+    <message>
+      <source>direction of the rotation axis, second tilt</source>
+      <translation>旋转轴方向，第二倾角</translation>
+    </message>
+    <message>
       <source>farther away from the {v1}</source>
       <translation>离{v1}更远</translation>
+    </message>
+    <message>
+      <source>first half: </source>
+      <translation>前一半：</translation>
+    </message>
+    <message>
+      <source>focus in mm</source>
+      <translation>对焦距离 (mm)</translation>
     </message>
     <message>
       <source>guide direction</source>
@@ -3185,12 +3647,40 @@
       <translation>在右上角</translation>
     </message>
     <message>
+      <source>is hardly observable from these poses</source>
+      <translation>由这些位姿几乎不可观测</translation>
+    </message>
+    <message>
+      <source>is the least certain</source>
+      <translation>最不确定</translation>
+    </message>
+    <message>
+      <source>it does not show the board position detected by cameras {v1} saw</source>
+      <translation>它显示的不是相机 {v1} 所检测到的标定板位置</translation>
+    </message>
+    <message>
+      <source>it has no camera {v1}</source>
+      <translation>它没有相机 {v1}</translation>
+    </message>
+    <message>
+      <source>it was knocked or refocused, or its mounting gave way: calibrate the cameras again.</source>
+      <translation>它被碰撞或重新对焦，或其固定松动：请重新标定相机。</translation>
+    </message>
+    <message>
       <source>iteration {v1}</source>
       <translation>迭代 {v1}</translation>
     </message>
     <message>
+      <source>its rms of {v1} px is more than {v2} times the median of {v3} px: its corners were found in a wrong place, or the image is blurred</source>
+      <translation>其 rms 为 {v1} px，超过中位数 {v3} px 的 {v2} 倍：角点找错了位置，或图像模糊</translation>
+    </message>
+    <message>
       <source>joint solution of the rig</source>
       <translation>测量系统联合求解</translation>
+    </message>
+    <message>
+      <source>lies {v1} px from its expected position; {v2} px is the limit</source>
+      <translation>距预期位置 {v1} px；限值为 {v2} px</translation>
     </message>
     <message>
       <source>maximum likelihood</source>
@@ -3233,6 +3723,38 @@
       <translation>再拍一个视图，包含</translation>
     </message>
     <message>
+      <source>place of the board along x</source>
+      <translation>标定板沿 x 的位置</translation>
+    </message>
+    <message>
+      <source>place of the board along y (along the guide)</source>
+      <translation>标定板沿 y（沿导轨）的位置</translation>
+    </message>
+    <message>
+      <source>place of the board along z</source>
+      <translation>标定板沿 z 的位置</translation>
+    </message>
+    <message>
+      <source>place of the camera along the flange's x</source>
+      <translation>相机沿法兰 x 的位置</translation>
+    </message>
+    <message>
+      <source>place of the camera along the flange's y</source>
+      <translation>相机沿法兰 y 的位置</translation>
+    </message>
+    <message>
+      <source>place of the camera along the flange's z</source>
+      <translation>相机沿法兰 z 的位置</translation>
+    </message>
+    <message>
+      <source>place of the rotation axis, first way across</source>
+      <translation>旋转轴的位置，第一横向</translation>
+    </message>
+    <message>
+      <source>place of the rotation axis, second way across</source>
+      <translation>旋转轴的位置，第二横向</translation>
+    </message>
+    <message>
       <source>points from the projector complement those of two cameras and should be as certain</source>
       <translation>投影仪的点补充两台相机的点，应同样确定</translation>
     </message>
@@ -3249,12 +3771,48 @@
       <translation>相机前方 {v1} mm 处的点 (rms，垂直于视线)</translation>
     </message>
     <message>
+      <source>projector</source>
+      <translation>投影仪</translation>
+    </message>
+    <message>
       <source>projector's image</source>
       <translation>投影仪图像</translation>
     </message>
     <message>
       <source>registration of overlapping views corrects 0.1 mm with ease, and starts safely up to 0.5 mm</source>
       <translation>重叠视图的配准可轻松修正 0.1 mm，并能从不超过 0.5 mm 可靠开始</translation>
+    </message>
+    <message>
+      <source>rotation of the board about the guide frame's x</source>
+      <translation>标定板绕导轨坐标系 x 的旋转</translation>
+    </message>
+    <message>
+      <source>rotation of the board about the guide frame's y (along the guide)</source>
+      <translation>标定板绕导轨坐标系 y（沿导轨）的旋转</translation>
+    </message>
+    <message>
+      <source>rotation of the board about the guide frame's z</source>
+      <translation>标定板绕导轨坐标系 z 的旋转</translation>
+    </message>
+    <message>
+      <source>rotation of the camera about the flange's x</source>
+      <translation>相机绕法兰 x 的旋转</translation>
+    </message>
+    <message>
+      <source>rotation of the camera about the flange's y</source>
+      <translation>相机绕法兰 y 的旋转</translation>
+    </message>
+    <message>
+      <source>rotation of the camera about the flange's z</source>
+      <translation>相机绕法兰 z 的旋转</translation>
+    </message>
+    <message>
+      <source>scale of the guide</source>
+      <translation>导轨的比例</translation>
+    </message>
+    <message>
+      <source>second half: </source>
+      <translation>后一半：</translation>
     </message>
     <message>
       <source>several cameras</source>
@@ -3273,12 +3831,24 @@
       <translation>合成扩展不确定度 {v1} (k = 2)</translation>
     </message>
     <message>
+      <source>the fringes run in one direction only; vertical and horizontal ones are needed</source>
+      <translation>条纹只有一个方向；需要竖直和水平两个方向</translation>
+    </message>
+    <message>
       <source>the hand-eye transform</source>
       <translation>手眼变换</translation>
     </message>
     <message>
+      <source>the images of cameras {v1} and {v2} were exchanged</source>
+      <translation>相机 {v1} 与 {v2} 的图像互换了</translation>
+    </message>
+    <message>
       <source>the linear guide</source>
       <translation>直线导轨</translation>
+    </message>
+    <message>
+      <source>the phases around {v1} marks are known; {v2} are needed</source>
+      <translation>仅知 {v1} 个标志点周围的相位；需要 {v2} 个</translation>
     </message>
     <message>
       <source>the projector</source>
@@ -3293,6 +3863,10 @@
       <translation>旋转轴线</translation>
     </message>
     <message>
+      <source>the {v1}</source>
+      <translation>{v1}</translation>
+    </message>
+    <message>
       <source>to the left</source>
       <translation>向左</translation>
     </message>
@@ -3305,12 +3879,24 @@
       <translation>太暗</translation>
     </message>
     <message>
+      <source>view {v1}</source>
+      <translation>视图 {v1}</translation>
+    </message>
+    <message>
+      <source>views held back fit with {v1} px rms where {v2} px was predicted</source>
+      <translation>留出的视图拟合 rms 为 {v1} px，预计为 {v2} px</translation>
+    </message>
+    <message>
       <source>views of one part relative to each other (rms)</source>
       <translation>同一工件各视图的相对位置（均方根）</translation>
     </message>
     <message>
       <source>views that are off by less than 0.05 mm need no registration, those up to 0.2 mm register safely</source>
       <translation>偏差小于 0.05 mm 的视图无需配准，不超过 0.2 mm 的可可靠配准</translation>
+    </message>
+    <message>
+      <source>without part {v1}: </source>
+      <translation>不含第 {v1} 部分：</translation>
     </message>
     <message>
       <source>wrong board</source>
@@ -3329,6 +3915,10 @@
       <translation>{v1} 有 {v2} 个标定板{v3}；至少需要 {v4} 个。</translation>
     </message>
     <message>
+      <source>{v1} images</source>
+      <translation>{v1} 幅图像</translation>
+    </message>
+    <message>
       <source>{v1} is not a kind of calibration.</source>
       <translation>{v1} 不是一种标定。</translation>
     </message>
@@ -3345,12 +3935,20 @@
       <translation>在转台 {v2}° 范围内 {v1} 次标定板观测不能确定测量系统。</translation>
     </message>
     <message>
+      <source>{v1} of its corners were found in a wrong place</source>
+      <translation>其中 {v1} 个角点找错了位置</translation>
+    </message>
+    <message>
       <source>{v1} of {v2} observations were rejected: examine the reasons and replace them.</source>
       <translation>{v2} 个观测中有 {v1} 个被剔除：请查看原因并替换它们。</translation>
     </message>
     <message>
       <source>{v1} poses do not determine the hand-eye transform.</source>
       <translation>{v1} 个位姿不能确定手眼变换。</translation>
+    </message>
+    <message>
+      <source>{v1} ppm of every length</source>
+      <translation>每个长度 {v1} ppm</translation>
     </message>
     <message>
       <source>{v1} robot poses do not belong to {v2} board poses.</source>
@@ -3365,12 +3963,12 @@
       <translation>{v1} 个转台位置、{v2} 个角点不能确定轴线。</translation>
     </message>
     <message>
-      <source>{v1} views are too few to hold some back.</source>
-      <translation>{v1} 个视图太少，无法保留一部分。</translation>
+      <source>{v1} turned by {v2}° since the calibration: its image is off by {v3} (the calibration left {v4} px), which moves measured points by {v5} mm; {v6}</source>
+      <translation>{v1}自标定以来转动 {v2}°：其图像偏差 {v3}（标定的残差为 {v4} px），使测点移动 {v5} mm；{v6}</translation>
     </message>
     <message>
-      <source>{v1} views of the board do not check a calibration.</source>
-      <translation>{v1} 个标定板视图不能检验标定。</translation>
+      <source>{v1} views are too few to hold some back.</source>
+      <translation>{v1} 个视图太少，无法保留一部分。</translation>
     </message>
     <message>
       <source>{v1} {v2} could not be used; {v3}: {v4}.</source>
@@ -3383,6 +3981,14 @@
     <message>
       <source>{v1} {v2}°, {v3}° are wanted</source>
       <translation>{v1}：{v2}°，需要 {v3}°</translation>
+    </message>
+    <message>
+      <source>{v1} × {v2} circles</source>
+      <translation>{v1} × {v2} 个圆点</translation>
+    </message>
+    <message>
+      <source>{v1} × {v2} corners</source>
+      <translation>{v1} × {v2} 个角点</translation>
     </message>
     <message>
       <source>{v1}, more than {v2}: something changed in between, or one of the stated uncertainties is too small.</source>
@@ -3403,6 +4009,14 @@
     <message>
       <source>{v1}: corner {v2} rejected, it {v3}.</source>
       <translation>{v1}：角点 {v2} 被剔除，它{v3}。</translation>
+    </message>
+    <message>
+      <source>{v1}: not observable from these poses</source>
+      <translation>{v1}：由这些位姿不可观测</translation>
+    </message>
+    <message>
+      <source>{v1}: {v2} (± {v3} mm at the part)</source>
+      <translation>{v1}：{v2}（工件处 ± {v3} mm）</translation>
     </message>
     <message>
       <source>{v1}: {v2} more {v3} beyond {v4}{v5}</source>
@@ -3434,6 +4048,10 @@
     <message>
       <source>Choose a table with one line per position of the board, or the folder in which a project keeps its views of the board.</source>
       <translation>请选择每个标定板位置一行的表格，或项目保存其标定板视图的文件夹。</translation>
+    </message>
+    <message>
+      <source>Every observation needs images of its own.</source>
+      <translation>每个观测都需要自己的图像。</translation>
     </message>
     <message>
       <source>Fringes calibrate a projector only.</source>
@@ -3472,8 +4090,16 @@
       <translation>它由较早版本录制：请重新录制该位置。</translation>
     </message>
     <message>
+      <source>Light the whole board with the fringes, neither too dark nor clipped.</source>
+      <translation>请用条纹照亮整块标定板，既不过暗也不过曝。</translation>
+    </message>
+    <message>
       <source>Name a session, a result that was accepted, a cameras.json, or a project with a calibrated rig.</source>
       <translation>请指定一个会话、一个已接受的结果、一个 cameras.json，或一个测量系统已标定的项目。</translation>
+    </message>
+    <message>
+      <source>No camera found the board.</source>
+      <translation>没有相机找到标定板。</translation>
     </message>
     <message>
       <source>Observation {v1} was removed before.</source>
@@ -3496,6 +4122,10 @@
       <translation>请从备份恢复。</translation>
     </message>
     <message>
+      <source>Show it whole, sharp and evenly lit.</source>
+      <translation>请完整、清晰、均匀照明地显示它。</translation>
+    </message>
+    <message>
       <source>Start one by naming the kind, the board and images.</source>
       <translation>请指定类型、标定板和图像以开始。</translation>
     </message>
@@ -3512,12 +4142,12 @@
       <translation>{v1} 的条纹覆盖投影仪的 {v2} × {v3} px，此前的为 {v4} × {v5} px。</translation>
     </message>
     <message>
-      <source>The image of camera {v1} is {v2} × {v3} px; {v4} × {v5} px are expected.</source>
-      <translation>相机 {v1} 的图像为 {v2} × {v3} px；应为 {v4} × {v5} px。</translation>
+      <source>The image of camera {v1} is the same as in observation {v2}.</source>
+      <translation>相机 {v1} 的图像与观测 {v2} 中的相同。</translation>
     </message>
     <message>
-      <source>The image {v1} of session {v2}, from which the calibration was made, {v3}.</source>
-      <translation>进行标定的会话 {v2} 的图像 {v1} {v3}。</translation>
+      <source>The image of camera {v1} is {v2} × {v3} px; {v4} × {v5} px are expected.</source>
+      <translation>相机 {v1} 的图像为 {v2} × {v3} px；应为 {v4} × {v5} px。</translation>
     </message>
     <message>
       <source>The images have no read-back of: {v1}.</source>
@@ -3528,8 +4158,8 @@
       <translation>名称 {v1} 未同时出现在 {v2} 和 {v3} 中。</translation>
     </message>
     <message>
-      <source>There are: {v1}.</source>
-      <translation>有：{v1}。</translation>
+      <source>The read-back lacks {v1}.</source>
+      <translation>读回缺少 {v1}。</translation>
     </message>
     <message>
       <source>There is no camera {v1} here.</source>
@@ -3566,6 +4196,38 @@
     <message>
       <source>fringes of {v1}</source>
       <translation>{v1} 的条纹</translation>
+    </message>
+    <message>
+      <source>from a camera</source>
+      <translation>来自相机</translation>
+    </message>
+    <message>
+      <source>image {v1}</source>
+      <translation>图像 {v1}</translation>
+    </message>
+    <message>
+      <source>marks that are not numbers</source>
+      <translation>标志点不是数值</translation>
+    </message>
+    <message>
+      <source>none yet</source>
+      <translation>尚无</translation>
+    </message>
+    <message>
+      <source>observation {v1}, {v2}{v3}</source>
+      <translation>观测 {v1}，{v2}{v3}</translation>
+    </message>
+    <message>
+      <source>removed by hand</source>
+      <translation>手动剔除</translation>
+    </message>
+    <message>
+      <source>schema_version is {v1}, not {v2}</source>
+      <translation>schema_version 为 {v1}，而非 {v2}</translation>
+    </message>
+    <message>
+      <source>the list of actions is inconsistent</source>
+      <translation>操作列表不一致</translation>
     </message>
     <message>
       <source>{v1} cannot be read: {v2}.</source>
@@ -3627,6 +4289,10 @@
   <context>
     <name>core.camera_basler</name>
     <message>
+      <source> after {v1} triggers</source>
+      <translation>（{v1} 次触发之后）</translation>
+    </message>
+    <message>
       <source>All {v1} images of the sequence of camera {v2} are triggered.</source>
       <translation>相机 {v2} 序列的全部 {v1} 幅图像已触发。</translation>
     </message>
@@ -3643,12 +4309,28 @@
       <translation>相机 {v1} ({v2}) 无法打开：{v3}。</translation>
     </message>
     <message>
+      <source>Camera {v1} ({v2}) does not answer any more: {v3}.</source>
+      <translation>相机 {v1}（{v2}）不再应答：{v3}。</translation>
+    </message>
+    <message>
       <source>Camera {v1} ({v2}) is controlled by another program; it was tried for {v3} s.</source>
       <translation>相机 {v1} ({v2}) 被另一程序控制；已尝试 {v3} s。</translation>
     </message>
     <message>
+      <source>Camera {v1} could not be released.</source>
+      <translation>相机 {v1} 无法释放。</translation>
+    </message>
+    <message>
+      <source>Camera {v1} delivered no image within {v2} s{v3}.</source>
+      <translation>相机 {v1} 在 {v2} s 内没有送出图像{v3}。</translation>
+    </message>
+    <message>
       <source>Camera {v1} did not answer within {v2} s of connecting.</source>
       <translation>相机 {v1} 在连接后 {v2} s 内没有应答。</translation>
+    </message>
+    <message>
+      <source>Camera {v1} did not become ready within {v2} s.</source>
+      <translation>相机 {v1} 在 {v2} s 内未就绪。</translation>
     </message>
     <message>
       <source>Camera {v1} does not accept triggers after {v2} s.</source>
@@ -3679,6 +4361,10 @@
       <translation>相机 {v1} 有 {v2} 像素{v3}，少于测量系统描述的 {v4}。</translation>
     </message>
     <message>
+      <source>Camera {v1} is closed.</source>
+      <translation>相机 {v1} 已关闭。</translation>
+    </message>
+    <message>
       <source>Camera {v1} is not armed for triggers by the program.</source>
       <translation>相机 {v1} 未由程序为触发就绪。</translation>
     </message>
@@ -3695,12 +4381,32 @@
       <translation>相机 {v1} 拒绝 {v2} = {v3}：{v4}。</translation>
     </message>
     <message>
+      <source>Camera {v1}: no Basler camera with serial number {v2} answers. Found: {v3}.</source>
+      <translation>相机 {v1}：没有序列号为 {v2} 的 Basler 相机应答。找到：{v3}。</translation>
+    </message>
+    <message>
+      <source>Camera {v1}: no Basler camera with serial number {v2} answers. None was found.</source>
+      <translation>相机 {v1}：没有序列号为 {v2} 的 Basler 相机应答。一台也未找到。</translation>
+    </message>
+    <message>
       <source>Check its cable, its power and the network card, then connect again.</source>
       <translation>请检查其电缆、电源和网卡，然后重新连接。</translation>
     </message>
     <message>
+      <source>Check its cable, packet size and inter-packet delay.</source>
+      <translation>请检查其电缆、数据包大小和数据包间隔。</translation>
+    </message>
+    <message>
       <source>Check its power and its cable.</source>
       <translation>请检查其电源和电缆。</translation>
+    </message>
+    <message>
+      <source>Check its trigger and the load of its link.</source>
+      <translation>请检查其触发和连接的负载。</translation>
+    </message>
+    <message>
+      <source>Check its trigger line.</source>
+      <translation>请检查其触发线。</translation>
     </message>
     <message>
       <source>Check its trigger settings.</source>
@@ -3735,12 +4441,96 @@
       <translation>请更正测量系统描述中的 width_px 和 height_px，或设置中的 offset_px。</translation>
     </message>
     <message>
+      <source>Install it: pip install pypylon.</source>
+      <translation>请安装：pip install pypylon。</translation>
+    </message>
+    <message>
+      <source>Lengthen the time between triggers.</source>
+      <translation>请加大触发之间的时间。</translation>
+    </message>
+    <message>
       <source>Restart the program.</source>
       <translation>请重新启动程序。</translation>
+    </message>
+    <message>
+      <source>The driver camera_basler needs the package pypylon, which cannot be imported: {v1}.</source>
+      <translation>驱动 camera_basler 需要 pypylon 包，但无法导入：{v1}。</translation>
+    </message>
+    <message>
+      <source>a call has not returned</source>
+      <translation>某个调用没有返回</translation>
+    </message>
+    <message>
+      <source>image {v1} came after image {v2}</source>
+      <translation>图像 {v1} 在图像 {v2} 之后到达</translation>
+    </message>
+    <message>
+      <source>image {v1} was exposed for {v2} µs, not {v3} µs</source>
+      <translation>图像 {v1} 曝光了 {v2} µs，而非 {v3} µs</translation>
+    </message>
+    <message>
+      <source>it needs a whole number</source>
+      <translation>需要整数</translation>
+    </message>
+    <message>
+      <source>it sent image {v1} after {v2} triggers</source>
+      <translation>{v2} 次触发后它送出了图像 {v1}</translation>
+    </message>
+    <message>
+      <source>it sent image {v1} of a sequence of {v2}</source>
+      <translation>它在 {v2} 幅的序列中送出了图像 {v1}</translation>
+    </message>
+    <message>
+      <source>it was removed</source>
+      <translation>已被移除</translation>
+    </message>
+    <message>
+      <source>its exposure reads {v1} µs, and {v2} µs was set</source>
+      <translation>其曝光读出为 {v1} µs，而设定为 {v2} µs</translation>
+    </message>
+    <message>
+      <source>its stream has ended</source>
+      <translation>其数据流已结束</translation>
+    </message>
+    <message>
+      <source>the check sequence of the image does not fit its pixels</source>
+      <translation>图像的校验序列与像素不符</translation>
+    </message>
+    <message>
+      <source>the image has {v1} of {v2} bytes</source>
+      <translation>图像只有 {v2} 字节中的 {v1} 字节</translation>
+    </message>
+    <message>
+      <source>the image is damaged or incomplete ({v1})</source>
+      <translation>图像损坏或不完整（{v1}）</translation>
+    </message>
+    <message>
+      <source>{v1} of {v2} bytes</source>
+      <translation>{v2} 字节中的 {v1} 字节</translation>
+    </message>
+    <message>
+      <source>{v1} triggers came while it was busy and were ignored</source>
+      <translation>{v1} 次触发在其忙时到来，已被忽略</translation>
     </message>
   </context>
   <context>
     <name>core.camera_folder</name>
+    <message>
+      <source>Camera {v1} delivered no image within {v2} s.</source>
+      <translation>相机 {v1} 在 {v2} s 内没有送出图像。</translation>
+    </message>
+    <message>
+      <source>Camera {v1} did not finish within {v2} s.</source>
+      <translation>相机 {v1} 在 {v2} s 内没有完成。</translation>
+    </message>
+    <message>
+      <source>Camera {v1} has no images recorded at {v2} µs.</source>
+      <translation>相机 {v1} 没有 {v2} µs 下记录的图像。</translation>
+    </message>
+    <message>
+      <source>Choose one of {v1} µs.</source>
+      <translation>请从 {v1} µs 中选择。</translation>
+    </message>
     <message>
       <source>Copy them, or correct the manifest.</source>
       <translation>请复制它们，或更正清单。</translation>
@@ -3826,12 +4616,72 @@
       <translation>相机 {v1} 在 {v2} 中的录制在 {v3} 幅图像后结束。</translation>
     </message>
     <message>
+      <source>Trigger it, or arm it for more images.</source>
+      <translation>请触发它，或为更多图像做好准备。</translation>
+    </message>
+    <message>
+      <source>Wait longer, or lower time_scale.</source>
+      <translation>请等待更久，或减小 time_scale。</translation>
+    </message>
+    <message>
+      <source>levels up to {v1}</source>
+      <translation>灰度最高 {v1}</translation>
+    </message>
+    <message>
+      <source>{v1} has no group (?P&lt;us&gt;…) or (?P&lt;ms&gt;…)</source>
+      <translation>{v1} 没有组 (?P&lt;us&gt;…) 或 (?P&lt;ms&gt;…)</translation>
+    </message>
+    <message>
       <source>{v1} images of {v2} are missing, the first is {v3}.</source>
       <translation>{v2} 缺少 {v1} 幅图像，首先是 {v3}。</translation>
+    </message>
+    <message>
+      <source>{v1} is no regular expression: {v2}</source>
+      <translation>{v1} 不是正则表达式：{v2}</translation>
+    </message>
+    <message>
+      <source>{v1}-bit pixels</source>
+      <translation>{v1} 位像素</translation>
     </message>
   </context>
   <context>
     <name>core.camera_genicam</name>
+    <message>
+      <source>A program on {v1}</source>
+      <translation>{v1} 上的程序</translation>
+    </message>
+    <message>
+      <source>An image arrived {v1}.</source>
+      <translation>有一幅图像到达时{v1}。</translation>
+    </message>
+    <message>
+      <source>An image has size and format {v1}, which were not set.</source>
+      <translation>有一幅图像的大小和格式为 {v1}，与设定不符。</translation>
+    </message>
+    <message>
+      <source>An image has {v1} bytes instead of {v2}.</source>
+      <translation>有一幅图像为 {v1} 字节，而非 {v2} 字节。</translation>
+    </message>
+    <message>
+      <source>An image was exposed for {v1} µs instead of {v2} µs.</source>
+      <translation>有一幅图像曝光了 {v1} µs，而非 {v2} µs。</translation>
+    </message>
+    <message>
+      <source>An image with identifier {v1} arrived twice or late.</source>
+      <translation>标识为 {v1} 的图像重复或迟到。</translation>
+    </message>
+    <message>
+      <source>Another program</source>
+      <translation>另一程序</translation>
+    </message>
+    <message>
+      <source>Camera {v1} does not answer any more: {v2}.</source>
+      <translation>相机 {v1} 不再应答：{v2}。</translation>
+    </message>
+    <message>
+      <source>Camera {v1} does not support {v2} {v3}.</source>
+      <translation>相机 {v1} 不支持 {v2} {v3}。</translation>
+    </message>
     <message>
       <source>Camera {v1} has no feature {v2}.</source>
       <translation>相机 {v1} 没有功能 {v2}。</translation>
@@ -3845,12 +4695,24 @@
       <translation>相机 {v1} 未为软件触发就绪。</translation>
     </message>
     <message>
+      <source>Camera {v1} {v2} within {v3} s.</source>
+      <translation>相机 {v1} 在 {v3} s 内{v2}。</translation>
+    </message>
+    <message>
+      <source>Camera {v1}: Aravis is only used on Linux and macOS.</source>
+      <translation>相机 {v1}：Aravis 仅用于 Linux 和 macOS。</translation>
+    </message>
+    <message>
       <source>Camera {v1}: no camera with serial number {v2} was found (found: {v3}).</source>
       <translation>相机 {v1}：未找到序列号为 {v2} 的相机（找到：{v3}）。</translation>
     </message>
     <message>
       <source>Camera {v1}: packets have {v2} bytes and a delay of {v3} µs, instead of {v4} bytes and {v5} µs.</source>
       <translation>相机 {v1}：数据包为 {v2} 字节、间隔 {v3} µs，而非 {v4} 字节和 {v5} µs。</translation>
+    </message>
+    <message>
+      <source>Camera {v1}: {v2}</source>
+      <translation>相机 {v1}：{v2}</translation>
     </message>
     <message>
       <source>Camera {v1}: {v2} cannot be {v3} (possible: {v4}).</source>
@@ -3861,16 +4723,16 @@
       <translation>相机 {v1}：写入 {v4} 后 {v2} 为 {v3}。</translation>
     </message>
     <message>
-      <source>Camera {v1}: {v2}.</source>
-      <translation>相机 {v1}：{v2}。</translation>
-    </message>
-    <message>
       <source>Check cable, power and network, then connect the camera again.</source>
       <translation>请检查电缆、电源和网络，然后重新连接相机。</translation>
     </message>
     <message>
       <source>Check the setting named, and what this camera supports.</source>
       <translation>请检查所指设置，以及此相机支持的内容。</translation>
+    </message>
+    <message>
+      <source>Check trigger and exposure; allow more time.</source>
+      <translation>请检查触发和曝光；给出更多时间。</translation>
     </message>
     <message>
       <source>Choose a packet size and a delay that the camera supports.</source>
@@ -3885,8 +4747,16 @@
       <translation>请选择一个。</translation>
     </message>
     <message>
+      <source>Choose {v1}…{v2}.</source>
+      <translation>请选择 {v1}…{v2}。</translation>
+    </message>
+    <message>
       <source>Close that program. If it crashed, wait a few seconds, then connect again.</source>
       <translation>请关闭该程序。若它已崩溃，请等几秒后重新连接。</translation>
+    </message>
+    <message>
+      <source>Connect the camera again.</source>
+      <translation>请重新连接相机。</translation>
     </message>
     <message>
       <source>Correct bit_depth in the rig description, or pixel_format in the camera's settings.</source>
@@ -3897,195 +4767,95 @@
       <translation>请更正测量系统描述中的序列号，或检查相机的电源、电缆和网络地址。</translation>
     </message>
     <message>
+      <source>Image {v1} arrived after {v2} triggers.</source>
+      <translation>图像 {v1} 在 {v2} 次触发之后到达。</translation>
+    </message>
+    <message>
+      <source>On Debian and Ubuntu: apt-get install libaravis-0.8-0; on macOS: brew install aravis.</source>
+      <translation>Debian 和 Ubuntu 上：apt-get install libaravis-0.8-0；macOS 上：brew install aravis。</translation>
+    </message>
+    <message>
+      <source>Take it again. If it happens often: larger packets, a longer packet delay.</source>
+      <translation>请重新拍摄。若经常发生：请用更大的数据包、更长的数据包间隔。</translation>
+    </message>
+    <message>
+      <source>Take the whole sequence again.</source>
+      <translation>请重新拍摄整个序列。</translation>
+    </message>
+    <message>
+      <source>The library Aravis 0.8 is not installed</source>
+      <translation>未安装库 Aravis 0.8</translation>
+    </message>
+    <message>
       <source>Update its firmware, or use another driver.</source>
       <translation>请更新其固件，或使用另一驱动。</translation>
+    </message>
+    <message>
+      <source>Use the driver of the camera's manufacturer.</source>
+      <translation>请使用相机厂商的驱动。</translation>
+    </message>
+    <message>
+      <source>incomplete after a time-out</source>
+      <translation>因超时而不完整</translation>
+    </message>
+    <message>
+      <source>it has no feature {v1}</source>
+      <translation>它没有特性 {v1}</translation>
+    </message>
+    <message>
+      <source>it is no longer controlled by this program</source>
+      <translation>它不再由本程序控制</translation>
+    </message>
+    <message>
+      <source>its feature {v1} is no value</source>
+      <translation>其特性 {v1} 不是值</translation>
+    </message>
+    <message>
+      <source>its process does not answer in time</source>
+      <translation>其进程没有及时应答</translation>
+    </message>
+    <message>
+      <source>its process has closed the connection</source>
+      <translation>其进程已关闭连接</translation>
+    </message>
+    <message>
+      <source>of the wrong size</source>
+      <translation>大小错误</translation>
+    </message>
+    <message>
+      <source>sent no image</source>
+      <translation>没有送出图像</translation>
+    </message>
+    <message>
+      <source>was not ready for the next trigger</source>
+      <translation>没有为下一次触发就绪</translation>
+    </message>
+    <message>
+      <source>with packets of another image</source>
+      <translation>混有另一图像的数据包</translation>
     </message>
     <message>
       <source>{v1} controls camera {v2} ({v3}).</source>
       <translation>{v1} 正在控制相机 {v2} ({v3})。</translation>
     </message>
+    <message>
+      <source>{v1} is not declared</source>
+      <translation>{v1} 没有声明</translation>
+    </message>
   </context>
   <context>
-    <name>core.campaign</name>
+    <name>core.child_process</name>
     <message>
-      <source>A task needs about {v1} of memory, and {v2} are available.</source>
-      <translation>一个任务约需 {v1} 内存，可用内存为 {v2}。</translation>
+      <source>its process ended with code {v1}</source>
+      <translation>其进程以代码 {v1} 结束</translation>
     </message>
     <message>
-      <source>A task needs {v1} GiB, a machine has {v2} GiB.</source>
-      <translation>一个任务需要 {v1} GiB，而一台机器有 {v2} GiB。</translation>
+      <source>its process ended with code {v1} ({v2})</source>
+      <translation>其进程以代码 {v1} 结束（{v2}）</translation>
     </message>
     <message>
-      <source>Allow more time, or give a faster storage.</source>
-      <translation>请允许更多时间，或提供更快的存储。</translation>
-    </message>
-    <message>
-      <source>Check the permissions and the disk.</source>
-      <translation>请检查权限和磁盘。</translation>
-    </message>
-    <message>
-      <source>Check the shared storage, then start the job again.</source>
-      <translation>请检查共享存储，然后重新开始任务。</translation>
-    </message>
-    <message>
-      <source>Close other programs, raise the memory limit of the container, or use a computer with more memory.</source>
-      <translation>请关闭其他程序、提高容器的内存限制，或使用内存更大的计算机。</translation>
-    </message>
-    <message>
-      <source>Dask distributed is not installed.</source>
-      <translation>未安装 Dask distributed。</translation>
-    </message>
-    <message>
-      <source>Give a campaign file in TOML.</source>
-      <translation>请给出 TOML 格式的批量文件。</translation>
-    </message>
-    <message>
-      <source>Give folders that contain a project.json, relative to the file.</source>
-      <translation>请给出含 project.json 的文件夹，相对于该文件。</translation>
-    </message>
-    <message>
-      <source>Give machines with more memory.</source>
-      <translation>请提供内存更大的机器。</translation>
-    </message>
-    <message>
-      <source>However many machines there are, {v1} % of the projects take up to {v2} s, longer than {v3} s.</source>
-      <translation>无论有多少台机器，{v1} % 的项目需要长达 {v2} s，超过 {v3} s。</translation>
-    </message>
-    <message>
-      <source>Install it with: pip install 'measureapp[cluster]'.</source>
-      <translation>请用以下命令安装：pip install 'measureapp[cluster]'。</translation>
-    </message>
-    <message>
-      <source>Install the same one everywhere.</source>
-      <translation>请在各处安装相同的。</translation>
-    </message>
-    <message>
-      <source>Install the same version everywhere.</source>
-      <translation>请在各处安装相同版本。</translation>
-    </message>
-    <message>
-      <source>Make one with: measureapp process PROJECT --profile --json &gt; profile.json</source>
-      <translation>请这样生成：measureapp process PROJECT --profile --json &gt; profile.json</translation>
-    </message>
-    <message>
-      <source>No cluster answers at {v1}.</source>
-      <translation>{v1} 处没有集群应答。</translation>
-    </message>
-    <message>
-      <source>Process it without --cluster.</source>
-      <translation>请不用 --cluster 处理。</translation>
-    </message>
-    <message>
-      <source>Read its log, and start it again.</source>
-      <translation>请查看其日志，并重新开始。</translation>
-    </message>
-    <message>
-      <source>Read the logs of the workers, then start the job again.</source>
-      <translation>请查看工作进程的日志，然后重新开始任务。</translation>
-    </message>
-    <message>
-      <source>Start fewer workers on it, or give them more: dask worker --memory-limit.</source>
-      <translation>请少启动一些工作进程，或给其更多内存：dask worker --memory-limit。</translation>
-    </message>
-    <message>
-      <source>Start it with OPENBLAS_NUM_THREADS=1 in its environment.</source>
-      <translation>请在其环境中以 OPENBLAS_NUM_THREADS=1 启动。</translation>
-    </message>
-    <message>
-      <source>Start it with `dask scheduler` and `dask worker ADDRESS`, or use `--cluster local`.</source>
-      <translation>请用 `dask scheduler` 和 `dask worker ADDRESS` 启动，或使用 `--cluster local`。</translation>
-    </message>
-    <message>
-      <source>Start some with: dask worker {v1}</source>
-      <translation>请启动一些：dask worker {v1}</translation>
-    </message>
-    <message>
-      <source>Start the job again.</source>
-      <translation>请重新开始任务。</translation>
-    </message>
-    <message>
-      <source>State `projects = ["week/*"]`, or a table `[demo]` with parts, rigs and seeds, such as `seeds = "1-20"`.</source>
-      <translation>请给出 `projects = ["week/*"]`，或一个含 parts、rigs 和 seeds 的表 `[demo]`，例如 `seeds = "1-20"`。</translation>
-    </message>
-    <message>
-      <source>The cloud {v1} cannot be read: {v2}.</source>
-      <translation>无法读取点云 {v1}：{v2}。</translation>
-    </message>
-    <message>
-      <source>The cloud {v1} is damaged.</source>
-      <translation>点云 {v1} 已损坏。</translation>
-    </message>
-    <message>
-      <source>The cluster at {v1} has no worker.</source>
-      <translation>{v1} 处的集群没有工作进程。</translation>
-    </message>
-    <message>
-      <source>The cluster gave it up: {v1}.</source>
-      <translation>集群放弃了它：{v1}。</translation>
-    </message>
-    <message>
-      <source>The folder {v1} cannot be seen by {v2} of the workers, such as {v3}.</source>
-      <translation>{v2} 个工作进程看不到文件夹 {v1}，例如 {v3}。</translation>
-    </message>
-    <message>
-      <source>The worker {v1} does its linear algebra in several threads, which changes the last digits of results.</source>
-      <translation>工作进程 {v1} 以多个线程进行线性代数运算，这会改变结果的末位数字。</translation>
-    </message>
-    <message>
-      <source>The worker {v1} does not answer: {v2}.</source>
-      <translation>工作进程 {v1} 没有应答：{v2}。</translation>
-    </message>
-    <message>
-      <source>The worker {v1} does not have this program: {v2}.</source>
-      <translation>工作进程 {v1} 没有此程序：{v2}。</translation>
-    </message>
-    <message>
-      <source>The worker {v1} has another version of the program: {v2}; this is {v3}.</source>
-      <translation>工作进程 {v1} 的程序版本不同：{v2}；本机为 {v3}。</translation>
-    </message>
-    <message>
-      <source>The worker {v1} may use {v2} GiB of memory, and a task needs about {v3} GiB.</source>
-      <translation>工作进程 {v1} 可用内存 {v2} GiB，而一个任务约需 {v3} GiB。</translation>
-    </message>
-    <message>
-      <source>This is not the profile of a project.</source>
-      <translation>这不是项目的性能分析。</translation>
-    </message>
-    <message>
-      <source>Use a storage that all computers mount under the same path.</source>
-      <translation>请使用所有计算机以相同路径挂载的存储。</translation>
-    </message>
-    <message>
-      <source>{v1} cannot be written to: {v2}.</source>
-      <translation>无法写入 {v1}：{v2}。</translation>
-    </message>
-    <message>
-      <source>{v1} is not a text.</source>
-      <translation>{v1} 不是文本。</translation>
-    </message>
-    <message>
-      <source>{v1} is not valid TOML: {v2}.</source>
-      <translation>{v1} 不是有效的 TOML：{v2}。</translation>
-    </message>
-    <message>
-      <source>{v1} is {v2}.</source>
-      <translation>{v1} 为 {v2}。</translation>
-    </message>
-    <message>
-      <source>{v1} names no job.</source>
-      <translation>{v1} 没有指定任务。</translation>
-    </message>
-    <message>
-      <source>{v1} of {v2} jobs, {v3} of {v4} tasks</source>
-      <translation>{v2} 个作业中的 {v1} 个，{v4} 个任务中的 {v3} 个</translation>
-    </message>
-    <message>
-      <source>{v1} of {v2} processors: a task needs {v3}, {v4} are available</source>
-      <translation>使用 {v2} 个处理器中的 {v1} 个：一个任务需要 {v3}，可用 {v4}</translation>
-    </message>
-    <message>
-      <source>{v1}: no project lies at {v2}.</source>
-      <translation>{v1}：{v2} 处没有项目。</translation>
+      <source>its process was ended by signal {v1}, possibly for lack of memory</source>
+      <translation>其进程被信号 {v1} 终止，可能因内存不足</translation>
     </message>
   </context>
   <context>
@@ -4094,9 +4864,25 @@
       <source>The environment variable {v1} is {v2}, but must be {v3} or {v4}.</source>
       <translation>环境变量 {v1} 为 {v2}，但必须为 {v3} 或 {v4}。</translation>
     </message>
+    <message>
+      <source>The length of a vector must be a constant.</source>
+      <translation>向量的长度必须为常数。</translation>
+    </message>
   </context>
   <context>
     <name>core.data</name>
+    <message>
+      <source>A cloud in frame {v1} cannot be transformed by {v2}_from_{v3}.</source>
+      <translation>坐标系{v1}中的点云不能用从{v3}到{v2}的变换来变换。</translation>
+    </message>
+    <message>
+      <source>ChArUco board of {v1} × {v2} corners</source>
+      <translation>{v1} × {v2} 角点的 ChArUco 板</translation>
+    </message>
+    <message>
+      <source>Clouds in frames {v1} and {v2} cannot be merged.</source>
+      <translation>坐标系 {v1} 与 {v2} 中的点云不能合并。</translation>
+    </message>
     <message>
       <source>Customer</source>
       <translation>客户</translation>
@@ -4128,6 +4914,10 @@
     <message>
       <source>Machine</source>
       <translation>测量机</translation>
+    </message>
+    <message>
+      <source>Name one of: {v1}.</source>
+      <translation>请指定其一：{v1}。</translation>
     </message>
     <message>
       <source>No points were found where the part should stand on the table: none were excluded as its surroundings.</source>
@@ -4162,6 +4952,10 @@
       <translation>温度来源</translation>
     </message>
     <message>
+      <source>The camera calibration contributes {v1} mm (k = 2) to the uncertainty of a length of {v2} mm in this volume, {v3} mm at worst.</source>
+      <translation>相机标定对此体积内 {v2} mm 长度的不确定度贡献为 {v1} mm (k = 2)，最坏 {v3} mm。</translation>
+    </message>
+    <message>
       <source>The measurement agrees with its error model.</source>
       <translation>测量结果与其误差模型一致。</translation>
     </message>
@@ -4180,6 +4974,22 @@
     <message>
       <source>Transform it to the guide frame.</source>
       <translation>请将其变换到导轨坐标系。</translation>
+    </message>
+    <message>
+      <source>Transform them to one frame first.</source>
+      <translation>请先将它们变换到同一坐标系。</translation>
+    </message>
+    <message>
+      <source>Uncertainty of projected points by the calibration: up to {v1} px (k = 2).</source>
+      <translation>标定引起的投影点不确定度：最大 {v1} px (k = 2)。</translation>
+    </message>
+    <message>
+      <source>Use a transform from the frame of the cloud.</source>
+      <translation>请使用从点云坐标系出发的变换。</translation>
+    </message>
+    <message>
+      <source>`axis` has length 0</source>
+      <translation>`axis` 的长度为 0</translation>
     </message>
     <message>
       <source>`count` is the number of copies that `{{k}}` in `of` runs over; it excludes `repeat`</source>
@@ -4202,8 +5012,24 @@
       <translation>`direction` 的长度为 0</translation>
     </message>
     <message>
+      <source>`facing` has length 0: give the direction that the surface faces</source>
+      <translation>`facing` 的长度为 0：请给出表面朝向</translation>
+    </message>
+    <message>
+      <source>`fold` uses all points: remove `features` and `regions`</source>
+      <translation>`fold` 使用所有点：请去掉 `features` 和 `regions`</translation>
+    </message>
+    <message>
       <source>`grow` does not apply to {v1}</source>
       <translation>`grow` 不适用于 {v1}</translation>
+    </message>
+    <message>
+      <source>`leading_mm` and `trailing_mm` are the same point</source>
+      <translation>`leading_mm` 与 `trailing_mm` 是同一点</translation>
+    </message>
+    <message>
+      <source>`lock` names an axis twice</source>
+      <translation>`lock` 两次列出同一轴</translation>
     </message>
     <message>
       <source>`material_condition` and `size_limits_mm` need each other</source>
@@ -4218,6 +5044,10 @@
       <translation>`normal` 的长度为 0</translation>
     </message>
     <message>
+      <source>`per_row` and `row_step_mm` need each other</source>
+      <translation>`per_row` 与 `row_step_mm` 必须同时给出</translation>
+    </message>
+    <message>
       <source>`tolerance` is a text, such as "±0.05", "+0.1/-0.05", "max 0.05" or "H7"</source>
       <translation>`tolerance` 是文本，例如 "±0.05"、"+0.1/-0.05"、"max 0.05" 或 "H7"</translation>
     </message>
@@ -4228,6 +5058,10 @@
     <message>
       <source>`zone_offset_mm` applies to a line_profile or surface_profile only: remove it</source>
       <translation>`zone_offset_mm` 只适用于 line_profile 或 surface_profile：请去掉它</translation>
+    </message>
+    <message>
+      <source>`{v1}` has length 0</source>
+      <translation>`{v1}` 的长度为 0</translation>
     </message>
     <message>
       <source>`{v1}` must not be 0 or parallel to `direction`</source>
@@ -4242,6 +5076,18 @@
       <translation>`certificate` 只用于单个长度，例如距离或直径：请在此处删除</translation>
     </message>
     <message>
+      <source>a blade_section needs either `plane_point_mm` and `plane_normal`, or `radius_mm`</source>
+      <translation>blade_section 需要 `plane_point_mm` 和 `plane_normal`，或 `radius_mm`</translation>
+    </message>
+    <message>
+      <source>a board of kind {v1} has no {v2}</source>
+      <translation>{v1} 类型的标定板没有 {v2}</translation>
+    </message>
+    <message>
+      <source>a board of kind {v1} needs {v2} = [columns, rows]</source>
+      <translation>{v1} 类型的标定板需要 {v2} = [columns, rows]</translation>
+    </message>
+    <message>
       <source>a cone needs `half_angle_deg`</source>
       <translation>圆锥需要 `half_angle_deg`</translation>
     </message>
@@ -4252,6 +5098,18 @@
     <message>
       <source>a constructed {v1} {v2}</source>
       <translation>构造的{v1}{v2}</translation>
+    </message>
+    <message>
+      <source>a direction of `along` has length 0</source>
+      <translation>`along` 的某个方向长度为 0</translation>
+    </message>
+    <message>
+      <source>a film on glass, up to 50 ppm off</source>
+      <translation>玻璃上的薄膜，偏差最多 50 ppm</translation>
+    </message>
+    <message>
+      <source>a grid needs `step_mm`, the displacement within a row</source>
+      <translation>网格需要 `step_mm`，即行内的位移</translation>
     </message>
     <message>
       <source>a line lies on one face: give one of `normals`</source>
@@ -4270,12 +5128,36 @@
       <translation>名义值需要 `point_mm`；没有名义位置的特征请去掉方向和尺寸</translation>
     </message>
     <message>
+      <source>a pattern is rotated by `angle_deg` or displaced by `step_mm`: remove one of them</source>
+      <translation>阵列按 `angle_deg` 旋转或按 `step_mm` 平移：请去掉其中一个</translation>
+    </message>
+    <message>
+      <source>a printed board, ± 0.1 mm on 180 mm</source>
+      <translation>打印的标定板，180 mm 上 ± 0.1 mm</translation>
+    </message>
+    <message>
+      <source>a reference point has `along` or `lock`: remove one of them</source>
+      <translation>参考点只能有 `along` 或 `lock`：请去掉其中一个</translation>
+    </message>
+    <message>
+      <source>a region needs at least one of x_mm, y_mm, z_mm, radial_mm</source>
+      <translation>区域至少需要 x_mm、y_mm、z_mm、radial_mm 之一</translation>
+    </message>
+    <message>
       <source>a slot is longer than wide; otherwise use a circle</source>
       <translation>槽的长度大于宽度；否则请用圆</translation>
     </message>
     <message>
       <source>a slot needs `along`, its long direction, `length_mm` and `width_mm`</source>
       <translation>槽需要 `along`（其长度方向）、`length_mm` 和 `width_mm`</translation>
+    </message>
+    <message>
+      <source>a surface_point, which is a patch around its nominal</source>
+      <translation>surface_point，即其名义位置周围的一小片</translation>
+    </message>
+    <message>
+      <source>a table [devices.NAME] is missing for {v1}</source>
+      <translation>缺少 {v1} 的表 [devices.NAME]</translation>
     </message>
     <message>
       <source>a {v1} has no datums</source>
@@ -4318,12 +5200,56 @@
       <translation>边需要两个面的 `normals`；自由边只有一个，并需要 `loss_mm`：由于条纹窗口和模糊，点在材料结束之前就结束</translation>
     </message>
     <message>
+      <source>an exact board</source>
+      <translation>精确的标定板</translation>
+    </message>
+    <message>
       <source>an expansion of {v1} ppm/K is not between 0 and {v2} ppm/K</source>
       <translation>热膨胀系数 {v1} ppm/K 不在 0 与 {v2} ppm/K 之间</translation>
     </message>
     <message>
       <source>an uncertainty of {v1} K is not between 0 and {v2} K</source>
       <translation>不确定度 {v1} K 不在 0 与 {v2} K 之间</translation>
+    </message>
+    <message>
+      <source>as its nominal is oriented</source>
+      <translation>按其名义模型的姿态</translation>
+    </message>
+    <message>
+      <source>at a temperature that was not measured</source>
+      <translation>温度未测量</translation>
+    </message>
+    <message>
+      <source>at least {v1}</source>
+      <translation>至少 {v1}</translation>
+    </message>
+    <message>
+      <source>best-fit, none, local:FEATURE,…, cyclic:COUNT, 3-2-1:PLANE,LINE,POINT, rps:POINT,POINT,POINT,… or datums:A,B,C</source>
+      <translation>best-fit、none、local:FEATURE,…、cyclic:COUNT、3-2-1:PLANE,LINE,POINT、rps:POINT,POINT,POINT,… 或 datums:A,B,C</translation>
+    </message>
+    <message>
+      <source>board of {v1} × {v2} corners</source>
+      <translation>{v1} × {v2} 角点的标定板</translation>
+    </message>
+    <message>
+      <source>certificate {v1}</source>
+      <translation>证书 {v1}</translation>
+    </message>
+    <message>
+      <source>certified_mm has {v1} marks, the {v2} has {v3}</source>
+      <translation>certified_mm 有 {v1} 个标志点，{v2}有 {v3} 个</translation>
+    </message>
+    <message>
+      <source>chrome on glass or ceramic, ± 8 ppm</source>
+      <translation>玻璃或陶瓷上镀铬，± 8 ppm</translation>
+    </message>
+    <message>
+      <source>circles</source>
+      <translation>circles</translation>
+    </message>
+    <message>
+      <source>circles of {v1} mm are too close: at most {v2} mm at this spacing</source>
+      <translation>{v1} mm 的圆点过密：此间距下最大为 {v2} mm</translation>
     </message>
     <message>
       <source>datum {v1} names feature {v2}, which is not defined</source>
@@ -4346,12 +5272,20 @@
       <translation>尺寸 {v1}：{v2} {v3}；不能在其上评定 {v4}</translation>
     </message>
     <message>
+      <source>displaced_mm has {v1} marks, the {v2} has {v3}</source>
+      <translation>displaced_mm 有 {v1} 个标志点，{v2}有 {v3} 个</translation>
+    </message>
+    <message>
       <source>error motions of the guide: {v1}</source>
       <translation>导轨的运动误差：{v1}</translation>
     </message>
     <message>
       <source>error motions of the table: {v1}</source>
       <translation>转台的运动误差：{v1}</translation>
+    </message>
+    <message>
+      <source>exposures must be positive and run from long to short without repeats</source>
+      <translation>曝光必须为正，从长到短且不重复</translation>
     </message>
     <message>
       <source>feature {v1} has two datum letters, {v2} and {v3}: remove one of them</source>
@@ -4374,6 +5308,30 @@
       <translation>特征 {v1}：其阵列必须绕 z 轴；其他阵列适用于测量的形状</translation>
     </message>
     <message>
+      <source>grid of {v1} × {v2} circles</source>
+      <translation>{v1} × {v2} 圆点阵列</translation>
+    </message>
+    <message>
+      <source>groups of vertical fringes must come before those of horizontal ones</source>
+      <translation>竖直条纹的组必须在水平条纹的组之前</translation>
+    </message>
+    <message>
+      <source>has no `distance_mm`</source>
+      <translation>没有 `distance_mm`</translation>
+    </message>
+    <message>
+      <source>horizontal fringes need projector_rows</source>
+      <translation>水平条纹需要 projector_rows</translation>
+    </message>
+    <message>
+      <source>in the middle of the table, {v1}</source>
+      <translation>在转台中央，{v1}</translation>
+    </message>
+    <message>
+      <source>is not a known field</source>
+      <translation>不是已知字段</translation>
+    </message>
+    <message>
       <source>kind {v1} needs `nominal`</source>
       <translation>类型 {v1} 需要 `nominal`</translation>
     </message>
@@ -4386,12 +5344,56 @@
       <translation>类型 {v1} 需要{v2}</translation>
     </message>
     <message>
+      <source>legacy_pattern applies only to an even number of rows of squares (an odd number of rows of corners)</source>
+      <translation>legacy_pattern 只适用于方格行数为偶数（角点行数为奇数）的情况</translation>
+    </message>
+    <message>
+      <source>loop closure over {v1} views around the part: {v2} mm and {v3}° (expected: {v4} mm)</source>
+      <translation>绕工件 {v1} 个视图的闭环：{v2} mm 和 {v3}°（预期：{v4} mm）</translation>
+    </message>
+    <message>
+      <source>low_mm must be below high_mm in x, y and z</source>
+      <translation>low_mm 在 x、y、z 上都必须小于 high_mm</translation>
+    </message>
+    <message>
       <source>lower_tolerance is greater than upper_tolerance</source>
       <translation>lower_tolerance 大于 upper_tolerance</translation>
     </message>
     <message>
+      <source>markers of {v1} mm do not fit into squares of {v2} mm</source>
+      <translation>{v1} mm 的标记放不进 {v2} mm 的方格</translation>
+    </message>
+    <message>
+      <source>measured {v1}, corrected to {v2} °C with {v3} ppm/K</source>
+      <translation>在 {v1} 下测量，以 {v3} ppm/K 修正到 {v2} °C</translation>
+    </message>
+    <message>
       <source>measuring machine; the name of the rig where it is empty</source>
       <translation>测量机；为空时用测量系统的名称</translation>
+    </message>
+    <message>
+      <source>must be the name of a file in the template's folder</source>
+      <translation>必须是模板文件夹中的文件名</translation>
+    </message>
+    <message>
+      <source>name either one driver for the whole rig, or a table [devices.NAME] for each device</source>
+      <translation>请为整个测量系统指定一个驱动，或为每台设备给出表 [devices.NAME]</translation>
+    </message>
+    <message>
+      <source>name the groups of {v1} {v2}</source>
+      <translation>请将 {v1} 的组命名为 {v2}</translation>
+    </message>
+    <message>
+      <source>name the groups of {v1} {v2}, not {v3}</source>
+      <translation>请将 {v1} 的组命名为 {v2}，而非 {v3}</translation>
+    </message>
+    <message>
+      <source>needs `distance_mm`</source>
+      <translation>需要 `distance_mm`</translation>
+    </message>
+    <message>
+      <source>neither rig nor cameras is given: name a rig description, or the cameras.json of calibrated cameras</source>
+      <translation>既没有 rig 也没有 cameras：请指定测量系统描述，或已标定相机的 cameras.json</translation>
     </message>
     <message>
       <source>of the part drawing</source>
@@ -4414,8 +5416,28 @@
       <translation>空气的相对湿度</translation>
     </message>
     <message>
+      <source>several viewpoints have the id {v1} (capital and small letters count as equal)</source>
+      <translation>多个视点的 ID 为 {v1}（不区分大小写）</translation>
+    </message>
+    <message>
       <source>straightness ± {v1}, pitch, yaw and roll ± {v2}″</source>
       <translation>直线度 ± {v1}，俯仰、偏摆和滚转 ± {v2}″</translation>
+    </message>
+    <message>
+      <source>the alignment {v1}</source>
+      <translation>对齐 {v1}</translation>
+    </message>
+    <message>
+      <source>the board</source>
+      <translation>标定板</translation>
+    </message>
+    <message>
+      <source>the board needs {v1} markers, dictionary {v2} has {v3}</source>
+      <translation>该标定板需要 {v1} 个标记，字典 {v2} 有 {v3} 个</translation>
+    </message>
+    <message>
+      <source>the class {v1} has neither a number nor a certified scale</source>
+      <translation>等级 {v1} 既无编号也无检定比例</translation>
     </message>
     <message>
       <source>the expansion of {v1} is not known: choose one of {v2}, or state it, such as 11.5±0.6 ppm/K</source>
@@ -4434,8 +5456,60 @@
       <translation>tolerance_mm 的下限高于上限</translation>
     </message>
     <message>
+      <source>the method spheres needs sphere_diameter_mm</source>
+      <translation>方法 spheres 需要 sphere_diameter_mm</translation>
+    </message>
+    <message>
+      <source>the name {v1} belongs to two devices</source>
+      <translation>名称 {v1} 属于两台设备</translation>
+    </message>
+    <message>
+      <source>the names of the set-ups are not unique</source>
+      <translation>装夹的名称不唯一</translation>
+    </message>
+    <message>
+      <source>the plan has no viewpoints</source>
+      <translation>计划中没有视点</translation>
+    </message>
+    <message>
+      <source>the quaternion (w, x, y, z) must have length 1</source>
+      <translation>四元数 (w, x, y, z) 的长度必须为 1</translation>
+    </message>
+    <message>
+      <source>the ranges of a region must run from the smaller to the greater value</source>
+      <translation>区域的范围必须从小到大</translation>
+    </message>
+    <message>
+      <source>the reference camera {v1} is none of the cameras ({v2})</source>
+      <translation>参考相机 {v1} 不在相机之列（{v2}）</translation>
+    </message>
+    <message>
+      <source>the rig has no device {v1}</source>
+      <translation>测量系统没有设备 {v1}</translation>
+    </message>
+    <message>
+      <source>there are board views, but no [board]</source>
+      <translation>有标定板视图，但没有 [board]</translation>
+    </message>
+    <message>
+      <source>there is neither a [[board_view]] nor a [[viewpoint]]</source>
+      <translation>既没有 [[board_view]] 也没有 [[viewpoint]]</translation>
+    </message>
+    <message>
+      <source>there is no dictionary {v1}; there are {v2}</source>
+      <translation>没有字典 {v1}；可用：{v2}</translation>
+    </message>
+    <message>
+      <source>there is no pattern set {v1}, only {v2}</source>
+      <translation>没有图案集 {v1}，只有 {v2}</translation>
+    </message>
+    <message>
       <source>they move the board by {v1} rms between the views of the calibration; positions are corrected for them</source>
       <translation>在标定的各视图之间它们使标定板移动 {v1} rms；位置已作修正</translation>
+    </message>
+    <message>
+      <source>turned by {v1}° about x, y and z</source>
+      <translation>绕 x、y、z 转动 {v1}°</translation>
     </message>
     <message>
       <source>two alignments have the same name</source>
@@ -4450,12 +5524,24 @@
       <translation>两个特征都名为 {v1}</translation>
     </message>
     <message>
+      <source>two viewpoints have the same id {v1}</source>
+      <translation>两个视点的 ID 同为 {v1}</translation>
+    </message>
+    <message>
+      <source>view {v1} is both used and refused</source>
+      <translation>视图 {v1} 既被采用又被拒绝</translation>
+    </message>
+    <message>
       <source>who or what measured the temperature</source>
       <translation>由何人或何种仪器测量温度</translation>
     </message>
     <message>
       <source>with a material condition the mean of several positions is meaningless: use `statistic = "max"`</source>
       <translation>有实体要求时，多个位置度的平均值没有意义：请用 `statistic = "max"`</translation>
+    </message>
+    <message>
+      <source>with the origin of its nominal at ({v1}) mm, {v2}</source>
+      <translation>名义模型的原点在 ({v1}) mm，{v2}</translation>
     </message>
     <message>
       <source>{share} background</source>
@@ -4482,12 +5568,28 @@
       <translation>{v1} 的定义范围为 {v2} mm 以下，不包括 {v3} mm：请以数字输入极限</translation>
     </message>
     <message>
+      <source>{v1} is no name of a folder: use letters, digits, '_', '-' and '.', at most 64, and no '.' at either end</source>
+      <translation>{v1} 不能作文件夹名：请用字母、数字、“_”、“-”和“.”，最多 64 个，且两端不能是“.”</translation>
+    </message>
+    <message>
+      <source>{v1} is not a field; fields are {v2}</source>
+      <translation>{v1} 不是字段；字段有 {v2}</translation>
+    </message>
+    <message>
+      <source>{v1} is not a regular expression: {v2}</source>
+      <translation>{v1} 不是正则表达式：{v2}</translation>
+    </message>
+    <message>
       <source>{v1} is not a temperature in °C, such as 23±0.5</source>
       <translation>{v1} 不是以 °C 表示的温度，例如 23±0.5</translation>
     </message>
     <message>
       <source>{v1} is not a tolerance: enter {v2}</source>
       <translation>{v1} 不是公差：请输入 {v2}</translation>
+    </message>
+    <message>
+      <source>{v1} is not an alignment: give {v2}</source>
+      <translation>{v1} 不是对齐方式：请给出 {v2}</translation>
     </message>
     <message>
       <source>{v1} is not available: the grades are IT{v2} to IT{v3}; enter the limits as numbers</source>
@@ -4506,6 +5608,14 @@
       <translation>实测 {v1} mm，预期 {v2} mm</translation>
     </message>
     <message>
+      <source>{v1} must run from the smaller to the greater diameter</source>
+      <translation>{v1} 必须从小直径到大直径</translation>
+    </message>
+    <message>
+      <source>{v1} must run from the smaller to the greater value</source>
+      <translation>{v1} 必须从小到大</translation>
+    </message>
+    <message>
       <source>{v1} needs feature {v2}, which is not defined</source>
       <translation>{v1} 需要特征 {v2}，它没有定义</translation>
     </message>
@@ -4516,6 +5626,10 @@
     <message>
       <source>{v1} °C is not between {v2} and {v3} °C</source>
       <translation>{v1} °C 不在 {v2} 与 {v3} °C 之间</translation>
+    </message>
+    <message>
+      <source>{v1}, not corrected</source>
+      <translation>{v1}，未修正</translation>
     </message>
     <message>
       <source>{v1}: a tolerance of zero width cannot be verified; enter a number above 0</source>
@@ -4546,6 +5660,10 @@
       <translation>{v1}：按 ISO 22081，数值由图样给出：请输入这些数值，如 ±0.3</translation>
     </message>
     <message>
+      <source>{v1}: {v2} is no path relative to this file</source>
+      <translation>{v1}：{v2} 不是相对于此文件的路径</translation>
+    </message>
+    <message>
       <source>{v1}: {v2} is the class of geometrical tolerances; for a size enter 2768-{v3}</source>
       <translation>{v1}：{v2} 是几何公差的等级；对于尺寸请输入 2768-{v3}</translation>
     </message>
@@ -4557,24 +5675,24 @@
       <source>{v1}{v2} is not available: the classes are {v3}; enter the limits as numbers</source>
       <translation>没有 {v1}{v2}：可用的公差带代号为 {v3}；请以数字输入极限</translation>
     </message>
+    <message>
+      <source>±0.1, +0.1/-0.05, 0/-0.2, H7, 2768-m, or nothing for no verdict</source>
+      <translation>±0.1、+0.1/-0.05、0/-0.2、H7、2768-m，或留空而不判定</translation>
+    </message>
   </context>
   <context>
     <name>core.devices</name>
-    <message>
-      <source>A travel of {v1} {v2} is too small for a reading uncertainty of {v3} {v4}.</source>
-      <translation>对读数不确定度 {v3} {v4} 而言，行程 {v1} {v2} 太小。</translation>
-    </message>
     <message>
       <source>Add a table [links.{v1}] to the rig description.</source>
       <translation>请在测量系统描述中添加表 [links.{v1}]。</translation>
     </message>
     <message>
-      <source>All flips are to the same level.</source>
-      <translation>所有切换都到同一电平。</translation>
+      <source>An exposure of {v1} µs is not a whole number of the frames of {v2} ({v3} µs each).</source>
+      <translation>{v1} µs 的曝光不是 {v2} 帧的整数倍（每帧 {v3} µs）。</translation>
     </message>
     <message>
-      <source>Black and white of the projector differ by {v1} grey levels, and images of the same one scatter by {v2}.</source>
-      <translation>投影仪的黑白相差 {v1} 灰度级，而同一图案的图像离散 {v2}。</translation>
+      <source>Camera {v1} delivered image {v2} where image {v3} was due: its images cannot be assigned to patterns.</source>
+      <translation>应为图像 {v3} 时，相机 {v1} 送出了图像 {v2}：其图像无法与图案对应。</translation>
     </message>
     <message>
       <source>Camera {v1} ends the exposure of its rows one after the other (global reset), and {v2} stays lit meanwhile: the last row would get {v3} ms more light.</source>
@@ -4589,76 +5707,140 @@
       <translation>相机 {v1} 设置了 {v2} µs，而非要求的 {v3} µs。</translation>
     </message>
     <message>
-      <source>Check that the axis moved; command a longer step.</source>
-      <translation>请确认该轴已移动；请发出更长的步长。</translation>
+      <source>Camera {v1}: {v2}.</source>
+      <translation>相机 {v1}：{v2}。</translation>
+    </message>
+    <message>
+      <source>Cameras {v1} together send at {v2} % of link {v3} ({v4} Gbit/s) and lose packets: set an inter-packet delay of {v5} ticks in each.</source>
+      <translation>相机 {v1} 合计占用连接 {v3}（{v4} Gbit/s）的 {v2} %，并丢失数据包：请将每台的数据包间隔设为 {v5} 个时钟周期。</translation>
+    </message>
+    <message>
+      <source>Change the id in {v1}.</source>
+      <translation>请更改 {v1} 中的 ID。</translation>
+    </message>
+    <message>
+      <source>Check its settings, trigger line and cable.</source>
+      <translation>请检查其设置、触发线和电缆。</translation>
+    </message>
+    <message>
+      <source>Check its trigger line, its cable and the load of its link.</source>
+      <translation>请检查其触发线、电缆和连接的负载。</translation>
     </message>
     <message>
       <source>Check that the device is on and connected; if it is, report the error to the author of the driver.</source>
       <translation>请检查设备已开启并连接；若是，请将错误报告给驱动作者。</translation>
     </message>
     <message>
-      <source>Check unit and decimal point. If the travel is right, set counts_per_unit = {v1} and repeat the step.</source>
-      <translation>请检查单位和小数点。若行程正确，请设置 counts_per_unit = {v1} 并重复该步。</translation>
+      <source>Check the device; allow more time if it is sound.</source>
+      <translation>请检查设备；若设备正常，请给出更多时间。</translation>
+    </message>
+    <message>
+      <source>Check the file and its permissions.</source>
+      <translation>请检查该文件及其权限。</translation>
+    </message>
+    <message>
+      <source>Check the permissions of this folder.</source>
+      <translation>请检查此文件夹的权限。</translation>
+    </message>
+    <message>
+      <source>Check the trigger line; lengthen the period if the cameras were still busy.</source>
+      <translation>请检查触发线；若相机仍忙，请加大周期。</translation>
     </message>
     <message>
       <source>Choose an exposure that the camera supports, and switch its automatic exposure off.</source>
       <translation>请选择相机支持的曝光，并关闭其自动曝光。</translation>
     </message>
     <message>
-      <source>Command a step that can be seen, and enter its travel; check that the axis moved.</source>
-      <translation>请发出可见的步长并输入其行程；确认该轴已移动。</translation>
+      <source>Choose {v1} or {v2} µs; the grey levels are only right over whole frames.</source>
+      <translation>请选择 {v1} 或 {v2} µs；只有整数帧的灰度才正确。</translation>
     </message>
     <message>
       <source>Correct it in the rig description.</source>
       <translation>请在测量系统描述中更正。</translation>
     </message>
     <message>
+      <source>Correct the driver's id, or add its folder to plugins.</source>
+      <translation>请更正驱动的 ID，或将其文件夹加入 plugins。</translation>
+    </message>
+    <message>
+      <source>Correct the line named.</source>
+      <translation>请更正所指的行。</translation>
+    </message>
+    <message>
+      <source>Correct this field.</source>
+      <translation>请更正此字段。</translation>
+    </message>
+    <message>
+      <source>Correct {v1}.</source>
+      <translation>请更正 {v1}。</translation>
+    </message>
+    <message>
+      <source>Derive it from measureapp.data.model.Model.</source>
+      <translation>请从 measureapp.data.model.Model 派生。</translation>
+    </message>
+    <message>
       <source>Disconnect the rig there first. Projects can be opened, processed and reported here meanwhile, without the rig.</source>
       <translation>请先在那里断开测量系统。其间可在此不用测量系统打开、处理项目和出报告。</translation>
-    </message>
-    <message>
-      <source>Enter a number.</source>
-      <translation>请输入数字。</translation>
-    </message>
-    <message>
-      <source>Fewer than two images were taken between two flips.</source>
-      <translation>两次切换之间拍摄的图像少于两幅。</translation>
-    </message>
-    <message>
-      <source>Flip between black and white.</source>
-      <translation>请在黑白之间切换。</translation>
     </message>
     <message>
       <source>Give drivers of different kinds links of their own.</source>
       <translation>请给不同类型的驱动各自的连接。</translation>
     </message>
     <message>
-      <source>Give one level for each time.</source>
-      <translation>请为每个时刻给出一个电平。</translation>
+      <source>If you trust it, run: measureapp plugins --folder {v1} --allow {v2}</source>
+      <translation>若信任它，请运行：measureapp plugins --folder {v1} --allow {v2}</translation>
     </message>
     <message>
-      <source>Hold every level longer, and check that the camera sees the projector only.</source>
-      <translation>请延长每个灰度级的保持时间，并检查相机是否只看到投影仪。</translation>
+      <source>Inspect them, then allow the driver again.</source>
+      <translation>请先查看这些文件，再允许该驱动。</translation>
     </message>
     <message>
-      <source>Hold every level longer, or take images more often.</source>
-      <translation>请延长每个电平，或更频繁地拍摄。</translation>
+      <source>Install it, or put {v1}.py into {v2} and import it with a leading dot.</source>
+      <translation>请安装它，或将 {v1}.py 放入 {v2}，并以前导点导入。</translation>
     </message>
     <message>
       <source>Link {v1} is a {v2}, and a driver needs a {v3}.</source>
       <translation>连接 {v1} 是 {v2}，而驱动需要 {v3}。</translation>
     </message>
     <message>
+      <source>Name a driver of a {v1} in the rig description (available: {v2}).</source>
+      <translation>请在测量系统描述中为{v1}指定驱动（可用：{v2}）。</translation>
+    </message>
+    <message>
       <source>No serial adapter with {v1} was found (adapters here: {v2}).</source>
       <translation>未找到{v1}的串行适配器（此处有：{v2}）。</translation>
+    </message>
+    <message>
+      <source>On link {v1} an image is transferred in {v2} ms of the {v3} ms between two images, which leaves less than {v4} % for packets that are sent again: use larger packets or a longer exposure.</source>
+      <translation>在连接 {v1} 上，传输一幅图像需要两幅图像间 {v3} ms 中的 {v2} ms，留给重发数据包的不足 {v4} %：请用更大的数据包或更长的曝光。</translation>
+    </message>
+    <message>
+      <source>On link {v1} an image is transferred in {v2} ms, but the next one may be exposed after {v3} ms: the sequence slows down to {v4} ms an image; use larger packets, fewer bits or a second link.</source>
+      <translation>在连接 {v1} 上，传输一幅图像需要 {v2} ms，而下一幅可在 {v3} ms 后曝光：序列减慢到每幅 {v4} ms；请用更大的数据包、更少的位数或第二条连接。</translation>
     </message>
     <message>
       <source>Plug it in, or set port, host or usb_serial in [links].</source>
       <translation>请插上它，或在 [links] 中设置 port、host 或 usb_serial。</translation>
     </message>
     <message>
-      <source>Point the camera at what the projector lights, and shut out ambient light that flickers.</source>
-      <translation>请将相机对准投影仪照亮处，并遮挡闪烁的环境光。</translation>
+      <source>Plugin {v1} cannot be imported: {v2}: {v3}.</source>
+      <translation>无法导入插件 {v1}：{v2}：{v3}。</translation>
+    </message>
+    <message>
+      <source>Plugin {v1} has no {v2} {v3} in {v4}.py.</source>
+      <translation>插件 {v1} 的 {v4}.py 中没有 {v2} {v3}。</translation>
+    </message>
+    <message>
+      <source>Plugin {v1} needs the module {v2}, which is missing.</source>
+      <translation>插件 {v1} 缺少所需的模块 {v2}。</translation>
+    </message>
+    <message>
+      <source>Plugin {v1}: {v2}</source>
+      <translation>插件 {v1}：{v2}</translation>
+    </message>
+    <message>
+      <source>Plugin {v1}: {v2} is not a model of settings.</source>
+      <translation>插件 {v1}：{v2} 不是设置的模型。</translation>
     </message>
     <message>
       <source>Process its project with `measureapp process PROJECT`, or name the description of a connected rig.</source>
@@ -4681,12 +5863,12 @@
       <translation>测量系统 {v1}：{v3} 的驱动 {v2} 失败：{v4}：{v5}。</translation>
     </message>
     <message>
-      <source>Rig {v1}: {v2}: {v3} (driver {v4}).</source>
-      <translation>测量系统 {v1}：{v2}：{v3}（驱动 {v4}）。</translation>
+      <source>Rig {v1}: {v2} devices cannot be connected. {v3}</source>
+      <translation>测量系统 {v1}：{v2} 台设备无法连接。{v3}</translation>
     </message>
     <message>
-      <source>Scale in use and reading uncertainty must be positive.</source>
-      <translation>所用比例和读数不确定度必须为正。</translation>
+      <source>Rig {v1}: {v2}: {v3} (driver {v4}).</source>
+      <translation>测量系统 {v1}：{v2}：{v3}（驱动 {v4}）。</translation>
     </message>
     <message>
       <source>Set port in [links] instead of usb_serial.</source>
@@ -4701,16 +5883,16 @@
       <translation>请将相机设为滚动快门，或使用曝光后变暗的投影仪。</translation>
     </message>
     <message>
-      <source>State the direction by the sign of the travel.</source>
-      <translation>请用行程的符号表示方向。</translation>
+      <source>The files in {v1} have changed since you were asked.</source>
+      <translation>自询问之后，{v1} 中的文件已更改。</translation>
     </message>
     <message>
-      <source>Take {v1}.</source>
-      <translation>请拍摄 {v1}。</translation>
+      <source>The plugin {v1} drives a {v2}, not a {v3}.</source>
+      <translation>插件 {v1} 驱动的是{v2}，而非{v3}。</translation>
     </message>
     <message>
-      <source>The axis was commanded to move {v1} {v2} and a travel of {v3} {v4} was entered: {v5} by a factor of {v6}.</source>
-      <translation>该轴被命令移动 {v1} {v2}，而输入的行程为 {v3} {v4}：{v5}，倍数 {v6}。</translation>
+      <source>The projector sent {v1} trigger pulses for {v2} patterns: the images cannot be assigned to patterns.</source>
+      <translation>投影仪为 {v2} 个图案送出了 {v1} 个触发脉冲：图像无法与图案对应。</translation>
     </message>
     <message>
       <source>The rig has no link {v1} (described: {v2}).</source>
@@ -4721,32 +5903,80 @@
       <translation>测量系统已停止：{v1}</translation>
     </message>
     <message>
-      <source>The times of flips or images are not ascending.</source>
-      <translation>切换或图像的时刻不是递增的。</translation>
+      <source>There is no driver plugin {v1} (available: {v2}).</source>
+      <translation>没有驱动插件 {v1}（可用：{v2}）。</translation>
     </message>
     <message>
-      <source>The {v1} is zero.</source>
-      <translation>{v1} 为零。</translation>
+      <source>[devices.{v1}] settings</source>
+      <translation>[devices.{v1}] 的设置</translation>
     </message>
     <message>
-      <source>The {v1} is {v2}, which is no number.</source>
-      <translation>{v1} 为 {v2}，不是数字。</translation>
+      <source>a port, a host or a USB serial number</source>
+      <translation>串口、主机或 USB 序列号</translation>
     </message>
     <message>
-      <source>There are {v1} times and {v2} levels of flips, {v3} times and {v4} grey levels of images.</source>
-      <translation>切换有 {v1} 个时刻和 {v2} 个电平，图像有 {v3} 个时刻和 {v4} 个灰度。</translation>
+      <source>another program</source>
+      <translation>另一程序</translation>
     </message>
     <message>
-      <source>Use a monotonic clock, the same for both.</source>
-      <translation>请对两者使用同一单调时钟。</translation>
+      <source>another program, process {v1}</source>
+      <translation>另一程序，进程 {v1}</translation>
     </message>
     <message>
-      <source>{v1} flips are too few to find the largest latency.</source>
-      <translation>{v1} 次切换太少，无法找到最大延迟。</translation>
+      <source>serial number {v1}</source>
+      <translation>序列号 {v1}</translation>
     </message>
     <message>
-      <source>{v1} of {v2} flips did not settle before the next one.</source>
-      <translation>{v2} 次切换中有 {v1} 次在下一次之前未稳定。</translation>
+      <source>the image has pixels of type {v1}, not {v2} for {v3} bit</source>
+      <translation>图像的像素类型为 {v1}，而非 {v3} 位的 {v2}</translation>
+    </message>
+    <message>
+      <source>the image is from camera {v1}, not {v2}</source>
+      <translation>图像来自相机 {v1}，而非 {v2}</translation>
+    </message>
+    <message>
+      <source>the image is {v1} px, not {v2} × {v3} px</source>
+      <translation>图像为 {v1} px，而非 {v2} × {v3} px</translation>
+    </message>
+    <message>
+      <source>the image was exposed for {v1} µs, not {v2} µs</source>
+      <translation>图像曝光了 {v1} µs，而非 {v2} µs</translation>
+    </message>
+    <message>
+      <source>the manifest</source>
+      <translation>清单</translation>
+    </message>
+    <message>
+      <source>the settings</source>
+      <translation>设置</translation>
+    </message>
+    <message>
+      <source>this program</source>
+      <translation>本程序</translation>
+    </message>
+    <message>
+      <source>{v1} (user {v2} at {v3}, since {v4})</source>
+      <translation>{v1}（用户 {v2}，位于 {v3}，自 {v4}）</translation>
+    </message>
+    <message>
+      <source>{v1} It was taken again {v2} times in vain.</source>
+      <translation>{v1} 已重新拍摄 {v2} 次，均无效。</translation>
+    </message>
+    <message>
+      <source>{v1} cannot be written: {v2}.</source>
+      <translation>无法写入 {v1}：{v2}。</translation>
+    </message>
+    <message>
+      <source>{v1} did not end within {v2} s.</source>
+      <translation>{v1} 在 {v2} s 内没有结束。</translation>
+    </message>
+    <message>
+      <source>{v1} is not valid TOML: {v2}.</source>
+      <translation>{v1} 不是有效的 TOML：{v2}。</translation>
+    </message>
+    <message>
+      <source>{v1} of the packets were sent again: check cable, switch and packet delay</source>
+      <translation>{v1} 的数据包被重发：请检查电缆、交换机和数据包间隔</translation>
     </message>
     <message>
       <source>{v1} serial ports have the USB serial number {v2} (adapters here: {v3}).</source>
@@ -4755,6 +5985,10 @@
   </context>
   <context>
     <name>core.fringe</name>
+    <message>
+      <source> of camera {v1}</source>
+      <translation>（相机 {v1}）</translation>
+    </message>
     <message>
       <source>A + B = {v1} exceeds the saturation of {v2} grey levels.</source>
       <translation>A + B = {v1} 超过 {v2} 灰度级的饱和值。</translation>
@@ -4912,6 +6146,10 @@
       <translation>请只给出格雷码的前 {v1} 幅图像。</translation>
     </message>
     <message>
+      <source>Image {v1} of camera {v2} at {v3} µs</source>
+      <translation>相机 {v2} 在 {v3} µs 下的图像 {v1}</translation>
+    </message>
+    <message>
       <source>Image {v1} of camera {v2} at {v3} µs contradicts the other exposures {v4}.</source>
       <translation>相机 {v2} 在 {v3} µs 的图像 {v1} 与其他曝光矛盾{v4}。</translation>
     </message>
@@ -4930,10 +6168,6 @@
     <message>
       <source>No multiple of {v1} µs fits into the budget.</source>
       <translation>没有 {v1} µs 的倍数适合该时间预算。</translation>
-    </message>
-    <message>
-      <source>Nothing needs correcting; or record twelve steps of one pitch to see smaller errors.</source>
-      <translation>无需修正；或录制同一间距十二步以看到更小的误差。</translation>
     </message>
     <message>
       <source>Only {v1} pixels show fringes that are neither saturated nor dark; {v2} are needed.</source>
@@ -5024,10 +6258,6 @@
       <translation>请每个亮度至少拍摄两幅图像。</translation>
     </message>
     <message>
-      <source>Take flat images and use `measureapp noise`.</source>
-      <translation>请拍摄平场图像并使用 `measureapp noise`。</translation>
-    </message>
-    <message>
       <source>Take pairs of images of an evenly lit, unmoved surface at five or more exposures from dark to nearly saturated.</source>
       <translation>请对照明均匀且不移动的表面，在从暗到接近饱和的五个或更多曝光下成对拍摄图像。</translation>
     </message>
@@ -5046,10 +6276,6 @@
     <message>
       <source>The exposures {v1} are not relative to the longest.</source>
       <translation>曝光 {v1} 不是相对于最长者的。</translation>
-    </message>
-    <message>
-      <source>The fringe images of camera {v1} do not show its noise: no group of four steps or more with enough light and without harmonics of the projector.</source>
-      <translation>相机 {v1} 的条纹图像不显示其噪声：没有四步以上、光线足够且无投影仪谐波的组。</translation>
     </message>
     <message>
       <source>The grey ramp covers the levels {v1}…{v2} of 0…255.</source>
@@ -5072,8 +6298,16 @@
       <translation>对 {v1} 步而言投影仪的谐波太强：相同相位来自不同位置。</translation>
     </message>
     <message>
+      <source>The images</source>
+      <translation>图像</translation>
+    </message>
+    <message>
       <source>The images of brightness level {v1}{v2} differ by {v3} in brightness.</source>
       <translation>亮度级 {v1}{v2} 的图像亮度相差 {v3}。</translation>
+    </message>
+    <message>
+      <source>The images of camera {v1}</source>
+      <translation>相机 {v1} 的图像</translation>
     </message>
     <message>
       <source>The images of camera {v1} at {v2} µs are {v3} times as bright as those at {v4} µs, not {v5} times.</source>
@@ -5086,10 +6320,6 @@
     <message>
       <source>The phase decreases where the Gray code increases.</source>
       <translation>格雷码增大处相位减小。</translation>
-    </message>
-    <message>
-      <source>The phases of camera {v1} show no error of the projector beyond the unevenness of the scene.</source>
-      <translation>除场景不均匀外，相机 {v1} 的相位未显示投影仪误差。</translation>
     </message>
     <message>
       <source>The probe has no sinusoids.</source>
@@ -5144,12 +6374,36 @@
       <translation>请使用原始图像：无伽马、降噪、自动增益或有损压缩。</translation>
     </message>
     <message>
+      <source>all are there</source>
+      <translation>已全部到齐</translation>
+    </message>
+    <message>
+      <source>as a whole: it is {v1}</source>
+      <translation>整体上：为 {v1}</translation>
+    </message>
+    <message>
+      <source>black</source>
+      <translation>黑色</translation>
+    </message>
+    <message>
       <source>border of a period</source>
       <translation>周期边界</translation>
     </message>
     <message>
+      <source>brighter</source>
+      <translation>更亮</translation>
+    </message>
+    <message>
+      <source>columns</source>
+      <translation>列</translation>
+    </message>
+    <message>
       <source>complementary Gray code</source>
       <translation>互补格雷码</translation>
+    </message>
+    <message>
+      <source>darker</source>
+      <translation>更暗</translation>
     </message>
     <message>
       <source>decoding {v1}</source>
@@ -5160,12 +6414,44 @@
       <translation>范围边缘</translation>
     </message>
     <message>
+      <source>exposure {v1} of {v2} is due</source>
+      <translation>应为第 {v1} 个曝光，共 {v2} 个</translation>
+    </message>
+    <message>
+      <source>give a curve or waveforms</source>
+      <translation>请给出 curve 或 waveforms</translation>
+    </message>
+    <message>
       <source>heterodyne of {v1} pitches</source>
       <translation>{v1} 节距外差</translation>
     </message>
     <message>
+      <source>high</source>
+      <translation>高</translation>
+    </message>
+    <message>
+      <source>in {v1} of its pixels (it is {v2})</source>
+      <translation>在其 {v1} 的像素中（为 {v2}）</translation>
+    </message>
+    <message>
       <source>quarter of a period</source>
       <translation>四分之一周期</translation>
+    </message>
+    <message>
+      <source>the camera</source>
+      <translation>该相机</translation>
+    </message>
+    <message>
+      <source>the curve must ascend from (0, 0) to (255, 1)</source>
+      <translation>曲线必须从 (0, 0) 上升到 (255, 1)</translation>
+    </message>
+    <message>
+      <source>white</source>
+      <translation>白色</translation>
+    </message>
+    <message>
+      <source>wide</source>
+      <translation>宽</translation>
     </message>
     <message>
       <source>{v1} Gray planes number {v2} periods of {v3} px: {v4} of {v5} {v6}.</source>
@@ -5256,8 +6542,16 @@
       <translation>{v1} 显示与 {v2} 相同的图案。</translation>
     </message>
     <message>
+      <source>{v1} times as bright as they predict, all images of its exposure {v2} times</source>
+      <translation>其预计亮度的 {v1} 倍，该曝光的所有图像为 {v2} 倍</translation>
+    </message>
+    <message>
       <source>{v1} → {v2} periods</source>
       <translation>{v1} → {v2} 个周期</translation>
+    </message>
+    <message>
+      <source>{v1}: {v2} bit</source>
+      <translation>{v1}：{v2} 位</translation>
     </message>
   </context>
   <context>
@@ -5307,12 +6601,32 @@
       <translation>请给出其平面或面的法线。</translation>
     </message>
     <message>
+      <source>Inverse kinematics needs base_from_flange, not {v1}_from_{v2}.</source>
+      <translation>逆运动学需要从法兰到基座的变换，而非从{v2}到{v1}的变换。</translation>
+    </message>
+    <message>
+      <source>It is probably out of reach: move the goal closer to the robot, {v1}.</source>
+      <translation>可能够不到：请将目标移近机器人，{v1}。</translation>
+    </message>
+    <message>
+      <source>Its 3×3 part must be a rotation.</source>
+      <translation>其 3×3 部分必须是旋转。</translation>
+    </message>
+    <message>
       <source>Joint {v1} of {v2} has {v3}.</source>
       <translation>{v2} 的关节 {v1} 有 {v3}。</translation>
     </message>
     <message>
-      <source>Move it by joint angles.</source>
-      <translation>请按关节角移动。</translation>
+      <source>Move the goal away from axis 1, {v1}.</source>
+      <translation>请将目标移离轴 1，{v1}。</translation>
+    </message>
+    <message>
+      <source>Move the goal {v1} the robot, {v2}.</source>
+      <translation>请将目标{v1}机器人，{v2}。</translation>
+    </message>
+    <message>
+      <source>Multiply by the transforms to base and flange first.</source>
+      <translation>请先与到基座和法兰的变换相乘。</translation>
     </message>
     <message>
       <source>Narrow the limits to the turns in use: at most {v1} equivalent positions.</source>
@@ -5327,8 +6641,16 @@
       <translation>请去掉不是点的行。</translation>
     </message>
     <message>
+      <source>Rotate the head about its viewing direction, change the pose, {v1}.</source>
+      <translation>请绕测头的视线方向转动测头、改变位姿，{v1}。</translation>
+    </message>
+    <message>
       <source>Select the points of one surface only, or give a start.</source>
       <translation>请只选择一个表面的点，或给出初值。</translation>
+    </message>
+    <message>
+      <source>Shift the pose by 10 mm or tilt it by a degree.</source>
+      <translation>请将位姿平移 10 mm 或倾斜 1°。</translation>
     </message>
     <message>
       <source>The contour {v1} has no direction.</source>
@@ -5341,6 +6663,10 @@
     <message>
       <source>The flange of {v1} has no rigid transform.</source>
       <translation>{v1} 的法兰没有刚性变换。</translation>
+    </message>
+    <message>
+      <source>The inner frames of a product must be the same.</source>
+      <translation>乘积的内侧坐标系必须相同。</translation>
     </message>
     <message>
       <source>The joint limits of {v1} allow {v2} equivalent positions, whole turns apart, for one pose.</source>
@@ -5371,12 +6697,104 @@
       <translation>拟合的权重必须为正，每点一个。</translation>
     </message>
     <message>
+      <source>Use one of: {v1}.</source>
+      <translation>请使用以下之一：{v1}。</translation>
+    </message>
+    <message>
       <source>Use the least-squares criterion, or remove outliers first.</source>
       <translation>请用最小二乘准则，或先去除离群点。</translation>
     </message>
     <message>
-      <source>{v1} has no spherical wrist, so its poses have no configuration data.</source>
-      <translation>{v1} 没有球形腕，因此其位姿没有构型数据。</translation>
+      <source>a singularity (condition {v1})</source>
+      <translation>奇异（条件数 {v1}）</translation>
+    </message>
+    <message>
+      <source>an axis that is not a unit vector</source>
+      <translation>某轴不是单位向量</translation>
+    </message>
+    <message>
+      <source>away from</source>
+      <translation>移离</translation>
+    </message>
+    <message>
+      <source>closer to</source>
+      <translation>移近</translation>
+    </message>
+    <message>
+      <source>far</source>
+      <translation>远</translation>
+    </message>
+    <message>
+      <source>folded</source>
+      <translation>折叠</translation>
+    </message>
+    <message>
+      <source>joint 5 at {v1}°, a singularity of the wrist (axes 4 and 6 in line)</source>
+      <translation>关节 5 在 {v1}°，为腕部奇异（轴 4 与轴 6 共线）</translation>
+    </message>
+    <message>
+      <source>near</source>
+      <translation>近</translation>
+    </message>
+    <message>
+      <source>no lower limit below its upper limit</source>
+      <translation>下限不低于上限</translation>
+    </message>
+    <message>
+      <source>no positive speed</source>
+      <translation>速度不为正</translation>
+    </message>
+    <message>
+      <source>no rigid transform from the link before</source>
+      <translation>相对前一连杆没有刚体变换</translation>
+    </message>
+    <message>
+      <source>or let the linear guide or the rotary table take over</source>
+      <translation>或由直线导轨或转台承担</translation>
+    </message>
+    <message>
+      <source>straight</source>
+      <translation>伸直</translation>
+    </message>
+    <message>
+      <source>the elbow {v1}° from the {v2} arm, a singularity</source>
+      <translation>肘部距{v2}的手臂 {v1}°，为奇异</translation>
+    </message>
+    <message>
+      <source>the wrist {v1} mm from axis 1, where joint 1 is not determined</source>
+      <translation>腕部距轴 1 {v1} mm，此处关节 1 不确定</translation>
+    </message>
+    <message>
+      <source>{v1}: every configuration is near a singularity, such as {v2}.</source>
+      <translation>{v1}：每种构型都接近奇异，例如{v2}。</translation>
+    </message>
+    <message>
+      <source>{v1}: no joint angles were found for this pose; the nearest miss it by {v2} mm and {v3}°.</source>
+      <translation>{v1}：未找到此位姿的关节角；最接近的偏差为 {v2} mm 和 {v3}°。</translation>
+    </message>
+    <message>
+      <source>{v1}: the pose has {v2}.</source>
+      <translation>{v1}：该位姿有{v2}。</translation>
+    </message>
+    <message>
+      <source>{v1}: the pose needs joint {v2} at {v3}°, outside {v4}…{v5}°, {v6}° too far in the best configuration.</source>
+      <translation>{v1}：该位姿需要关节 {v2} 为 {v3}°，超出 {v4}…{v5}°，最佳构型下超出 {v6}°。</translation>
+    </message>
+    <message>
+      <source>{v1}: the wrist would be {v2} mm from axis 1; its lateral offset keeps it at least {v3} mm away: {v4} mm too near.</source>
+      <translation>{v1}：腕部距轴 1 将为 {v2} mm；其侧向偏置使其至少保持 {v3} mm：近了 {v4} mm。</translation>
+    </message>
+    <message>
+      <source>{v1}: the wrist would be {v2} mm from the shoulder; the arm reaches {v3}…{v4} mm: {v5} mm too {v6}.</source>
+      <translation>{v1}：腕部距肩部将为 {v2} mm；手臂可达 {v3}…{v4} mm：过{v6} {v5} mm。</translation>
+    </message>
+    <message>
+      <source>{v1}_from_{v2} cannot be multiplied by {v3}_from_{v4}.</source>
+      <translation>从{v2}到{v1}的变换不能与从{v4}到{v3}的变换相乘。</translation>
+    </message>
+    <message>
+      <source>{v1}_from_{v2} is not a rigid transform.</source>
+      <translation>从{v2}到{v1}的变换不是刚体变换。</translation>
     </message>
   </context>
   <context>
@@ -5550,10 +6968,6 @@
       <translation>请单击工件与模型相符之处，或显示模型本身。</translation>
     </message>
     <message>
-      <source>Compare a cloud that has points.</source>
-      <translation>请比较有点的点云。</translation>
-    </message>
-    <message>
       <source>Compute the surface again.</source>
       <translation>请重新计算表面。</translation>
     </message>
@@ -5610,16 +7024,24 @@
       <translation>特征 {v1} 没有方向。</translation>
     </message>
     <message>
-      <source>Give the lower limit first.</source>
-      <translation>请先给出下限。</translation>
-    </message>
-    <message>
       <source>ISO 14253-1 with a guard band of the expanded uncertainty (k = 2): PASS inside the tolerance reduced by it, FAIL outside the tolerance widened by it, otherwise NOT PROVEN.</source>
       <translation>ISO 14253-1，以扩展不确定度（k = 2）为保护带：在按其缩小的公差内为合格，在按其扩大的公差外为不合格，否则为未证实。</translation>
     </message>
     <message>
       <source>ISO 14253-1:2017: PASS when the true value lies within the tolerance with a probability of at least 95 %, FAIL when it lies beyond one limit with at least 95 %, otherwise NOT PROVEN. Uncertainties are expanded, k = 2.</source>
       <translation>ISO 14253-1:2017：真值以至少 95 % 的概率位于公差内时为合格，以至少 95 % 的概率超出某一极限时为不合格，否则为未证实。不确定度为扩展不确定度，k = 2。</translation>
+    </message>
+    <message>
+      <source>If it is, use `--nominal-unit {v1}`, in a program `nominal_unit = "{v2}"`; otherwise export the nominal in millimetres.</source>
+      <translation>若是，请用 `--nominal-unit {v1}`，在程序中用 `nominal_unit = "{v2}"`；否则请以毫米导出名义模型。</translation>
+    </message>
+    <message>
+      <source>If they are, use `--unit {v1}`; otherwise scale the cloud to millimetres.</source>
+      <translation>若是，请用 `--unit {v1}`；否则请将点云缩放到毫米。</translation>
+    </message>
+    <message>
+      <source>Inspect all projects with the same program: measureapp process PROJECT, or the Inspect page.</source>
+      <translation>请用同一程序检测所有项目：measureapp process PROJECT，或“检测”页。</translation>
     </message>
     <message>
       <source>Inspect it with a program that has dimensions.</source>
@@ -5662,10 +7084,6 @@
       <translation>请将其移到表面更内侧。</translation>
     </message>
     <message>
-      <source>Move the section, or widen its strip.</source>
-      <translation>请移动截面，或加宽其条带。</translation>
-    </message>
-    <message>
       <source>Name each measurement once; a spread needs independent scans.</source>
       <translation>每次测量只列一次；离散需要独立的扫描。</translation>
     </message>
@@ -5676,10 +7094,6 @@
     <message>
       <source>No shape grows from this place.</source>
       <translation>从此处不能生长任何形状。</translation>
-    </message>
-    <message>
-      <source>Nothing was measured along the section {v1}.</source>
-      <translation>沿截面 {v1} 没有测量到任何内容。</translation>
     </message>
     <message>
       <source>Nothing was measured at a clicked place.</source>
@@ -5704,6 +7118,10 @@
     <message>
       <source>RPS ({v1} points: {v2})</source>
       <translation>RPS（{v1} 个点：{v2}）</translation>
+    </message>
+    <message>
+      <source>Read as {v1}, {v2} {v3}; read as millimetres, {v4}</source>
+      <translation>按{v1}读取时，{v3}为 {v2}；按毫米读取时为 {v4}</translation>
     </message>
     <message>
       <source>Remove these as well, or give them other features first.</source>
@@ -5846,8 +7264,16 @@
       <translation>未给出工件温度：其长度为扫描温度下的长度。</translation>
     </message>
     <message>
+      <source>The points span {v1} mm, the nominal {v2}</source>
+      <translation>点的跨度为 {v1} mm，名义模型为 {v2}</translation>
+    </message>
+    <message>
       <source>The points span {v1} mm, the nominal {v2} mm: they are not of the same part.</source>
       <translation>点的范围为 {v1} mm，名义模型为 {v2} mm：不是同一工件。</translation>
+    </message>
+    <message>
+      <source>The points span {v1}, the nominal {v2} mm</source>
+      <translation>点的跨度为 {v1}，名义模型为 {v2} mm</translation>
     </message>
     <message>
       <source>The program has a {v1} {v2} already.</source>
@@ -5864,10 +7290,6 @@
     <message>
       <source>The surface between the two clicks is not straight.</source>
       <translation>两次单击之间的表面不是直的。</translation>
-    </message>
-    <message>
-      <source>The tolerance from {v1} to {v2} mm is empty.</source>
-      <translation>从 {v1} 到 {v2} mm 的公差为空。</translation>
     </message>
     <message>
       <source>The tolerance of {v1} {v2} is smaller than {v3} U ({v4} {v5}): this measurement can hardly prove it</source>
@@ -5900,10 +7322,6 @@
     <message>
       <source>The {v1} equal holes are not on a circle, in a row or on a grid.</source>
       <translation>这 {v1} 个相同的孔不在圆周、直线或网格上等距分布。</translation>
-    </message>
-    <message>
-      <source>There are no deviations.</source>
-      <translation>没有偏差。</translation>
     </message>
     <message>
       <source>There are no distances from a {v1}.</source>
@@ -5998,6 +7416,10 @@
       <translation>假定：每个视图的位置 ± {v1} mm (k = 1)，因为点云没有误差模型</translation>
     </message>
     <message>
+      <source>axes</source>
+      <translation>轴线</translation>
+    </message>
+    <message>
       <source>axes and centres where a datum has a material condition</source>
       <translation>轴线和中心（当基准带有实体条件时）</translation>
     </message>
@@ -6020,6 +7442,10 @@
     <message>
       <source>centre of the zone offset {v1} out of the material</source>
       <translation>公差带中心向材料外偏移 {v1}</translation>
+    </message>
+    <message>
+      <source>centres</source>
+      <translation>中心</translation>
     </message>
     <message>
       <source>certified length of {v1} ± {v2} mm (k = 2){v3}</source>
@@ -6152,6 +7578,10 @@
     <message>
       <source>of the features are found</source>
       <translation>的特征已找到</translation>
+    </message>
+    <message>
+      <source>of the nominal and of the points match</source>
+      <translation>名义模型与点相符的比例</translation>
     </message>
     <message>
       <source>only one side of the blade was measured</source>
@@ -6304,6 +7734,10 @@
     <message>
       <source>{v1} and {v2} face opposite directions: measure a distance, not a step</source>
       <translation>{v1} 与 {v2} 朝向相反：请测量距离，而非台阶</translation>
+    </message>
+    <message>
+      <source>{v1} and {v2} more</source>
+      <translation>{v1}，另有 {v2} 个</translation>
     </message>
     <message>
       <source>{v1} cannot be the datum of its own tolerance.</source>
@@ -6480,6 +7914,10 @@
     <message>
       <source>{v1} were inspected with different programs: {v2}.</source>
       <translation>{v1} 按不同程序检测：{v2}。</translation>
+    </message>
+    <message>
+      <source>{v1} {v2} and {v3} {v4}</source>
+      <translation>{v1} {v2} 和 {v3} {v4}</translation>
     </message>
     <message>
       <source>{v1}, face</source>
@@ -6675,19 +8113,40 @@
     </message>
   </context>
   <context>
+    <name>core.main_window</name>
+    <message>
+      <source>dark</source>
+      <translation>深色</translation>
+    </message>
+    <message>
+      <source>light</source>
+      <translation>浅色</translation>
+    </message>
+  </context>
+  <context>
+    <name>core.pages</name>
+    <message>
+      <source>A dimension needs a name.</source>
+      <translation>尺寸需要名称。</translation>
+    </message>
+    <message>
+      <source>{v1} does not draw</source>
+      <translation>{v1} 不作绘制</translation>
+    </message>
+  </context>
+  <context>
+    <name>core.peers</name>
+    <message>
+      <source>Start it by `measureapp rig peers`, and use the rig description that it has just written.</source>
+      <translation>请用 `measureapp rig peers` 启动，并使用其刚写出的测量系统描述。</translation>
+    </message>
+    <message>
+      <source>The virtual cell at {v1} does not answer: {v2}.</source>
+      <translation>{v1} 处的虚拟测量单元没有应答：{v2}。</translation>
+    </message>
+  </context>
+  <context>
     <name>core.pipeline</name>
-    <message>
-      <source>Add `nominal = "FILE.stl"`: points are predicted on it.</source>
-      <translation>请添加 `nominal = "FILE.stl"`：点在其上预测。</translation>
-    </message>
-    <message>
-      <source>Add board views or a cameras.json to the recording, and import it again.</source>
-      <translation>请向录制添加标定板视图或 cameras.json，并重新导入。</translation>
-    </message>
-    <message>
-      <source>Add it on the page Inspect, or scan with a part program.</source>
-      <translation>请在“检测”页添加，或用工件程序扫描。</translation>
-    </message>
     <message>
       <source>Add it on the page Inspect.</source>
       <translation>请在“检测”页添加。</translation>
@@ -6695,10 +8154,6 @@
     <message>
       <source>Add one of them to the recording.</source>
       <translation>请将其中之一添加到录制。</translation>
-    </message>
-    <message>
-      <source>Calibrate again with this version.</source>
-      <translation>请用此版本重新标定。</translation>
     </message>
     <message>
       <source>Calibrate again, or set when_exceeded = "warn" in the rig's calibration_rules.</source>
@@ -6721,16 +8176,16 @@
       <translation>请先标定测量系统。</translation>
     </message>
     <message>
-      <source>Check permissions and space, or choose another folder.</source>
-      <translation>请检查权限和空间，或选择另一文件夹。</translation>
+      <source>Camera {v1} does not support an exposure of {v2} µs.</source>
+      <translation>相机 {v1} 不支持 {v2} µs 的曝光。</translation>
     </message>
     <message>
-      <source>Check the images and their manifests.</source>
-      <translation>请检查图像及其清单。</translation>
+      <source>Check the images; change exposures or viewpoints.</source>
+      <translation>请检查图像；更改曝光或视点。</translation>
     </message>
     <message>
-      <source>Check where the part stands, and the exposures.</source>
-      <translation>请检查工件的位置和曝光。</translation>
+      <source>Check whether part or head moved between the views and whether the calibration is of this rig; the images are kept.</source>
+      <translation>请检查工件或测头在视图之间是否移动，以及标定是否属于此测量系统；图像已保留。</translation>
     </message>
     <message>
       <source>Choose a new or an empty folder for the joined project.</source>
@@ -6749,8 +8204,20 @@
       <translation>请在其装夹的项目中选择视图，然后重新计算此项目：measureapp process PROJECT。</translation>
     </message>
     <message>
+      <source>Choose {v1}…{v2} µs.</source>
+      <translation>请选择 {v1}…{v2} µs。</translation>
+    </message>
+    <message>
+      <source>Close other programs, raise the memory limit of the container, or use a computer with more memory.</source>
+      <translation>请关闭其他程序、提高容器的内存限制，或使用内存更大的计算机。</translation>
+    </message>
+    <message>
       <source>Cloud of {v1}</source>
       <translation>{v1} 的点云</translation>
+    </message>
+    <message>
+      <source>Collisions and coverage were checked for the pose of the plan: stop, and place the part as planned or correct the pose</source>
+      <translation>碰撞和覆盖率是按计划中的位姿检查的：请停止，并按计划放置工件或更正位姿</translation>
     </message>
     <message>
       <source>Compute it again: measureapp process {v1}.</source>
@@ -6765,16 +8232,8 @@
       <translation>请重新接上其磁盘或恢复文件夹，然后继续扫描。</translation>
     </message>
     <message>
-      <source>Correct bit_depth in the rig description; images of 10 or 12 bit are stored with 16.</source>
-      <translation>请更正测量系统描述中的 bit_depth；10 或 12 位图像以 16 位存储。</translation>
-    </message>
-    <message>
-      <source>Correct cameras.json.</source>
-      <translation>请更正 cameras.json。</translation>
-    </message>
-    <message>
-      <source>Correct the size in the rig description, or give the images of this camera at this resolution.</source>
-      <translation>请更正测量系统描述中的尺寸，或给出此相机该分辨率的图像。</translation>
+      <source>Correct the read-backs, and process the images again; they are kept.</source>
+      <translation>请更正读回，然后重新处理图像；图像已保留。</translation>
     </message>
     <message>
       <source>Disconnect the rig first; it is then connected as the task needs it.</source>
@@ -6789,24 +8248,16 @@
       <translation>请给出 {v1} 行和 {v2} 列内两个角的 行,列,行,列。</translation>
     </message>
     <message>
-      <source>Give a new or an empty folder for the project.</source>
-      <translation>请为项目给出新的或空的文件夹。</translation>
+      <source>Give a TOML file such as those in resources/worlds.</source>
+      <translation>请给出 TOML 文件，如 resources/worlds 中的文件。</translation>
     </message>
     <message>
-      <source>Give a project that calibrated its rig, or calibrate first.</source>
-      <translation>请给出标定了其测量系统的项目，或先标定。</translation>
+      <source>Give all projects the same nominal, and measure them again.</source>
+      <translation>请给所有项目相同的名义模型，然后重新测量。</translation>
     </message>
     <message>
-      <source>Give every position of the board once.</source>
-      <translation>请每个标定板位置给出一次。</translation>
-    </message>
-    <message>
-      <source>Give images of one resolution, that of the calibrated camera.</source>
-      <translation>请给出同一分辨率的图像，即已标定相机的分辨率。</translation>
-    </message>
-    <message>
-      <source>Give it everywhere, or nowhere if the rig does not have that axis; board views for the cameras alone need on_table = false and no read-backs.</source>
-      <translation>请处处给出，若测量系统没有该轴则处处不给；仅用于相机的标定板视图需要 on_table = false 且没有回读值。</translation>
+      <source>Give all projects the same program, and measure them again: measureapp process PROJECT.</source>
+      <translation>请给所有项目相同的程序，然后重新测量：measureapp process PROJECT。</translation>
     </message>
     <message>
       <source>Give it one on the Inspect page, and measure again.</source>
@@ -6817,20 +8268,16 @@
       <translation>请给出一个：--rig RIG。</translation>
     </message>
     <message>
-      <source>Give stacks of one projector, or its size by --projector-px.</source>
-      <translation>请给出同一投影仪的图像组，或用 --projector-px 给出其尺寸。</translation>
-    </message>
-    <message>
-      <source>Import into a new folder, or delete that one first.</source>
-      <translation>请导入到新文件夹，或先删除该文件夹。</translation>
-    </message>
-    <message>
       <source>Import one with `measureapp import`.</source>
       <translation>请用 `measureapp import` 导入一个。</translation>
     </message>
     <message>
       <source>Install the program again.</source>
       <translation>请重新安装程序。</translation>
+    </message>
+    <message>
+      <source>Its processing did not end. Its images are stored: process the project again.</source>
+      <translation>其处理没有结束。图像已存储：请重新处理该项目。</translation>
     </message>
     <message>
       <source>Keep fewer points: a larger --every.</source>
@@ -6841,16 +8288,16 @@
       <translation>请先测量：measureapp process {v1}。</translation>
     </message>
     <message>
-      <source>Name a project of this rig, or omit the calibration.</source>
-      <translation>请指定此测量系统的项目，或省略标定。</translation>
+      <source>Name each project once; a spread needs independent scans.</source>
+      <translation>每个项目只能列出一次；分散性需要独立的扫描。</translation>
+    </message>
+    <message>
+      <source>Name each set-up once.</source>
+      <translation>每次装夹只能列出一次。</translation>
     </message>
     <message>
       <source>Name one of {v1}.</source>
       <translation>请指定以下之一：{v1}。</translation>
-    </message>
-    <message>
-      <source>Name one of: {v1}.</source>
-      <translation>请指定其一：{v1}。</translation>
     </message>
     <message>
       <source>Name one: --nominal FILE.</source>
@@ -6869,12 +8316,12 @@
       <translation>请指定其 cameras.json。</translation>
     </message>
     <message>
-      <source>No viewpoint gives a cloud; the reasons are stated above.</source>
-      <translation>没有视点给出点云；原因见上。</translation>
+      <source>No camera detects the {v1}</source>
+      <translation>没有相机检测到{v1}</translation>
     </message>
     <message>
-      <source>No viewpoint of the plan {v1} gives a usable cloud of this part.</source>
-      <translation>计划 {v1} 中没有视点给出此工件的可用点云。</translation>
+      <source>Not calibrated: {v1}. The {v2} may move between the viewpoints, so each cloud stays in its camera frame.</source>
+      <translation>未标定：{v1}。{v2}可能在视点之间移动，因此每片点云留在其相机坐标系中。</translation>
     </message>
     <message>
       <source>Only one set-up is named.</source>
@@ -6893,10 +8340,6 @@
       <translation>处理 {v1} 约需 {v2} 内存（{v3}），可用内存为 {v4}。</translation>
     </message>
     <message>
-      <source>Put the board of the calibration on the table, facing the head, and light it.</source>
-      <translation>请将标定用的标定板放在转台上，朝向测头，并照亮。</translation>
-    </message>
-    <message>
       <source>Put the board on its stand in the centre of the table, tilted towards the robot, and check light, lens caps and the board's settings.</source>
       <translation>请将标定板放在转台中央的支架上并朝机器人倾斜，检查光照、镜头盖和标定板的设置。</translation>
     </message>
@@ -6905,12 +8348,12 @@
       <translation>{v1} 的原始图像</translation>
     </message>
     <message>
-      <source>Recompute it: measureapp process {v1}.</source>
-      <translation>请重新计算：measureapp process {v1}。</translation>
+      <source>Raw images of {v1} viewpoints {v2}: {v3} MB freed.</source>
+      <translation>{v1} 个视点的原始图像{v2}：释放 {v3} MB。</translation>
     </message>
     <message>
-      <source>Record vertical and horizontal fringes on the board at {v1} positions at least, better 12, tilted differently.</source>
-      <translation>请在至少 {v1} 个位置（最好 12 个，倾斜各异）录制标定板上的垂直和水平条纹。</translation>
+      <source>Recompute it: measureapp process {v1}.</source>
+      <translation>请重新计算：measureapp process {v1}。</translation>
     </message>
     <message>
       <source>Recordings of other rigs have none; plan a new scan.</source>
@@ -6921,16 +8364,16 @@
       <translation>请从备份恢复，或重新合并各次装夹。</translation>
     </message>
     <message>
-      <source>Run `measureapp process PROJECT`.</source>
-      <translation>请运行 `measureapp process PROJECT`。</translation>
-    </message>
-    <message>
       <source>Scan first, or recompute it: measureapp process PROJECT.</source>
       <translation>请先扫描，或重新计算：measureapp process PROJECT。</translation>
     </message>
     <message>
       <source>Scan the part first, or restore the project's folder `stacks`.</source>
       <translation>请先扫描工件，或恢复项目的文件夹 `stacks`。</translation>
+    </message>
+    <message>
+      <source>Scan the part first: measureapp scan.</source>
+      <translation>请先扫描工件：measureapp scan。</translation>
     </message>
     <message>
       <source>Scan the part, or compute them from stored images: measureapp process PROJECT.</source>
@@ -6949,40 +8392,32 @@
       <translation>请先拍摄，或给出标定。</translation>
     </message>
     <message>
-      <source>The board views of {v1} do not determine a rig any more.</source>
-      <translation>{v1} 的标定板视图已不能确定测量系统。</translation>
-    </message>
-    <message>
-      <source>The calibration of {v1} does not name its images.</source>
-      <translation>{v1} 的标定未指明其图像。</translation>
+      <source>The axes and the images disagree: {v1} of the points of a view lie in front of what other views see there, by {v2} mm in the middle.</source>
+      <translation>轴与图像不符：某视图有 {v1} 的点位于其他视图在该处所见表面之前，居中值为 {v2} mm。</translation>
     </message>
     <message>
       <source>The calibration of {v1} is needed to match their images.</source>
       <translation>匹配其图像需要 {v1} 的标定。</translation>
     </message>
     <message>
-      <source>The cameras do not make a rig: {v1}.</source>
-      <translation>这些相机不构成测量系统：{v1}。</translation>
-    </message>
-    <message>
       <source>The connected rig ({v1}) is described differently than the rig of this task ({v2}).</source>
       <translation>已连接测量系统 ({v1}) 的描述与此任务的测量系统 ({v2}) 不同。</translation>
-    </message>
-    <message>
-      <source>The image {v1} of the board, from which {v2} was calibrated, {v3}.</source>
-      <translation>标定 {v2} 所用的标定板图像 {v1} {v3}。</translation>
-    </message>
-    <message>
-      <source>The images of camera {v1} in {v2} are {v3} × {v4} px, not {v5} × {v6} px.</source>
-      <translation>{v2} 中相机 {v1} 的图像为 {v3} × {v4} px，而非 {v5} × {v6} px。</translation>
     </message>
     <message>
       <source>The images of {v1}{v2} were stored in {v3} and are gone.</source>
       <translation>{v1}{v2} 的图像曾存储在 {v3}，现已不在。</translation>
     </message>
     <message>
+      <source>The part is not where the plan assumes it ({v1}): half of the points of the first cloud are more than {v2} mm off.</source>
+      <translation>工件不在计划所假定的位置（{v1}）：第一片点云有一半的点偏离超过 {v2} mm。</translation>
+    </message>
+    <message>
       <source>The part program {v1} has no rig.</source>
       <translation>工件程序 {v1} 没有测量系统。</translation>
+    </message>
+    <message>
+      <source>The patterns span {v1} columns, {v2} has {v3}.</source>
+      <translation>图案覆盖 {v1} 列，{v2} 有 {v3} 列。</translation>
     </message>
     <message>
       <source>The plan has no viewpoint {v1}.</source>
@@ -7005,6 +8440,10 @@
       <translation>各次装夹没有可用于合并的名义模型。</translation>
     </message>
     <message>
+      <source>The viewpoints have no read-backs, so each cloud stays in its camera frame.</source>
+      <translation>这些视点没有读回，因此每片点云留在其相机坐标系中。</translation>
+    </message>
+    <message>
       <source>There are no images of the board.</source>
       <translation>没有标定板图像。</translation>
     </message>
@@ -7021,6 +8460,10 @@
       <translation>没有视图 {v1}。</translation>
     </message>
     <message>
+      <source>There is nothing to stitch: {v1}.{v2}</source>
+      <translation>没有可拼接的内容：{v1}。{v2}</translation>
+    </message>
+    <message>
       <source>Use --resume to take only the missing viewpoints, or scan into a new project.</source>
       <translation>请用 --resume 只拍摄缺少的视点，或扫描到新项目。</translation>
     </message>
@@ -7029,20 +8472,12 @@
       <translation>请使用测量系统拍摄的图像组。</translation>
     </message>
     <message>
-      <source>Views {v1} and {v2} of camera {v3} are the same image: it would count twice.</source>
-      <translation>相机 {v3} 的视图 {v1} 与 {v2} 是同一图像：会计算两次。</translation>
-    </message>
-    <message>
       <source>axes that move otherwise than calibrated, such as run-out of the table, or a part that moved</source>
       <translation>轴的运动与标定不同，如转台跳动，或工件移动过</translation>
     </message>
     <message>
       <source>blur or light that depends on the direction of the surface, such as a part less sharp than the board</source>
       <translation>与表面方向有关的模糊或光照，如工件不如标定板清晰</translation>
-    </message>
-    <message>
-      <source>board view {v1}</source>
-      <translation>标定板视图 {v1}</translation>
     </message>
     <message>
       <source>camera pixel</source>
@@ -7057,8 +8492,36 @@
       <translation>正在编译：{v1}</translation>
     </message>
     <message>
+      <source>compressed</source>
+      <translation>已压缩</translation>
+    </message>
+    <message>
+      <source>decoding 16 bits</source>
+      <translation>正在按 16 位解码</translation>
+    </message>
+    <message>
+      <source>decoding other steps</source>
+      <translation>正在按其他步数解码</translation>
+    </message>
+    <message>
+      <source>decoding while images arrive</source>
+      <translation>正在边接收图像边解码</translation>
+    </message>
+    <message>
+      <source>distances from a nominal</source>
+      <translation>到名义模型的距离</translation>
+    </message>
+    <message>
+      <source>dropped</source>
+      <translation>已丢弃</translation>
+    </message>
+    <message>
       <source>error motions of the table, or a part that moved</source>
       <translation>转台的误差运动，或工件移动过</translation>
+    </message>
+    <message>
+      <source>for {v1} mm²: {v2}</source>
+      <translation>对 {v1} mm²：{v2}</translation>
     </message>
     <message>
       <source>holes explained</source>
@@ -7069,8 +8532,8 @@
       <translation>{v1} 的空洞</translation>
     </message>
     <message>
-      <source>improvements predicted</source>
-      <translation>改进已预测</translation>
+      <source>its axes contradict the images</source>
+      <translation>其轴与图像矛盾</translation>
     </message>
     <message>
       <source>light scattered below the surface, gloss, or a camera that responds nonlinearly</source>
@@ -7089,12 +8552,28 @@
       <translation>测得的样本</translation>
     </message>
     <message>
+      <source>name or alignment</source>
+      <translation>名称或对齐</translation>
+    </message>
+    <message>
+      <source>no phase</source>
+      <translation>没有相位</translation>
+    </message>
+    <message>
+      <source>no view has points</source>
+      <translation>没有视图含有点</translation>
+    </message>
+    <message>
       <source>noise measured</source>
       <translation>噪声已测量</translation>
     </message>
     <message>
-      <source>predicting {v1}</source>
-      <translation>正在预测 {v1}</translation>
+      <source>other exposures, {v1}</source>
+      <translation>其他曝光，{v1}</translation>
+    </message>
+    <message>
+      <source>pictures of reports</source>
+      <translation>报告的图片</translation>
     </message>
     <message>
       <source>reading clouds</source>
@@ -7109,6 +8588,14 @@
       <translation>正在重建表面</translation>
     </message>
     <message>
+      <source>reconstructing three cameras</source>
+      <translation>正在用三台相机重建</translation>
+    </message>
+    <message>
+      <source>reconstructing two</source>
+      <translation>正在用两台相机重建</translation>
+    </message>
+    <message>
       <source>samples of the nominal</source>
       <translation>名义模型的采样</translation>
     </message>
@@ -7121,24 +8608,32 @@
       <translation>转台角度</translation>
     </message>
     <message>
+      <source>the file</source>
+      <translation>该文件</translation>
+    </message>
+    <message>
+      <source>the guide</source>
+      <translation>导轨</translation>
+    </message>
+    <message>
       <source>the lens model of the cameras, or a camera that moved since the calibration</source>
       <translation>相机的镜头模型，或标定后移动过的相机</translation>
     </message>
     <message>
-      <source>trying {v1}</source>
-      <translation>正在尝试 {v1}</translation>
-    </message>
-    <message>
-      <source>viewpoints to be tried</source>
-      <translation>待尝试的视点</translation>
-    </message>
-    <message>
-      <source>views predicted</source>
-      <translation>视图已预测</translation>
+      <source>the table's axis</source>
+      <translation>转台轴线</translation>
     </message>
     <message>
       <source>{v1} ({v2}) is not ready: {v3}</source>
       <translation>{v1} ({v2}) 未就绪：{v3}</translation>
+    </message>
+    <message>
+      <source>{v1} By its best fit it is displaced by {v2} mm and turned by {v3}°. {v4}.</source>
+      <translation>{v1} 按最佳拟合，它平移了 {v2} mm、转动了 {v3}°。{v4}。</translation>
+    </message>
+    <message>
+      <source>{v1} They would agree if {v2}.</source>
+      <translation>{v1} 若{v2}，两者即相符。</translation>
     </message>
     <message>
       <source>{v1} and {v2} are of different parts: {v3} and {v4}.</source>
@@ -7153,16 +8648,8 @@
       <translation>无法写入 {v1}：{v2} × {v3} px 对 PNG 太大。</translation>
     </message>
     <message>
-      <source>{v1} cannot be written: {v2}.</source>
-      <translation>无法写入 {v1}：{v2}。</translation>
-    </message>
-    <message>
       <source>{v1} contains another project ({v2}).</source>
       <translation>{v1} 含有另一项目 ({v2})。</translation>
-    </message>
-    <message>
-      <source>{v1} contains another recording, or an earlier state of {v2}.</source>
-      <translation>{v1} 含有另一录制，或 {v2} 的较早状态。</translation>
     </message>
     <message>
       <source>{v1} contains images already.</source>
@@ -7187,10 +8674,6 @@
     <message>
       <source>{v1} from {v2}. {v3}</source>
       <translation>{v1} 来自 {v2}。{v3}</translation>
-    </message>
-    <message>
-      <source>{v1} has images of camera {v2}, which is not calibrated.</source>
-      <translation>{v1} 有相机 {v2} 的图像，而该相机未标定。</translation>
     </message>
     <message>
       <source>{v1} has neither a calibration nor images of the board.</source>
@@ -7225,10 +8708,6 @@
       <translation>{v1} 没有扫描计划。</translation>
     </message>
     <message>
-      <source>{v1} has no {v2}.</source>
-      <translation>{v1} 没有{v2}。</translation>
-    </message>
-    <message>
       <source>{v1} have different inspection programs ({v2}).</source>
       <translation>{v1} 的检测程序不同 ({v2})。</translation>
     </message>
@@ -7253,20 +8732,20 @@
       <translation>{v1} 被列出两次。</translation>
     </message>
     <message>
-      <source>{v1} names no nominal.</source>
-      <translation>{v1} 没有指定名义模型。</translation>
-    </message>
-    <message>
-      <source>{v1} positions of the board do not determine the projector.</source>
-      <translation>标定板的 {v1} 个位置不能确定投影仪。</translation>
-    </message>
-    <message>
       <source>{v1} proposals</source>
       <translation>{v1} 项建议</translation>
     </message>
     <message>
       <source>{v1} states known = {v2}.</source>
       <translation>{v1} 中写有 known = {v2}。</translation>
+    </message>
+    <message>
+      <source>{v1} things prevent the scan: {v2}</source>
+      <translation>有 {v1} 处问题阻碍扫描：{v2}</translation>
+    </message>
+    <message>
+      <source>{v1} views by {v2} cameras, up to {v3} megapixels, about {v4} million points</source>
+      <translation>{v2} 台相机的 {v1} 个视图，最高 {v3} 百万像素，约 {v4} 百万个点</translation>
     </message>
     <message>
       <source>{v1} was made with another board ({v2}).</source>
@@ -7285,12 +8764,8 @@
       <translation>{v1} 是与不同名义模型比较的。</translation>
     </message>
     <message>
-      <source>{v1}: {v2} has {v3} bit, the rig's camera {v4} has {v5} bit.</source>
-      <translation>{v1}：{v2} 为 {v3} 位，测量系统的相机 {v4} 为 {v5} 位。</translation>
-    </message>
-    <message>
-      <source>{v1}: {v2} is {v3} × {v4} px, the rig's camera {v5} has {v6} × {v7} px.</source>
-      <translation>{v1}：{v2} 为 {v3} × {v4} px，测量系统的相机 {v5} 为 {v6} × {v7} px。</translation>
+      <source>{v1}: its points lie {v2} mm in front of what other views see there</source>
+      <translation>{v1}：其点位于其他视图在该处所见表面之前 {v2} mm</translation>
     </message>
   </context>
   <context>
@@ -7600,6 +9075,10 @@
       <translation>禁入区 {v1}</translation>
     </message>
     <message>
+      <source>light must rise, and have one positive standard deviation for each value</source>
+      <translation>光强必须递增，且每个值有一个正的标准差</translation>
+    </message>
+    <message>
       <source>linear guide</source>
       <translation>直线导轨</translation>
     </message>
@@ -7644,6 +9123,10 @@
       <translation>在候选视点允许之处看到每个位置的视点数：重叠使点云相连</translation>
     </message>
     <message>
+      <source>the plan</source>
+      <translation>计划</translation>
+    </message>
+    <message>
       <source>the {v1} would collide with the {v2}</source>
       <translation>{v1}将与{v2}碰撞</translation>
     </message>
@@ -7666,6 +9149,10 @@
     <message>
       <source>what cannot be seen</source>
       <translation>看不到的部分</translation>
+    </message>
+    <message>
+      <source>{v1} And {v2} more.</source>
+      <translation>{v1} 另有 {v2} 处。</translation>
     </message>
     <message>
       <source>{v1} and {v2}</source>
@@ -7692,8 +9179,20 @@
       <translation>{v1} 是单个视点。</translation>
     </message>
     <message>
+      <source>{v1} is given twice</source>
+      <translation>{v1} 出现两次</translation>
+    </message>
+    <message>
+      <source>{v1} is missing</source>
+      <translation>缺少 {v1}</translation>
+    </message>
+    <message>
       <source>{v1} is named after its group {v2}.</source>
       <translation>{v1} 以其组 {v2} 命名。</translation>
+    </message>
+    <message>
+      <source>{v1} is not in the plan</source>
+      <translation>{v1} 不在计划中</translation>
     </message>
     <message>
       <source>{v1} reaches no viewpoint that sees this place of the part at less than {v2}° to its surface normal.</source>
@@ -7727,9 +9226,21 @@
       <source>{v1}: every configuration is near a singularity, such as {v2}</source>
       <translation>{v1}：每种构型都接近奇异，例如 {v2}</translation>
     </message>
+    <message>
+      <source>{v1}; and {v2} more</source>
+      <translation>{v1}；另有 {v2} 处</translation>
+    </message>
   </context>
   <context>
     <name>core.project</name>
+    <message>
+      <source> (and {v1} more)</source>
+      <translation>（另有 {v1} 处）</translation>
+    </message>
+    <message>
+      <source>, and {v1} more of the {v2} images</source>
+      <translation>，以及 {v2} 幅图像中的另外 {v1} 幅</translation>
+    </message>
     <message>
       <source>--alignment {v1}: {v2}.</source>
       <translation>--alignment {v1}：{v2}。</translation>
@@ -7741,10 +9252,6 @@
     <message>
       <source>--images {v1} names no camera.</source>
       <translation>--images {v1} 没有指定相机。</translation>
-    </message>
-    <message>
-      <source>A projector of {v1} × {v2} px is not supported.</source>
-      <translation>不支持 {v1} × {v2} px 的投影仪。</translation>
     </message>
     <message>
       <source>A release needs a name.</source>
@@ -7769,6 +9276,10 @@
     <message>
       <source>Add projector_px (projector_rows for horizontal fringes).</source>
       <translation>请添加 projector_px（水平条纹为 projector_rows）。</translation>
+    </message>
+    <message>
+      <source>Add rows below the header {v1}.</source>
+      <translation>请在表头 {v1} 下方添加行。</translation>
     </message>
     <message>
       <source>Add the grey level of a saturated pixel: 1023, 4095 or 65535.</source>
@@ -7887,6 +9398,10 @@
       <translation>请选择含标定板图像的文件夹。</translation>
     </message>
     <message>
+      <source>Compute it again: measureapp process PROJECT.</source>
+      <translation>请重新计算：measureapp process PROJECT。</translation>
+    </message>
+    <message>
       <source>Convert the positions from metres to mm.</source>
       <translation>请将位置从米换算为 mm。</translation>
     </message>
@@ -7919,10 +9434,6 @@
       <translation>请更正此关节的轴。</translation>
     </message>
     <message>
-      <source>Correct the line named.</source>
-      <translation>请更正所指的行。</translation>
-    </message>
-    <message>
       <source>Correct the paths, which are relative to the manifest's folder, or copy the images there.</source>
       <translation>请更正路径（相对于清单的文件夹），或将图像复制到那里。</translation>
     </message>
@@ -7943,20 +9454,12 @@
       <translation>请更正计划的此条目。</translation>
     </message>
     <message>
-      <source>Correct this field.</source>
-      <translation>请更正此字段。</translation>
-    </message>
-    <message>
       <source>Correct this line.</source>
       <translation>请更正此行。</translation>
     </message>
     <message>
       <source>Delete the DOCTYPE from the file.</source>
       <translation>请从文件中删除 DOCTYPE。</translation>
-    </message>
-    <message>
-      <source>Detect the corners again.</source>
-      <translation>请重新检测角点。</translation>
     </message>
     <message>
       <source>End its name in .toml or .json.</source>
@@ -7985,10 +9488,6 @@
     <message>
       <source>Filter it again on the page Clouds.</source>
       <translation>请在“点云”页重新过滤。</translation>
-    </message>
-    <message>
-      <source>Free some space or choose another folder.</source>
-      <translation>请释放一些空间或选择另一文件夹。</translation>
     </message>
     <message>
       <source>Free some space, choose another disk, or scan at a lower resolution.</source>
@@ -8039,18 +9538,6 @@
       <translation>请给出每行一个点 (x y z) 的文件。</translation>
     </message>
     <message>
-      <source>Give a file written by `measureapp calibrate cameras`.</source>
-      <translation>请给出由 `measureapp calibrate cameras` 写出的文件。</translation>
-    </message>
-    <message>
-      <source>Give a file written by `measureapp response`.</source>
-      <translation>请给出由 `measureapp response` 写出的文件。</translation>
-    </message>
-    <message>
-      <source>Give a file, or one of: {v1}.</source>
-      <translation>请给出文件，或其一：{v1}。</translation>
-    </message>
-    <message>
       <source>Give a folder with a {v1}, a logo and texts.</source>
       <translation>请指定一个含有 {v1}、徽标和文本的文件夹。</translation>
     </message>
@@ -8059,16 +9546,24 @@
       <translation>请给出网格，或先由点云生成。</translation>
     </message>
     <message>
-      <source>Give a new or empty folder.</source>
-      <translation>请给出新的或空的文件夹。</translation>
-    </message>
-    <message>
       <source>Give a part program that `measureapp program pack` has written.</source>
       <translation>请指定由 `measureapp program pack` 写出的工件程序。</translation>
     </message>
     <message>
       <source>Give a rig description (TOML), or one of: {v1}.</source>
       <translation>请给出测量系统描述 (TOML)，或其一：{v1}。</translation>
+    </message>
+    <message>
+      <source>Give a scan plan as JSON or TOML.</source>
+      <translation>请以 JSON 或 TOML 给出扫描计划。</translation>
+    </message>
+    <message>
+      <source>Give a unit quaternion, scalar first; not angles in degrees.</source>
+      <translation>请给出单位四元数，标量在前；不是以度为单位的角。</translation>
+    </message>
+    <message>
+      <source>Give an inspection program in TOML.</source>
+      <translation>请以 TOML 给出检测程序。</translation>
     </message>
     <message>
       <source>Give at most {v1}.</source>
@@ -8107,6 +9602,10 @@
       <translation>请每个标定板位置给出每台相机的一幅图像。</translation>
     </message>
     <message>
+      <source>Give one of: {v1}.</source>
+      <translation>请给出以下之一：{v1}。</translation>
+    </message>
+    <message>
       <source>Give one pattern per camera.</source>
       <translation>请每台相机给出一个模式。</translation>
     </message>
@@ -8135,6 +9634,14 @@
       <translation>请给出一台相机的图像。</translation>
     </message>
     <message>
+      <source>Give the path of a MANIFEST.toml.</source>
+      <translation>请给出 MANIFEST.toml 的路径。</translation>
+    </message>
+    <message>
+      <source>Give the path of a RECORDING.toml.</source>
+      <translation>请给出 RECORDING.toml 的路径。</translation>
+    </message>
+    <message>
       <source>Give the path of a cameras.json: `measureapp calibrate cameras --out` writes it, `measureapp process` that of a project.</source>
       <translation>请给出 cameras.json 的路径：由 `measureapp calibrate cameras --out` 写出，项目中的则由 `measureapp process` 写出。</translation>
     </message>
@@ -8153,10 +9660,6 @@
     <message>
       <source>Give x, y and z on every line.</source>
       <translation>请在每行给出 x、y 和 z。</translation>
-    </message>
-    <message>
-      <source>Give {v1} to {v2} px for width and height.</source>
-      <translation>宽和高请给 {v1} 至 {v2} px。</translation>
     </message>
     <message>
       <source>Give {v1}, at the top of the file.</source>
@@ -8215,6 +9718,10 @@
       <translation>其最后一行为 0 0 0 1；长度单位 mm。</translation>
     </message>
     <message>
+      <source>Known fields: {v1}.</source>
+      <translation>已知字段：{v1}。</translation>
+    </message>
+    <message>
       <source>Leave the unit of the nominal out.</source>
       <translation>请省略名义模型的单位。</translation>
     </message>
@@ -8243,20 +9750,8 @@
       <translation>测量结果会保留；请重新测量工件并说明原因。</translation>
     </message>
     <message>
-      <source>Name a .ply file for the coloured nominal.</source>
-      <translation>请为着色的名义模型指定 .ply 文件。</translation>
-    </message>
-    <message>
       <source>Name a file of the project, such as inspection/program.toml.</source>
       <translation>请指定项目的文件，如 inspection/program.toml。</translation>
-    </message>
-    <message>
-      <source>Name a file that ends in .csv or .json.</source>
-      <translation>请指定以 .csv 或 .json 结尾的文件。</translation>
-    </message>
-    <message>
-      <source>Name a file that ends in .svg.</source>
-      <translation>请指定以 .svg 结尾的文件。</translation>
     </message>
     <message>
       <source>Name a folder that contains a {v1}.</source>
@@ -8267,8 +9762,8 @@
       <translation>请指定链中的一个连杆为基座。</translation>
     </message>
     <message>
-      <source>Name best-fit, none, or a file with a 4×4 matrix.</source>
-      <translation>请指定 best-fit、none，或含 4×4 矩阵的文件。</translation>
+      <source>Name a rig description (TOML).</source>
+      <translation>请指定测量系统描述 (TOML)。</translation>
     </message>
     <message>
       <source>Name each parameter once.</source>
@@ -8289,6 +9784,10 @@
     <message>
       <source>Name the columns x, y, z with mm, inch, m, cm or um.</source>
       <translation>请将列命名为 x、y、z，并注明 mm、inch、m、cm 或 um。</translation>
+    </message>
+    <message>
+      <source>Name the file of an arm (TOML or URDF).</source>
+      <translation>请指定机械臂的文件（TOML 或 URDF）。</translation>
     </message>
     <message>
       <source>Name the images by camera and number, such as left01.png and right01.png, or use one folder per camera.</source>
@@ -8371,6 +9870,10 @@
       <translation>请将其作为普通点读取，或重新拼接。</translation>
     </message>
     <message>
+      <source>Rebuild it from the project folders: measureapp series rebuild PROGRAM PROJECT…</source>
+      <translation>请由项目文件夹重建：measureapp series rebuild PROGRAM PROJECT…</translation>
+    </message>
+    <message>
       <source>Recompute them: measureapp process PROJECT.</source>
       <translation>请重新计算：measureapp process PROJECT。</translation>
     </message>
@@ -8411,8 +9914,16 @@
       <translation>请从备份恢复，或重新拍摄该位置。</translation>
     </message>
     <message>
+      <source>Restore it from a backup, or take the viewpoint again: measureapp discard PROJECT {viewpoint}, then measureapp scan … --resume.</source>
+      <translation>请从备份恢复，或重新拍摄该视点：measureapp discard PROJECT {viewpoint}，然后 measureapp scan … --resume。</translation>
+    </message>
+    <message>
       <source>Restore it from a backup, or write a new one.</source>
       <translation>请从备份恢复，或写一个新的。</translation>
+    </message>
+    <message>
+      <source>Restore it from a backup. If you changed it on purpose, accept it (measureapp verify PROJECT --accept {name}).</source>
+      <translation>请从备份恢复。若是有意更改，请接受它 (measureapp verify PROJECT --accept {name})。</translation>
     </message>
     <message>
       <source>Restore the file from a backup, or create a new project.</source>
@@ -8437,10 +9948,6 @@
     <message>
       <source>Scan the part again to compute it anew.</source>
       <translation>请重新扫描工件以重新计算。</translation>
-    </message>
-    <message>
-      <source>Sections cannot be written as {v1}.</source>
-      <translation>截面不能写为 {v1}。</translation>
     </message>
     <message>
       <source>See the format of cameras.json in the help.</source>
@@ -8503,10 +10010,6 @@
       <translation>标定板的温度：{v1}。</translation>
     </message>
     <message>
-      <source>The 3×3 part must be a rotation without scale or mirror.</source>
-      <translation>3×3 部分须为没有缩放或镜像的旋转。</translation>
-    </message>
-    <message>
       <source>The PIN has fewer than {v1} characters.</source>
       <translation>PIN 少于 {v1} 个字符。</translation>
     </message>
@@ -8547,6 +10050,10 @@
       <translation>{v1} 的图像已为节省空间而移除。</translation>
     </message>
     <message>
+      <source>The inspection program</source>
+      <translation>检测程序</translation>
+    </message>
+    <message>
       <source>The inspection program has no entry {v1}.</source>
       <translation>检测程序没有条目 {v1}。</translation>
     </message>
@@ -8568,7 +10075,7 @@
     </message>
     <message>
       <source>The project folder {v1} is gone.</source>
-      <translation>项目文件夹 {v1} 已不在。</translation>
+      <translation>项目文件夹 {v1} 已不存在。</translation>
     </message>
     <message>
       <source>The results in {v1} cannot be read: {v2}</source>
@@ -8667,12 +10174,16 @@
       <translation>请按帮助中 `calibration` 的说明书写：number、temperature_c、uncertainty_mm、over_mm，以及 corners 或 scale。</translation>
     </message>
     <message>
-      <source>Write the 4×4 matrix as four lines of four numbers, or as JSON.</source>
-      <translation>请将 4×4 矩阵写成四行、每行四个数，或写成 JSON。</translation>
+      <source>Write numbers with a decimal point.</source>
+      <translation>请用小数点书写数字。</translation>
     </message>
     <message>
       <source>Write the file again with this version.</source>
       <translation>请用此版本重新写出文件。</translation>
+    </message>
+    <message>
+      <source>Write the header {v1}{v2}.</source>
+      <translation>请写表头 {v1}{v2}。</translation>
     </message>
     <message>
       <source>Write the manifest as `measureapp decode --help` describes.</source>
@@ -8681,6 +10192,174 @@
     <message>
       <source>Write the recording as `measureapp import --help` describes.</source>
       <translation>请按 `measureapp import --help` 的说明书写该录制文件。</translation>
+    </message>
+    <message>
+      <source>a file of schema_version 1</source>
+      <translation>schema_version 1 的文件</translation>
+    </message>
+    <message>
+      <source>a file without ending</source>
+      <translation>没有扩展名的文件</translation>
+    </message>
+    <message>
+      <source>a list of numbers</source>
+      <translation>数值列表</translation>
+    </message>
+    <message>
+      <source>a name begins with a letter or digit, and has letters, digits, '.', '_' and '-' only</source>
+      <translation>名称以字母或数字开头，只含字母、数字、“.”、“_”和“-”</translation>
+    </message>
+    <message>
+      <source>a scan plan</source>
+      <translation>扫描计划</translation>
+    </message>
+    <message>
+      <source>belongs to another stitched cloud</source>
+      <translation>属于另一拼接点云</translation>
+    </message>
+    <message>
+      <source>between {v1} and {v2}</source>
+      <translation>在 {v1} 与 {v2} 之间</translation>
+    </message>
+    <message>
+      <source>cannot be read</source>
+      <translation>无法读取</translation>
+    </message>
+    <message>
+      <source>corner {v1} occurs twice at position {v2}</source>
+      <translation>角点 {v1} 在位置 {v2} 出现两次</translation>
+    </message>
+    <message>
+      <source>false</source>
+      <translation>false</translation>
+    </message>
+    <message>
+      <source>give either pitch_px or periods</source>
+      <translation>请给出 pitch_px 或 periods 之一</translation>
+    </message>
+    <message>
+      <source>has format {v1}; this version reads format {v2}</source>
+      <translation>格式为 {v1}；此版本读取格式 {v2}</translation>
+    </message>
+    <message>
+      <source>is not what was stored</source>
+      <translation>与存储的内容不符</translation>
+    </message>
+    <message>
+      <source>it contains no surface, or is damaged</source>
+      <translation>其中没有曲面，或已损坏</translation>
+    </message>
+    <message>
+      <source>it has both corners and a scale, of which one would be ignored</source>
+      <translation>同时含有角点和比例，其中之一会被忽略</translation>
+    </message>
+    <message>
+      <source>it is no table</source>
+      <translation>不是表格</translation>
+    </message>
+    <message>
+      <source>it needs more than {v1} GiB of memory</source>
+      <translation>需要超过 {v1} GiB 的内存</translation>
+    </message>
+    <message>
+      <source>it unpacks to more than {v1} MB</source>
+      <translation>解压后超过 {v1} MB</translation>
+    </message>
+    <message>
+      <source>its array {v1} is cut off</source>
+      <translation>其数组 {v1} 被截断</translation>
+    </message>
+    <message>
+      <source>its cameras are not names</source>
+      <translation>其相机不是名称</translation>
+    </message>
+    <message>
+      <source>its name is not known</source>
+      <translation>其名称未知</translation>
+    </message>
+    <message>
+      <source>name = {v1}
+alignment = "{v2}"
+</source>
+      <translation>name = {v1}
+alignment = "{v2}"
+</translation>
+    </message>
+    <message>
+      <source>no index</source>
+      <translation>没有索引</translation>
+    </message>
+    <message>
+      <source>none</source>
+      <translation>无</translation>
+    </message>
+    <message>
+      <source>one finite number</source>
+      <translation>一个有限数</translation>
+    </message>
+    <message>
+      <source>planes</source>
+      <translation>planes</translation>
+    </message>
+    <message>
+      <source>position {v1} has two different angles</source>
+      <translation>位置 {v1} 有两个不同的角度</translation>
+    </message>
+    <message>
+      <source>position {v1} occurs twice</source>
+      <translation>位置 {v1} 出现两次</translation>
+    </message>
+    <message>
+      <source>steps</source>
+      <translation>steps</translation>
+    </message>
+    <message>
+      <source>the PIN</source>
+      <translation>PIN</translation>
+    </message>
+    <message>
+      <source>the certificate</source>
+      <translation>证书</translation>
+    </message>
+    <message>
+      <source>the first corner of a box must be below the second one in x, y and z</source>
+      <translation>长方体的第一个角在 x、y、z 上都必须小于第二个角</translation>
+    </message>
+    <message>
+      <source>the folder does not exist</source>
+      <translation>该文件夹不存在</translation>
+    </message>
+    <message>
+      <source>the index does not fit the file</source>
+      <translation>索引与文件不符</translation>
+    </message>
+    <message>
+      <source>the name {v1} is empty or occurs twice</source>
+      <translation>名称 {v1} 为空或出现两次</translation>
+    </message>
+    <message>
+      <source>the part program</source>
+      <translation>工件程序</translation>
+    </message>
+    <message>
+      <source>the quaternion (qw, qx, qy, qz) has length {v1}, not 1</source>
+      <translation>四元数 (qw, qx, qy, qz) 的长度为 {v1}，而非 1</translation>
+    </message>
+    <message>
+      <source>the robot</source>
+      <translation>机器人</translation>
+    </message>
+    <message>
+      <source>there is no vertex {v1}</source>
+      <translation>没有顶点 {v1}</translation>
+    </message>
+    <message>
+      <source>true</source>
+      <translation>true</translation>
+    </message>
+    <message>
+      <source>unknown error</source>
+      <translation>未知错误</translation>
     </message>
     <message>
       <source>{v1} and the class {v2} both state the lengths of the board.</source>
@@ -8703,10 +10382,6 @@
       <translation>{v1} 不能读作报告模板：{v2}。</translation>
     </message>
     <message>
-      <source>{v1} cannot be read as an alignment: {v2}.</source>
-      <translation>{v1} 不能读作对齐：{v2}。</translation>
-    </message>
-    <message>
       <source>{v1} cannot be read as {v2}: {v3}.</source>
       <translation>{v1} 不能读作 {v2}：{v3}。</translation>
     </message>
@@ -8719,8 +10394,8 @@
       <translation>无法写入 {v1}。</translation>
     </message>
     <message>
-      <source>{v1} cannot be written.</source>
-      <translation>无法写出 {v1}。</translation>
+      <source>{v1} cannot be written to: {v2}.</source>
+      <translation>无法写入 {v1}：{v2}。</translation>
     </message>
     <message>
       <source>{v1} cannot be written: the disk is full.</source>
@@ -8733,10 +10408,6 @@
     <message>
       <source>{v1} cannot hold a mesh.</source>
       <translation>{v1} 不能保存网格。</translation>
-    </message>
-    <message>
-      <source>{v1} contains another file: {v2}.</source>
-      <translation>{v1} 含有其他文件：{v2}。</translation>
     </message>
     <message>
       <source>{v1} contains images of another plan.</source>
@@ -8763,16 +10434,16 @@
       <translation>{v1} 声明了文档类型 (DOCTYPE)，其中可能隐藏实体。</translation>
     </message>
     <message>
+      <source>{v1} differs from its stored checksum</source>
+      <translation>{v1} 与存储的校验和不符</translation>
+    </message>
+    <message>
       <source>{v1} differs from the group of the longest exposure.</source>
       <translation>{v1} 与最长曝光的组不同。</translation>
     </message>
     <message>
       <source>{v1} does not describe a stack: {v2}.</source>
       <translation>{v1} 没有描述图像组：{v2}。</translation>
-    </message>
-    <message>
-      <source>{v1} does not end in .ply.</source>
-      <translation>{v1} 不以 .ply 结尾。</translation>
     </message>
     <message>
       <source>{v1} does not exist or is not a file.</source>
@@ -8783,20 +10454,8 @@
       <translation>{v1} 中没有标定：{v2}。</translation>
     </message>
     <message>
-      <source>{v1} does not hold numbers only.</source>
-      <translation>{v1} 中不全是数字。</translation>
-    </message>
-    <message>
       <source>{v1} does not hold results of a series.</source>
       <translation>{v1} 中没有系列的结果。</translation>
-    </message>
-    <message>
-      <source>{v1} does not hold the 16 finite numbers of a 4×4 matrix.</source>
-      <translation>{v1} 中没有 4×4 矩阵的 16 个有限数值。</translation>
-    </message>
-    <message>
-      <source>{v1} does not hold the corners of a camera calibration: {v2}.</source>
-      <translation>{v1} 中没有相机标定的角点：{v2}。</translation>
     </message>
     <message>
       <source>{v1} does not say whether it is ascii or binary.</source>
@@ -8805,6 +10464,10 @@
     <message>
       <source>{v1} ends with its header.</source>
       <translation>{v1} 在文件头之后结束。</translation>
+    </message>
+    <message>
+      <source>{v1} finite numbers</source>
+      <translation>{v1} 个有限数</translation>
     </message>
     <message>
       <source>{v1} gives different {v2}: {v3}.</source>
@@ -8817,14 +10480,6 @@
     <message>
       <source>{v1} has a line in its header that cannot be understood: {v2}.</source>
       <translation>{v1} 的文件头中有一行无法理解：{v2}。</translation>
-    </message>
-    <message>
-      <source>{v1} has a line without two numbers.</source>
-      <translation>{v1} 有一行没有两个数字。</translation>
-    </message>
-    <message>
-      <source>{v1} has a number that is not finite.</source>
-      <translation>{v1} 有不是有限值的数字。</translation>
     </message>
     <message>
       <source>{v1} has a triangle that does not have three corners.</source>
@@ -8849,10 +10504,6 @@
     <message>
       <source>{v1} has no checksums.</source>
       <translation>{v1} 没有校验和。</translation>
-    </message>
-    <message>
-      <source>{v1} has no columns level and grey.</source>
-      <translation>{v1} 没有 level 和 grey 列。</translation>
     </message>
     <message>
       <source>{v1} has no evaluated dimensions.</source>
@@ -8897,6 +10548,10 @@
     <message>
       <source>{v1} has no {v2} in &lt;{v3}&gt;.</source>
       <translation>{v1} 在 &lt;{v3}&gt; 中没有 {v2}。</translation>
+    </message>
+    <message>
+      <source>{v1} has no {v2}.</source>
+      <translation>{v1} 没有{v2}。</translation>
     </message>
     <message>
       <source>{v1} has points but no triangles.</source>
@@ -9047,10 +10702,6 @@
       <translation>{v1} 不是 JSON。</translation>
     </message>
     <message>
-      <source>{v1} is not a CSV file.</source>
-      <translation>{v1} 不是 CSV 文件。</translation>
-    </message>
-    <message>
       <source>{v1} is not a MeasureApp project.</source>
       <translation>{v1} 不是 MeasureApp 项目。</translation>
     </message>
@@ -9095,16 +10746,16 @@
       <translation>{v1} 不是可读的图像。</translation>
     </message>
     <message>
-      <source>{v1} is not a rigid transform: {v2}</source>
-      <translation>{v1} 不是刚性变换：{v2}</translation>
-    </message>
-    <message>
       <source>{v1} is not a stitched cloud written by MeasureApp.</source>
       <translation>{v1} 不是 MeasureApp 写出的拼接点云。</translation>
     </message>
     <message>
       <source>{v1} is not a text file.</source>
       <translation>{v1} 不是文本文件。</translation>
+    </message>
+    <message>
+      <source>{v1} is not a time such as 06:00</source>
+      <translation>{v1} 不是时间，应如 06:00</translation>
     </message>
     <message>
       <source>{v1} is not a view's cloud written by MeasureApp.</source>
@@ -9115,8 +10766,8 @@
       <translation>{v1} 不是 STL 文件。</translation>
     </message>
     <message>
-      <source>{v1} is not an SVG file.</source>
-      <translation>{v1} 不是 SVG 文件。</translation>
+      <source>{v1} is not the id of a viewpoint</source>
+      <translation>{v1} 不是视点的 ID</translation>
     </message>
     <message>
       <source>{v1} is not the journal of a project.</source>
@@ -9163,6 +10814,22 @@
       <translation>{v1} 是唯一的图像。</translation>
     </message>
     <message>
+      <source>{v1} is {v2}, not a finite number</source>
+      <translation>{v1} 为 {v2}，不是有限数</translation>
+    </message>
+    <message>
+      <source>{v1} is {v2}, not a number</source>
+      <translation>{v1} 为 {v2}，不是数字</translation>
+    </message>
+    <message>
+      <source>{v1} is {v2}, not a whole number of at least 0</source>
+      <translation>{v1} 为 {v2}，不是不小于 0 的整数</translation>
+    </message>
+    <message>
+      <source>{v1} marks</source>
+      <translation>{v1} 个标志点</translation>
+    </message>
+    <message>
       <source>{v1} moves, but is not {v2}: the chain branches.</source>
       <translation>{v1} 可移动，但不是 {v2}：链有分支。</translation>
     </message>
@@ -9177,6 +10844,14 @@
     <message>
       <source>{v1} nests more than {v2} elements.</source>
       <translation>{v1} 嵌套超过 {v2} 个元素。</translation>
+    </message>
+    <message>
+      <source>{v1} numbers</source>
+      <translation>{v1} 个数值</translation>
+    </message>
+    <message>
+      <source>{v1} positions</source>
+      <translation>{v1} 个位置</translation>
     </message>
     <message>
       <source>{v1} says of its views what is not a number.</source>
@@ -9251,8 +10926,16 @@
       <translation>{v1}，第 {v2} 行：{v3}。</translation>
     </message>
     <message>
+      <source>{v1}, process {v2}</source>
+      <translation>{v1}，进程 {v2}</translation>
+    </message>
+    <message>
       <source>{v1}, the nominal named in {v2}, does not exist.</source>
       <translation>{v2} 中指定的名义模型 {v1} 不存在。</translation>
+    </message>
+    <message>
+      <source>{v1}, user {v2} at {v3}, since {v4}</source>
+      <translation>{v1}，用户 {v2}，位于 {v3}，自 {v4}</translation>
     </message>
     <message>
       <source>{v1}: 16-bit images need `saturation`.</source>
@@ -9301,6 +10984,10 @@
     <message>
       <source>{v1}: exposure {v2} µs has {v3} groups, the first has {v4}.</source>
       <translation>{v1}：曝光 {v2} µs 有 {v3} 组，第一个有 {v4} 组。</translation>
+    </message>
+    <message>
+      <source>{v1}: exposure {v2} µs, group {v3}</source>
+      <translation>{v1}：曝光 {v2} µs，组 {v3}</translation>
     </message>
     <message>
       <source>{v1}: image {v2} cannot be read: it does not exist{v3}.</source>
@@ -9430,6 +11117,10 @@
       <source>{v1}; the first image of camera {v2} is {v3} × {v4} px.</source>
       <translation>{v1}；相机 {v2} 的第一幅图像为 {v3} × {v4} px。</translation>
     </message>
+    <message>
+      <source>{v1}{v2} is not a known key</source>
+      <translation>{v1}{v2} 不是已知的键</translation>
+    </message>
   </context>
   <context>
     <name>core.projector_lightcrafter</name>
@@ -9448,6 +11139,18 @@
     <message>
       <source>Check the USB cable, and close other programs that use the projector.</source>
       <translation>请检查 USB 电缆，并关闭使用投影仪的其他程序。</translation>
+    </message>
+    <message>
+      <source>Choose a period of {v1} µs or more, or a pattern set of at most {v2} images.</source>
+      <translation>请选择不短于 {v1} µs 的周期，或最多 {v2} 幅图像的图案集。</translation>
+    </message>
+    <message>
+      <source>Choose a period of {v1} µs or more.</source>
+      <translation>请选择不短于 {v1} µs 的周期。</translation>
+    </message>
+    <message>
+      <source>Choose {v1} µs or more.</source>
+      <translation>请选择不小于 {v1} µs。</translation>
     </message>
     <message>
       <source>Close other programs that use it; on Linux, allow access by a udev rule (see the README of the driver).</source>
@@ -9482,12 +11185,20 @@
       <translation>请更正设置 video。</translation>
     </message>
     <message>
+      <source>Divide the pattern set.</source>
+      <translation>请拆分图案集。</translation>
+    </message>
+    <message>
       <source>Export it by `measureapp patterns export --width {v1} --height {v2}`, program the images with the vendor's tool, three patterns to an image (green, red, blue), and add hash {v3} with their numbers to the setting flash.</source>
       <translation>请用 `measureapp patterns export --width {v1} --height {v2}` 导出，用供应商的工具写入图像，每幅图像三个图案（绿、红、蓝），并将哈希 {v3} 及其编号加到设置 flash。</translation>
     </message>
     <message>
       <source>Give 8-bit images of {v1} × {v2} px.</source>
       <translation>请给出 {v1} × {v2} px 的 8 位图像。</translation>
+    </message>
+    <message>
+      <source>Install it: pip install hidapi</source>
+      <translation>请安装：pip install hidapi</translation>
     </message>
     <message>
       <source>Load them with this driver's model.</source>
@@ -9500,6 +11211,10 @@
     <message>
       <source>Play again.</source>
       <translation>请重新播放。</translation>
+    </message>
+    <message>
+      <source>Replace it: pip uninstall hid; pip install hidapi</source>
+      <translation>请更换：pip uninstall hid; pip install hidapi</translation>
     </message>
     <message>
       <source>Rig {v1}: the projector has {v2} × {v3} px, and a LightCrafter 4500 {v4} × {v5}.</source>
@@ -9530,12 +11245,136 @@
       <translation>请在其电源处关闭。</translation>
     </message>
     <message>
+      <source>The driver of the LightCrafter needs the package hidapi, and another package provides its module hid.</source>
+      <translation>LightCrafter 的驱动需要 hidapi 包，而其模块 hid 由另一个包提供。</translation>
+    </message>
+    <message>
+      <source>The driver of the LightCrafter needs the package hidapi.</source>
+      <translation>LightCrafter 的驱动需要 hidapi 包。</translation>
+    </message>
+    <message>
       <source>Update its firmware.</source>
       <translation>请更新其固件。</translation>
     </message>
     <message>
       <source>Update its firmware; this one takes the command for one run as the one for repetition.</source>
       <translation>请更新其固件；此版本将单次运行的命令当作重复命令。</translation>
+    </message>
+    <message>
+      <source>a pattern that waits for an external trigger follows without a black field</source>
+      <translation>等待外部触发的图案之前没有黑场</translation>
+    </message>
+    <message>
+      <source>a report could not be sent</source>
+      <translation>某个报告无法发送</translation>
+    </message>
+    <message>
+      <source>an image buffer was swapped too late</source>
+      <translation>某个图像缓冲区交换过迟</translation>
+    </message>
+    <message>
+      <source>flash images are numbered 0…255</source>
+      <translation>闪存图像的编号为 0…255</translation>
+    </message>
+    <message>
+      <source>has {v1} bytes, and a reply begins with {v2}</source>
+      <translation>有 {v1} 字节，而应答以 {v2} 字节开头</translation>
+    </message>
+    <message>
+      <source>it has not initialised itself</source>
+      <translation>它尚未完成初始化</translation>
+    </message>
+    <message>
+      <source>its USB connection broke</source>
+      <translation>其 USB 连接中断</translation>
+    </message>
+    <message>
+      <source>its memory test failed</source>
+      <translation>其存储器测试失败</translation>
+    </message>
+    <message>
+      <source>its sequencer does not run</source>
+      <translation>其序列器没有运行</translation>
+    </message>
+    <message>
+      <source>no data</source>
+      <translation>没有数据</translation>
+    </message>
+    <message>
+      <source>one without a serial number</source>
+      <translation>一台没有序列号</translation>
+    </message>
+    <message>
+      <source>states a length of {v1} bytes; the longest reply has {v2}</source>
+      <translation>声明长度为 {v1} 字节；最长的应答为 {v2} 字节</translation>
+    </message>
+    <message>
+      <source>table of {v1}</source>
+      <translation>{v1} 的表</translation>
+    </message>
+    <message>
+      <source>the command {v1} ({v2}:{v3})</source>
+      <translation>命令 {v1}（{v2}:{v3}）</translation>
+    </message>
+    <message>
+      <source>the controller of the mirrors reports an error</source>
+      <translation>微镜控制器报告错误</translation>
+    </message>
+    <message>
+      <source>the exposure or the period is not valid</source>
+      <translation>曝光或周期无效</translation>
+    </message>
+    <message>
+      <source>the mirrors are parked</source>
+      <translation>微镜已停放</translation>
+    </message>
+    <message>
+      <source>the period exceeds the exposure by less than {v1} µs</source>
+      <translation>周期超出曝光的部分不足 {v1} µs</translation>
+    </message>
+    <message>
+      <source>the sequencer reports an error</source>
+      <translation>序列器报告错误</translation>
+    </message>
+    <message>
+      <source>the sequencer stopped before the end of the sequence</source>
+      <translation>序列器在序列结束之前停止</translation>
+    </message>
+    <message>
+      <source>the table has a pattern number that is not valid</source>
+      <translation>表中有无效的图案编号</translation>
+    </message>
+    <message>
+      <source>to {v1} has {v2} bytes of data instead of {v3}</source>
+      <translation>对 {v1} 有 {v2} 字节数据，而非 {v3} 字节</translation>
+    </message>
+    <message>
+      <source>trigger output 1 stays high, or black fields overlap</source>
+      <translation>触发输出 1 保持高电平，或黑场重叠</translation>
+    </message>
+    <message>
+      <source>unknown bits 0x{v1}</source>
+      <translation>未知位 0x{v1}</translation>
+    </message>
+    <message>
+      <source>{v1} answers earlier requests only, not {v2}.</source>
+      <translation>{v1} 只应答更早的请求，未应答 {v2}。</translation>
+    </message>
+    <message>
+      <source>{v1} cannot expose {v2} µs in a period of {v3} µs.</source>
+      <translation>{v1} 无法在 {v3} µs 的周期内曝光 {v2} µs。</translation>
+    </message>
+    <message>
+      <source>{v1} cannot show patterns of {v2} bits for {v3} µs.</source>
+      <translation>{v1} 无法以 {v3} µs 显示 {v2} 位的图案。</translation>
+    </message>
+    <message>
+      <source>{v1} did not answer {v2} within {v3} s.</source>
+      <translation>{v1} 在 {v3} s 内没有应答 {v2}。</translation>
+    </message>
+    <message>
+      <source>{v1} did not finish checking the sequence.</source>
+      <translation>{v1} 没有完成序列的检查。</translation>
     </message>
     <message>
       <source>{v1} did not start the sequence: {v2}.</source>
@@ -9574,6 +11413,14 @@
       <translation>{v1} 的闪存中有 {v2} 幅图像，而设置指定了其他 ({v3})。</translation>
     </message>
     <message>
+      <source>{v1} needs {v2} ms to load flash image {v3}, and shows the one before it for {v4} ms only.</source>
+      <translation>{v1} 载入闪存图像 {v3} 需要 {v2} ms，而前一幅只显示 {v4} ms。</translation>
+    </message>
+    <message>
+      <source>{v1} plays at most {v2} patterns from {v3} images at once, not {v4} from {v5}.</source>
+      <translation>{v1} 一次最多播放来自 {v3} 幅图像的 {v2} 个图案，不能播放来自 {v5} 幅的 {v4} 个。</translation>
+    </message>
+    <message>
       <source>{v1} refused {v2} ({v3}; reply {v4}).</source>
       <translation>{v1} 拒绝 {v2}（{v3}；应答 {v4}）。</translation>
     </message>
@@ -9608,6 +11455,10 @@
     <message>
       <source>{v1}: a reply {v2} ({v3}).</source>
       <translation>{v1}：应答 {v2} ({v3})。</translation>
+    </message>
+    <message>
+      <source>{v1}: image {v2}</source>
+      <translation>{v1}：图像 {v2}</translation>
     </message>
     <message>
       <source>{v1}: the LightCrafter is present and cannot be opened: {v2}.</source>
@@ -9653,12 +11504,32 @@
       <translation>请设置 name、manufacturer、model 或 serial；`python -m ui.second_screen list` 打印屏幕列表。</translation>
     </message>
     <message>
+      <source>its window did not appear within {v1} s</source>
+      <translation>其窗口在 {v1} s 内没有出现</translation>
+    </message>
+    <message>
+      <source>its window was closed</source>
+      <translation>其窗口已关闭</translation>
+    </message>
+    <message>
+      <source>the process of its window ended with code {v1}{v2}</source>
+      <translation>其窗口的进程已结束，代码 {v1}{v2}</translation>
+    </message>
+    <message>
+      <source>the process of its window has ended</source>
+      <translation>其窗口的进程已结束</translation>
+    </message>
+    <message>
       <source>{v1}: the screen does not state its refresh rate.</source>
       <translation>{v1}：屏幕没有说明其刷新率。</translation>
     </message>
     <message>
       <source>{v1}: the settings are not those of a second screen.</source>
       <translation>{v1}：这些设置不是第二屏幕的。</translation>
+    </message>
+    <message>
+      <source>{v1}: the window did not follow the command {v2} within {v3} s.</source>
+      <translation>{v1}：窗口在 {v3} s 内没有执行命令 {v2}。</translation>
     </message>
   </context>
   <context>
@@ -9786,6 +11657,10 @@
     <message>
       <source>Exchange them, for instance in the manifest: </source>
       <translation>请交换它们，例如在清单中： </translation>
+    </message>
+    <message>
+      <source>Exchange them, for instance in the manifest: {v1}.</source>
+      <translation>请将它们互换，例如在清单中：{v1}。</translation>
     </message>
     <message>
       <source>Exclude one of the cameras.</source>
@@ -9996,6 +11871,14 @@
       <translation>请使用拍摄这些图像的相机和分辨率的标定。</translation>
     </message>
     <message>
+      <source>behind the camera or the projector</source>
+      <translation>位于相机或投影仪后方</translation>
+    </message>
+    <message>
+      <source>distortion of the projector has no inverse</source>
+      <translation>投影仪的畸变没有逆</translation>
+    </message>
+    <message>
       <source>filling {v1}</source>
       <translation>正在填充 {v1}</translation>
     </message>
@@ -10004,8 +11887,28 @@
       <translation>正在匹配 {v1}</translation>
     </message>
     <message>
+      <source>module {v1} has no attribute {v2}</source>
+      <translation>模块 {v1} 没有属性 {v2}</translation>
+    </message>
+    <message>
+      <source>outside the projector's image</source>
+      <translation>位于投影仪图像之外</translation>
+    </message>
+    <message>
+      <source>parallel to the projector's fringe</source>
+      <translation>与投影仪的条纹平行</translation>
+    </message>
+    <message>
+      <source>point of the projector</source>
+      <translation>投影仪的点</translation>
+    </message>
+    <message>
       <source>projector </source>
       <translation>投影仪 </translation>
+    </message>
+    <message>
+      <source>projector's column and row contradict each other</source>
+      <translation>投影仪的列与行相互矛盾</translation>
     </message>
     <message>
       <source>{v1} calibrated camera has images; points need two.</source>
@@ -10023,20 +11926,64 @@
       <translation>{v1} 个点的点云中没有一个点有 {v2} 个邻点。</translation>
     </message>
     <message>
-      <source>A cloud of {v1} points has no surface.</source>
-      <translation>{v1} 个点的点云没有表面。</translation>
+      <source>A set-up needs at least {v1}; scan more of the part.</source>
+      <translation>一次装夹至少需要 {v1}；请扫描工件的更多部分。</translation>
+    </message>
+    <message>
+      <source>A sphere was moved between the set-ups, or one of them is measured badly: fasten the spheres and scan again.</source>
+      <translation>某个球在装夹之间移动了，或其中一个测量不佳：请固定各球并重新扫描。</translation>
+    </message>
+    <message>
+      <source>Add a set-up that sees more of both (the part on its edge), or join by the nominal or by at least three reference spheres.</source>
+      <translation>请添加一次能同时看到两者更多部分的装夹（工件立起），或通过名义模型或至少三个参考球拼接。</translation>
+    </message>
+    <message>
+      <source>All points of the cloud coincide.</source>
+      <translation>点云的所有点重合。</translation>
     </message>
     <message>
       <source>At least one cloud needs {v1} points.</source>
       <translation>至少一个点云需要 {v1} 个点。</translation>
     </message>
     <message>
+      <source>At least {v1} are needed.</source>
+      <translation>至少需要 {v1}。</translation>
+    </message>
+    <message>
+      <source>By their reference spheres, {v1} and {v2} contradict each other: points of one are where the other one saw empty space.</source>
+      <translation>按参考球，{v1} 与 {v2} 相互矛盾：一方的点位于另一方所见的空处。</translation>
+    </message>
+    <message>
+      <source>Check that both are of the same part and that it was not changed between the set-ups; remove fixtures from the clouds.</source>
+      <translation>请检查两者是否为同一工件、装夹之间是否有改动；并从点云中去除夹具。</translation>
+    </message>
+    <message>
+      <source>Check that the spheres were not moved between the set-ups and that both are of one part.</source>
+      <translation>请检查装夹之间各球是否移动，以及两者是否为同一工件。</translation>
+    </message>
+    <message>
       <source>Check the calibration.</source>
       <translation>请检查标定。</translation>
     </message>
     <message>
-      <source>Exclude it or measure it again.</source>
-      <translation>请排除它或重新测量。</translation>
+      <source>Check the normals and the density of the cloud.</source>
+      <translation>请检查点云的法线和密度。</translation>
+    </message>
+    <message>
+      <source>Check the unit and the frame of the cloud.</source>
+      <translation>请检查点云的单位和坐标系。</translation>
+    </message>
+    <message>
+      <source>Check their diameter, and scan every sphere in both set-ups.</source>
+      <translation>请检查其直径，并在两次装夹中扫描每个球。</translation>
+    </message>
+    <message>
+      <source>Correct --turned {v1}=…: the rotation of the part about x, then y, then z, from the first set-up.</source>
+      <translation>请更正 --turned {v1}=…：工件相对第一次装夹依次绕 x、y、z 的转动。</translation>
+    </message>
+    <message>
+      <source>Free disk space there.</source>
+      <translation>请在该处腾出磁盘空间。</translation>
     </message>
     <message>
       <source>Give each axis from the smaller to the larger value.</source>
@@ -10055,28 +12002,56 @@
       <translation>请给出要保留一侧的方向。</translation>
     </message>
     <message>
-      <source>If they are in {v1}, use `--unit {v2}`; otherwise export the clouds in millimetres.</source>
-      <translation>如果单位是 {v1}，请使用 `--unit {v2}`；否则请以毫米导出点云。</translation>
+      <source>Make a closed surface (poisson), or divide the cloud into open patches.</source>
+      <translation>请生成封闭曲面 (poisson)，或将点云分成开放的片。</translation>
     </message>
     <message>
       <source>Merge on a coarser grid, close other programs, and check the cloud's normals.</source>
       <translation>请用更粗的网格合并，关闭其他程序，并检查点云的法向。</translation>
     </message>
     <message>
+      <source>Merge on a coarser grid, or close other programs.</source>
+      <translation>请用更粗的网格合并，或关闭其他程序。</translation>
+    </message>
+    <message>
       <source>No cloud has enough points for registration.</source>
       <translation>没有点云有足够的点用于配准。</translation>
+    </message>
+    <message>
+      <source>No position of {v1} fits near the stated rotation; the nearest is {v2}° away from it.</source>
+      <translation>在所述转动附近没有适合 {v1} 的位置；最近的相差 {v2}°。</translation>
     </message>
     <message>
       <source>No view can be used: each contradicts its kinematic position.</source>
       <translation>没有可用的视图：每个都与其运动学位置矛盾。</translation>
     </message>
     <message>
-      <source>Placed by their poses, the clouds lie {v1} times their own size apart; read as {v2}, they overlap.</source>
-      <translation>按其位姿放置时，点云相距其自身大小的 {v1} 倍；按 {v2} 读取则相互重叠。</translation>
+      <source>Only {v1} reference spheres were found in {v2}; at least {v3} are needed.</source>
+      <translation>在 {v2} 中只找到 {v1} 个参考球；至少需要 {v3} 个。</translation>
+    </message>
+    <message>
+      <source>Place the spheres at unequal distances, or state --turned {v1}=X,Y,Z.</source>
+      <translation>请将各球以不等间距放置，或给出 --turned {v1}=X,Y,Z。</translation>
+    </message>
+    <message>
+      <source>Scan more of the surface in both set-ups, join them by reference spheres, or check that both are of one part.</source>
+      <translation>请在两次装夹中扫描更多表面、通过参考球拼接，或检查两者是否为同一工件。</translation>
     </message>
     <message>
       <source>Separate the numbers by commas.</source>
       <translation>请用逗号分隔数字。</translation>
+    </message>
+    <message>
+      <source>State it: --sphere-diameter-mm.</source>
+      <translation>请给出：--sphere-diameter-mm。</translation>
+    </message>
+    <message>
+      <source>State roughly how the part was turned, for example --turned {v1}=180,0,0 (about x, y, z), or use reference spheres.</source>
+      <translation>请大致给出工件的转动，例如 --turned {v1}=180,0,0（绕 x、y、z），或使用参考球。</translation>
+    </message>
+    <message>
+      <source>State the rotation --turned {v1}=… more precisely.</source>
+      <translation>请更精确地给出转动 --turned {v1}=…。</translation>
     </message>
     <message>
       <source>The box is empty: a lower limit exceeds its upper limit.</source>
@@ -10085,6 +12060,10 @@
     <message>
       <source>The covariance of {v1} poses has shape {v2}.</source>
       <translation>{v1} 个位姿的协方差的形状为 {v2}。</translation>
+    </message>
+    <message>
+      <source>The diameter of the reference spheres is missing.</source>
+      <translation>缺少参考球的直径。</translation>
     </message>
     <message>
       <source>The filter {v1} needs {v2} numbers.</source>
@@ -10099,6 +12078,50 @@
       <translation>平面法向为 0 0 0。</translation>
     </message>
     <message>
+      <source>The points do not form a surface.</source>
+      <translation>这些点不构成曲面。</translation>
+    </message>
+    <message>
+      <source>The points lie on one line.</source>
+      <translation>这些点位于一条直线上。</translation>
+    </message>
+    <message>
+      <source>The points of the surface cannot be written to {v1}: {v2}.</source>
+      <translation>无法将曲面的点写入 {v1}：{v2}。</translation>
+    </message>
+    <message>
+      <source>The reference spheres of {v1} and {v2} can be assigned in {v3} ways.</source>
+      <translation>{v1} 与 {v2} 的参考球有 {v3} 种对应方式。</translation>
+    </message>
+    <message>
+      <source>The reference spheres of {v1} and {v2} contradict each other: the sphere at {v3} mm is {v4} mm off the others, the limit is {v5} mm.</source>
+      <translation>{v1} 与 {v2} 的参考球相互矛盾：位于 {v3} mm 处的球与其他球相差 {v4} mm，限值为 {v5} mm。</translation>
+    </message>
+    <message>
+      <source>The reference spheres of {v1} and {v2} do not correspond: no three have the same distances within {v3} mm.</source>
+      <translation>{v1} 与 {v2} 的参考球不对应：没有三个球的间距在 {v3} mm 以内相同。</translation>
+    </message>
+    <message>
+      <source>The surface needs about {v1} GiB of memory, and {v2} GiB are free.</source>
+      <translation>曲面约需 {v1} GiB 内存，而空闲 {v2} GiB。</translation>
+    </message>
+    <message>
+      <source>The surface reconstruction could not be started: {v1}.</source>
+      <translation>无法启动曲面重建：{v1}。</translation>
+    </message>
+    <message>
+      <source>The surface reconstruction failed: {v1}.</source>
+      <translation>曲面重建失败：{v1}。</translation>
+    </message>
+    <message>
+      <source>The surface that {v1} has in common with the other set-ups does not determine: {v2}.</source>
+      <translation>{v1} 与其他装夹的共有表面不能确定：{v2}。</translation>
+    </message>
+    <message>
+      <source>The views contradict the calibrated axes in one pattern: what is left between them {follows} ({size_mm:.3f} mm rms beyond the stated errors). The views are kept and the uncertainties contain it; {what} is doubted. {remedy}</source>
+      <translation>各视图以同一规律与标定的轴相矛盾：其间的残差{follows}（超出所述误差 {size_mm:.3f} mm rms）。视图已保留，不确定度已包含它；存疑的是{what}。{remedy}</translation>
+    </message>
+    <message>
       <source>There are {v1} clouds but {v2} poses.</source>
       <translation>有 {v1} 个点云，但有 {v2} 个位姿。</translation>
     </message>
@@ -10107,12 +12130,20 @@
       <translation>已有 {v1} 个过滤器。</translation>
     </message>
     <message>
+      <source>Two positions of {v1} fit equally well, {v2}° and {v3}° away from the stated rotation.</source>
+      <translation>{v1} 有两个同样合适的位置，与所述转动相差 {v2}° 和 {v3}°。</translation>
+    </message>
+    <message>
       <source>Undo some, or apply fewer and stricter ones.</source>
       <translation>请撤销一些，或使用更少、更严格的。</translation>
     </message>
     <message>
       <source>Use a larger cloud or fewer neighbours.</source>
       <translation>请使用更大的点云或更少的邻点。</translation>
+    </message>
+    <message>
+      <source>Use the same spheres in both set-ups, and do not move them between the set-ups.</source>
+      <translation>请在两次装夹中使用相同的球，且不要在装夹之间移动。</translation>
     </message>
     <message>
       <source>Widen it. Nothing was changed.</source>
@@ -10131,8 +12162,16 @@
       <translation>正在求 {v1} 的位置</translation>
     </message>
     <message>
+      <source>its surface lies {v1} mm and {v2}° off its kinematic position, {v3} times the limit</source>
+      <translation>其表面偏离运动学位置 {v1} mm、{v2}°，为限值的 {v3} 倍</translation>
+    </message>
+    <message>
       <source>joint registration</source>
       <translation>联合配准</translation>
+    </message>
+    <message>
+      <source>only {v1} of the surface at the same place fits within {v2} mm</source>
+      <translation>同一位置的表面只有 {v1} 在 {v2} mm 以内相符</translation>
     </message>
     <message>
       <source>only {v1} of the visible surface has points</source>
@@ -10149,6 +12188,10 @@
     <message>
       <source>only {v1} points: excluded</source>
       <translation>只有 {v1} 个点：已排除</translation>
+    </message>
+    <message>
+      <source>out of memory</source>
+      <translation>内存不足</translation>
     </message>
     <message>
       <source>point noise of {v1} mm</source>
@@ -10199,8 +12242,48 @@
       <translation>正在修整表面</translation>
     </message>
     <message>
+      <source>unreachable: there is at least one position</source>
+      <translation>不可达：至少有一个位置</translation>
+    </message>
+    <message>
+      <source>{v1} do not fit in any position: {v2}.</source>
+      <translation>{v1} 在任何位置都不相合：{v2}。</translation>
+    </message>
+    <message>
+      <source>{v1} has no error model.</source>
+      <translation>{v1} 没有误差模型。</translation>
+    </message>
+    <message>
+      <source>{v1} has only {v2} points for registration.</source>
+      <translation>{v1} 只有 {v2} 个点可用于配准。</translation>
+    </message>
+    <message>
+      <source>{v1} have too little surface in common: at most {v2} of the smaller one, {v3} are needed.</source>
+      <translation>{v1} 的共有表面太少：最多为较小者的 {v2}，需要 {v3}。</translation>
+    </message>
+    <message>
+      <source>{v1} of the points face away from the rest: this is not a single open patch.</source>
+      <translation>{v1} 的点背向其余的点：这不是单一的开放片。</translation>
+    </message>
+    <message>
+      <source>{v1} of the points have no neighbours in the projection along the mean normal: surfaces overlap there, or the points are scattered.</source>
+      <translation>{v1} 的点在沿平均法线的投影中没有相邻点：该处曲面重叠，或点是散乱的。</translation>
+    </message>
+    <message>
+      <source>{v1} of the points of one are where the other one saw empty space</source>
+      <translation>一方有 {v1} 的点位于另一方所见的空处</translation>
+    </message>
+    <message>
       <source>{v1} outliers</source>
       <translation>{v1} 离群点</translation>
+    </message>
+    <message>
+      <source>{v1} points are too few for a surface.</source>
+      <translation>{v1} 个点太少，无法生成曲面。</translation>
+    </message>
+    <message>
+      <source>{v1} positions of {v2} relative to {v3} fit equally well: the part is symmetric.</source>
+      <translation>{v2} 相对 {v3} 有 {v1} 个同样合适的位置：工件是对称的。</translation>
     </message>
   </context>
   <context>
@@ -10218,20 +12301,28 @@
       <translation>请更正 {v1} 中的 `layout`。</translation>
     </message>
     <message>
-      <source>Correct this entry of the template.</source>
-      <translation>请更正模板的此条目。</translation>
+      <source>Correct the template, or use the built-in one.</source>
+      <translation>请更正模板，或使用内置模板。</translation>
     </message>
     <message>
-      <source>End its name in .png or .svg.</source>
-      <translation>其名称请以 .png 或 .svg 结尾。</translation>
+      <source>Correct this entry of the template.</source>
+      <translation>请更正模板的此条目。</translation>
     </message>
     <message>
       <source>Give a PNG, JPEG or SVG file of at most 5 MB.</source>
       <translation>请给出最大 5 MB 的 PNG、JPEG 或 SVG 文件。</translation>
     </message>
     <message>
+      <source>Give a folder with a template.toml, or a Typst file.</source>
+      <translation>请给出含 template.toml 的文件夹，或 Typst 文件。</translation>
+    </message>
+    <message>
       <source>The series of {v1} has no runs.</source>
       <translation>{v1} 的系列没有测量。</translation>
+    </message>
+    <message>
+      <source>the template</source>
+      <translation>模板</translation>
     </message>
     <message>
       <source>{v1} does not exist.</source>
@@ -10240,10 +12331,6 @@
     <message>
       <source>{v1} is not a logo that a report can show.</source>
       <translation>{v1} 不是报告能显示的徽标。</translation>
-    </message>
-    <message>
-      <source>{v1} is not the name of a picture.</source>
-      <translation>{v1} 不是图片的名称。</translation>
     </message>
     <message>
       <source>{v1}: the report template has an error: {v2}.</source>
@@ -10264,8 +12351,32 @@
   <context>
     <name>core.robot_abb</name>
     <message>
+      <source> Its program was started again by somebody else.</source>
+      <translation>其程序被他人重新启动。</translation>
+    </message>
+    <message>
+      <source> The controller reports: {v1}.</source>
+      <translation>控制器报告：{v1}。</translation>
+    </message>
+    <message>
       <source>A message of the pose stream is invalid ({v1}): {v2}.</source>
       <translation>位姿流的消息无效 ({v1})：{v2}。</translation>
+    </message>
+    <message>
+      <source>Allow more time for the move.</source>
+      <translation>请为移动给出更多时间。</translation>
+    </message>
+    <message>
+      <source>Bring the controller into the state named, then connect again.</source>
+      <translation>请使控制器进入所述状态，然后重新连接。</translation>
+    </message>
+    <message>
+      <source>Check for a collision or a protective stop, then connect again.</source>
+      <translation>请检查是否发生碰撞或保护性停止，然后重新连接。</translation>
+    </message>
+    <message>
+      <source>Check on the FlexPendant that its main is the one of MeasureApp.mod.</source>
+      <translation>请在 FlexPendant 上检查其 main 是否为 MeasureApp.mod 中的 main。</translation>
     </message>
     <message>
       <source>Check that EGMStreamStart runs in the controller and that its UDP unicast device names this computer and port.</source>
@@ -10288,8 +12399,20 @@
       <translation>请检查地址，或更正机器人设置中的 system_id。</translation>
     </message>
     <message>
+      <source>Check the kinematic model in the robot's settings, tool0 and the base frame; if the robot is moving, wait.</source>
+      <translation>请检查机器人设置中的运动学模型、tool0 和基坐标系；若机器人在运动，请等待。</translation>
+    </message>
+    <message>
+      <source>Check the load and the brakes.</source>
+      <translation>请检查负载和制动器。</translation>
+    </message>
+    <message>
       <source>Check the mechanical unit and task in the settings.</source>
       <translation>请检查设置中的机械单元和任务。</translation>
+    </message>
+    <message>
+      <source>Check the speed set on the FlexPendant and that nothing is in the robot's way.</source>
+      <translation>请检查 FlexPendant 上设定的速度，以及机器人路径上有无障碍。</translation>
     </message>
     <message>
       <source>Check the version of Robot Web Services.</source>
@@ -10308,8 +12431,20 @@
       <translation>请在机器人设置中选择此手臂的型号；检查控制器中的 tool0 和基坐标系。</translation>
     </message>
     <message>
+      <source>Close other programs that are connected to the controller, wait 5 minutes, then connect again.</source>
+      <translation>请关闭连接到该控制器的其他程序，等待 5 分钟，然后重新连接。</translation>
+    </message>
+    <message>
       <source>Close that program. If it has ended without releasing the robot, switch on take_over in the robot's settings.</source>
       <translation>请关闭该程序。若它已结束而未释放机器人，请在机器人设置中打开 take_over。</translation>
+    </message>
+    <message>
+      <source>Close the guard and acknowledge it, then switch the motors on.</source>
+      <translation>请关闭防护门并确认，然后接通电机。</translation>
+    </message>
+    <message>
+      <source>Confirm automatic mode on the FlexPendant, then connect again.</source>
+      <translation>请在 FlexPendant 上确认自动模式，然后重新连接。</translation>
     </message>
     <message>
       <source>Connect again.</source>
@@ -10324,16 +12459,64 @@
       <translation>请在控制器处核对后，将其证书的指纹输入机器人设置。</translation>
     </message>
     <message>
+      <source>Find the cause, check that nothing is in the robot's way, then connect again.</source>
+      <translation>请查明原因，确认机器人路径上没有障碍，然后重新连接。</translation>
+    </message>
+    <message>
       <source>Load resources/rapid/MeasureApp.mod of this program into the task, and connect again.</source>
       <translation>请将本程序的 resources/rapid/MeasureApp.mod 载入任务，然后重新连接。</translation>
+    </message>
+    <message>
+      <source>MM 1.0</source>
+      <translation>MM 1.0</translation>
+    </message>
+    <message>
+      <source>Mastership of RAPID is held by {v1}.</source>
+      <translation>RAPID 的控制权由 {v1} 持有。</translation>
     </message>
     <message>
       <source>Press the emergency stop.</source>
       <translation>请按下急停按钮。</translation>
     </message>
     <message>
+      <source>Press the motors-on button, then connect again.</source>
+      <translation>请按下电机上电按钮，然后重新连接。</translation>
+    </message>
+    <message>
+      <source>Read the event log on the FlexPendant and restart the controller.</source>
+      <translation>请查看 FlexPendant 上的事件日志，并重启控制器。</translation>
+    </message>
+    <message>
+      <source>Read the event log on the FlexPendant, then connect again.</source>
+      <translation>请查看 FlexPendant 上的事件日志，然后重新连接。</translation>
+    </message>
+    <message>
+      <source>Read the event log on the FlexPendant.</source>
+      <translation>请查看 FlexPendant 上的事件日志。</translation>
+    </message>
+    <message>
+      <source>Remove the cause, release the emergency stop, press the motors-on button, then connect again.</source>
+      <translation>请排除原因，松开急停，按下电机上电按钮，然后重新连接。</translation>
+    </message>
+    <message>
+      <source>Select automatic mode.</source>
+      <translation>请选择自动模式。</translation>
+    </message>
+    <message>
+      <source>Set mm_cmd to 0 on the FlexPendant while the program is stopped.</source>
+      <translation>请在程序停止时于 FlexPendant 上将 mm_cmd 设为 0。</translation>
+    </message>
+    <message>
+      <source>Switch the motors on.</source>
+      <translation>请接通电机。</translation>
+    </message>
+    <message>
       <source>The connection to the controller at {v1} was closed.</source>
       <translation>与 {v1} 处控制器的连接已关闭。</translation>
+    </message>
+    <message>
+      <source>The controller at {v1} did not answer to {v2}.</source>
+      <translation>{v1} 处的控制器没有应答 {v2}。</translation>
     </message>
     <message>
       <source>The controller at {v1} does not answer any more ({v2}).</source>
@@ -10354,6 +12537,14 @@
     <message>
       <source>The controller has no module of this program: {v1}</source>
       <translation>控制器没有此程序的模块：{v1}</translation>
+    </message>
+    <message>
+      <source>The controller has no session left (503); it allows about 70 at a time, and one that is not logged out lasts 5 minutes.</source>
+      <translation>控制器没有空余会话 (503)；它一次约允许 70 个，未注销的会话保持 5 分钟。</translation>
+    </message>
+    <message>
+      <source>The controller refused {v1} ({v2}, code {v3}){v4}.</source>
+      <translation>控制器拒绝了 {v1}（{v2}，代码 {v3}）{v4}。</translation>
     </message>
     <message>
       <source>The controller's answer to {v1} has no {v2}.</source>
@@ -10388,8 +12579,20 @@
       <translation>控制器的位姿有长度为 {v1} 的四元数。</translation>
     </message>
     <message>
+      <source>The counter of orders is used up.</source>
+      <translation>指令计数器已用尽。</translation>
+    </message>
+    <message>
+      <source>The program in the controller {v1}.</source>
+      <translation>控制器中的程序{v1}。</translation>
+    </message>
+    <message>
       <source>The robot is used by another program (computer {v1}, process {v2}); this one may only read.</source>
       <translation>机器人正由另一程序使用（计算机 {v1}，进程 {v2}）；此程序只能读取。</translation>
+    </message>
+    <message>
+      <source>The robot may not move: {v1}.</source>
+      <translation>机器人不允许移动：{v1}。</translation>
     </message>
     <message>
       <source>The robot's controller confirms no stop.</source>
@@ -10400,12 +12603,104 @@
       <translation>UDP 端口 {v1} 上的机器人位姿流{v2}。</translation>
     </message>
     <message>
+      <source>Turn the key to automatic mode, confirm it on the FlexPendant, then connect again.</source>
+      <translation>请将钥匙转到自动模式，在 FlexPendant 上确认，然后重新连接。</translation>
+    </message>
+    <message>
+      <source>Turn the key to automatic mode, then connect again.</source>
+      <translation>请将钥匙转到自动模式，然后重新连接。</translation>
+    </message>
+    <message>
       <source>UDP port {v1} for the pose stream cannot be opened: {v2}.</source>
       <translation>无法打开位姿流的 UDP 端口 {v1}：{v2}。</translation>
     </message>
     <message>
+      <source>Wait until the controller has started.</source>
+      <translation>请等待控制器启动完成。</translation>
+    </message>
+    <message>
       <source>Wait until the move has ended.</source>
       <translation>请等待移动结束。</translation>
+    </message>
+    <message>
+      <source>a number is not finite</source>
+      <translation>某个数不是有限数</translation>
+    </message>
+    <message>
+      <source>a number of more than 64 bits</source>
+      <translation>超过 64 位的数</translation>
+    </message>
+    <message>
+      <source>a part is missing</source>
+      <translation>缺少一部分</translation>
+    </message>
+    <message>
+      <source>address: Robot Web Services 1.0 use http</source>
+      <translation>address：Robot Web Services 1.0 使用 http</translation>
+    </message>
+    <message>
+      <source>address: Robot Web Services 2.0 use https, except on this computer</source>
+      <translation>address：Robot Web Services 2.0 使用 https，本机除外</translation>
+    </message>
+    <message>
+      <source>an answer of more than {v1} bytes</source>
+      <translation>超过 {v1} 字节的应答</translation>
+    </message>
+    <message>
+      <source>another client</source>
+      <translation>另一客户端</translation>
+    </message>
+    <message>
+      <source>automatic mode</source>
+      <translation>自动模式</translation>
+    </message>
+    <message>
+      <source>changing to automatic mode</source>
+      <translation>正在切换到自动模式</translation>
+    </message>
+    <message>
+      <source>changing to manual mode</source>
+      <translation>正在切换到手动模式</translation>
+    </message>
+    <message>
+      <source>cut off</source>
+      <translation>被截断</translation>
+    </message>
+    <message>
+      <source>emergency stop</source>
+      <translation>急停</translation>
+    </message>
+    <message>
+      <source>emergency stop released, motors off</source>
+      <translation>急停已松开，电机断电</translation>
+    </message>
+    <message>
+      <source>failed with error {v1}</source>
+      <translation>出错，错误号 {v1}</translation>
+    </message>
+    <message>
+      <source>has no heartbeat (state {v1}, error {v2})</source>
+      <translation>没有心跳（状态 {v1}，错误 {v2}）</translation>
+    </message>
+    <message>
+      <source>has not begun</source>
+      <translation>尚未开始</translation>
+    </message>
+    <message>
+      <source>is stale: message {v1} is {v2} s old</source>
+      <translation>已过期：报文 {v1} 为 {v2} s 之前</translation>
+    </message>
+    <message>
+      <source>manual mode with full speed</source>
+      <translation>全速手动模式</translation>
+    </message>
+    <message>
+      <source>manual mode with reduced speed</source>
+      <translation>减速手动模式</translation>
+    </message>
+    <message>
+      <source>mastership of RAPID</source>
+      <translation>RAPID 的控制权</translation>
     </message>
     <message>
       <source>mm_answer of the controller has {v1} numbers instead of 5: {v2}.</source>
@@ -10424,16 +12719,196 @@
       <translation>控制器的 mm_owner 无效：{v1}。</translation>
     </message>
     <message>
+      <source>mode {v1}</source>
+      <translation>模式 {v1}</translation>
+    </message>
+    <message>
+      <source>motors off</source>
+      <translation>电机断电</translation>
+    </message>
+    <message>
+      <source>motors on</source>
+      <translation>电机上电</translation>
+    </message>
+    <message>
+      <source>motors {v1}</source>
+      <translation>电机 {v1}</translation>
+    </message>
+    <message>
+      <source>no HTTP: {v1}</source>
+      <translation>不是 HTTP：{v1}</translation>
+    </message>
+    <message>
+      <source>no JSON object</source>
+      <translation>不是 JSON 对象</translation>
+    </message>
+    <message>
+      <source>no counter</source>
+      <translation>没有计数器</translation>
+    </message>
+    <message>
+      <source>no list of states</source>
+      <translation>没有状态列表</translation>
+    </message>
+    <message>
+      <source>off</source>
+      <translation>关</translation>
+    </message>
+    <message>
+      <source>on</source>
+      <translation>开</translation>
+    </message>
+    <message>
+      <source>protective stop: a guard is open</source>
+      <translation>保护性停止：防护门打开</translation>
+    </message>
+    <message>
+      <source>refused the order</source>
+      <translation>拒绝了指令</translation>
+    </message>
+    <message>
+      <source>release mastership</source>
+      <translation>释放控制权</translation>
+    </message>
+    <message>
+      <source>request mastership</source>
+      <translation>请求控制权</translation>
+    </message>
+    <message>
+      <source>running</source>
+      <translation>正在运行</translation>
+    </message>
+    <message>
+      <source>set ctrlstate</source>
+      <translation>设置 ctrlstate</translation>
+    </message>
+    <message>
+      <source>set symbol</source>
+      <translation>设置符号</translation>
+    </message>
+    <message>
+      <source>state {v1}</source>
+      <translation>状态 {v1}</translation>
+    </message>
+    <message>
+      <source>stopped</source>
+      <translation>已停止</translation>
+    </message>
+    <message>
+      <source>system failure</source>
+      <translation>系统故障</translation>
+    </message>
+    <message>
+      <source>system {v1}, RobotWare {v2}, program {v3}</source>
+      <translation>系统 {v1}，RobotWare {v2}，程序 {v3}</translation>
+    </message>
+    <message>
+      <source>the answer to {v1} is not complete</source>
+      <translation>对 {v1} 的应答不完整</translation>
+    </message>
+    <message>
+      <source>the start of the program</source>
+      <translation>程序的启动</translation>
+    </message>
+    <message>
+      <source>the stop of the program</source>
+      <translation>程序的停止</translation>
+    </message>
+    <message>
+      <source>the value {v1} of {v2}</source>
+      <translation>{v2} 的值 {v1}</translation>
+    </message>
+    <message>
+      <source>type {v1}</source>
+      <translation>类型 {v1}</translation>
+    </message>
+    <message>
+      <source>was not started</source>
+      <translation>没有启动</translation>
+    </message>
+    <message>
+      <source>wire type {v1}</source>
+      <translation>线格式类型 {v1}</translation>
+    </message>
+    <message>
+      <source>{v1} ({v2}, user {v3})</source>
+      <translation>{v1}（{v2}，用户 {v3}）</translation>
+    </message>
+    <message>
+      <source>{v1} came to rest away from its goal: joint {v2} at {v3}° instead of {v4}°.</source>
+      <translation>{v1} 停止时偏离目标：关节 {v2} 在 {v3}°，而非 {v4}°。</translation>
+    </message>
+    <message>
+      <source>{v1} does not come to rest at its goal.</source>
+      <translation>{v1} 没有在目标处静止。</translation>
+    </message>
+    <message>
+      <source>{v1} has no finite numbers</source>
+      <translation>{v1} 没有有限数</translation>
+    </message>
+    <message>
+      <source>{v1} has not reached its goal in time; it was stopped.</source>
+      <translation>{v1} 没有及时到达目标；已将其停止。</translation>
+    </message>
+    <message>
+      <source>{v1} instead of {v2}</source>
+      <translation>{v1}，而非 {v2}</translation>
+    </message>
+    <message>
       <source>{v1} is moving already.</source>
       <translation>{v1} 已在移动。</translation>
+    </message>
+    <message>
+      <source>{v1} is no record of numbers</source>
+      <translation>{v1} 不是数值记录</translation>
+    </message>
+    <message>
+      <source>{v1} is no string</source>
+      <translation>{v1} 不是字符串</translation>
+    </message>
+    <message>
+      <source>{v1} joints, {v2} coordinates, {v3} parts of a quaternion</source>
+      <translation>{v1} 个关节，{v2} 个坐标，{v3} 个四元数分量</translation>
+    </message>
+    <message>
+      <source>{v1} was not ready to move in time.</source>
+      <translation>{v1} 没有及时准备好移动。</translation>
+    </message>
+    <message>
+      <source>{v1} was stopped: {v2}.{v3}{v4} Its pose is unknown until it is read back.</source>
+      <translation>{v1} 被停止：{v2}。{v3}{v4}在读回之前，其位姿未知。</translation>
+    </message>
+    <message>
+      <source>{v1}, {v2}, program {v3}</source>
+      <translation>{v1}，{v2}，程序 {v3}</translation>
     </message>
     <message>
       <source>{v1}: another controller or program answers now: {v2}</source>
       <translation>{v1}：现在应答的是另一个控制器或程序：{v2}</translation>
     </message>
     <message>
+      <source>{v1}: joint {v2} at {v3}° is outside {v4}…{v5}°.</source>
+      <translation>{v1}：关节 {v2} 的 {v3}° 超出 {v4}…{v5}°。</translation>
+    </message>
+    <message>
+      <source>{v1}: the controller's pose is {v2} mm and {v3}° off the one of its joints.</source>
+      <translation>{v1}：控制器的位姿与其关节角所得位姿相差 {v2} mm 和 {v3}°。</translation>
+    </message>
+    <message>
       <source>{v1}: the controller's pose is {v2} mm off the one of kinematic model {v3} for the same joints.</source>
       <translation>{v1}：对相同关节角，控制器的位姿与运动学模型 {v3} 相差 {v2} mm。</translation>
+    </message>
+    <message>
+      <source>{v1}: the program in the controller hangs.</source>
+      <translation>{v1}：控制器中的程序没有响应。</translation>
+    </message>
+    <message>
+      <source>{v1}: the program in the controller {v2}.</source>
+      <translation>{v1}：控制器中的程序{v2}。</translation>
+    </message>
+    <message>
+      <source>{v1}; nothing was moved.</source>
+      <translation>{v1}；未作任何移动。</translation>
     </message>
   </context>
   <context>
@@ -10447,12 +12922,32 @@
       <translation>请检查地址和端口，并对照驱动 robot_generic_tcp 的 README 检查机器人程序。</translation>
     </message>
     <message>
+      <source>Check its speed and what is in its way.</source>
+      <translation>请检查其速度和路径上的障碍。</translation>
+    </message>
+    <message>
       <source>Check that it is on, its network cable is plugged in and its server runs, then connect again. Its state is unknown.</source>
       <translation>请检查其是否已开机、网线是否已插好、其服务器是否在运行，然后重新连接。其状态未知。</translation>
     </message>
     <message>
+      <source>Check the network, then connect again.</source>
+      <translation>请检查网络，然后重新连接。</translation>
+    </message>
+    <message>
+      <source>Check the robot's program against the driver's README.</source>
+      <translation>请对照驱动的 README 检查机器人的程序。</translation>
+    </message>
+    <message>
+      <source>Choose a goal inside the robot's limits; nothing was moved.</source>
+      <translation>请选择机器人限位以内的目标；未作任何移动。</translation>
+    </message>
+    <message>
       <source>Correct the robot's program.</source>
       <translation>请更正机器人的程序。</translation>
+    </message>
+    <message>
+      <source>Find the cause at the robot, then connect again.</source>
+      <translation>请在机器人处查明原因，然后重新连接。</translation>
     </message>
     <message>
       <source>Install the fitting version of the robot's program.</source>
@@ -10463,24 +12958,108 @@
       <translation>已知有 {v1}。</translation>
     </message>
     <message>
+      <source>Remove the cause at the robot, select automatic mode, then connect again.</source>
+      <translation>请在机器人处排除原因，选择自动模式，然后重新连接。</translation>
+    </message>
+    <message>
+      <source>Remove the cause at the robot, then connect again.</source>
+      <translation>请在机器人处排除原因，然后重新连接。</translation>
+    </message>
+    <message>
+      <source>Select automatic mode at the robot.</source>
+      <translation>请在机器人处选择自动模式。</translation>
+    </message>
+    <message>
       <source>The connection to the robot at {v1} was closed.</source>
       <translation>与 {v1} 处机器人的连接已关闭。</translation>
+    </message>
+    <message>
+      <source>The robot at {v1} did not answer to {v2}: {v3}.</source>
+      <translation>{v1} 处的机器人没有应答 {v2}：{v3}。</translation>
     </message>
     <message>
       <source>The robot at {v1} does not answer any more.</source>
       <translation>{v1} 处的机器人不再应答。</translation>
     </message>
     <message>
+      <source>The robot at {v1} refused {v2}: {v3}.</source>
+      <translation>{v1} 处的机器人拒绝了 {v2}：{v3}。</translation>
+    </message>
+    <message>
       <source>The robot at {v1} speaks version {v2} of the line protocol; this program speaks {v3}.</source>
       <translation>{v1} 处的机器人使用线协议版本 {v2}；此程序使用 {v3}。</translation>
+    </message>
+    <message>
+      <source>a line of more than {v1} bytes</source>
+      <translation>超过 {v1} 字节的一行</translation>
+    </message>
+    <message>
+      <source>no JSON</source>
+      <translation>不是 JSON</translation>
+    </message>
+    <message>
+      <source>no object with id and ok</source>
+      <translation>不是含 id 和 ok 的对象</translation>
+    </message>
+    <message>
+      <source>no reason given</source>
+      <translation>没有给出原因</translation>
+    </message>
+    <message>
+      <source>reply {v1} to request {v2}</source>
+      <translation>对请求 {v2} 的应答 {v1}</translation>
+    </message>
+    <message>
+      <source>the connection was closed</source>
+      <translation>连接已关闭</translation>
+    </message>
+    <message>
+      <source>timed out</source>
+      <translation>超时</translation>
+    </message>
+    <message>
+      <source>unknown robot</source>
+      <translation>未知机器人</translation>
+    </message>
+    <message>
+      <source>{v1} came to rest {v2} mm and {v3}° off its goal.</source>
+      <translation>{v1} 停止时偏离目标 {v2} mm、{v3}°。</translation>
     </message>
     <message>
       <source>{v1} does not confirm the stop.</source>
       <translation>{v1} 未确认停止。</translation>
     </message>
     <message>
+      <source>{v1} is no whole number</source>
+      <translation>{v1} 不是整数</translation>
+    </message>
+    <message>
+      <source>{v1} is not {v2} numbers</source>
+      <translation>{v1} 不是 {v2} 个数</translation>
+    </message>
+    <message>
       <source>{v1} reports the unknown state {v2}.</source>
       <translation>{v1} 报告未知状态 {v2}。</translation>
+    </message>
+    <message>
+      <source>{v1} stopped before it reached its goal.</source>
+      <translation>{v1} 在到达目标之前停止。</translation>
+    </message>
+    <message>
+      <source>{v1} was stopped: {v2}, {v3} mode. Its pose is unknown until it is read back.</source>
+      <translation>{v1} 被停止：{v2}，{v3} 模式。在读回之前，其位姿未知。</translation>
+    </message>
+    <message>
+      <source>{v1}, serial number {v2}</source>
+      <translation>{v1}，序列号 {v2}</translation>
+    </message>
+    <message>
+      <source>{v1}: a flange position {v2} mm from the shoulder is outside {v3}…{v4} mm.</source>
+      <translation>{v1}：距肩部 {v2} mm 的法兰位置超出 {v3}…{v4} mm。</translation>
+    </message>
+    <message>
+      <source>{v1}: it is unknown whether move {v2} was accepted; the robot was stopped.</source>
+      <translation>{v1}：不知移动 {v2} 是否被接受；已将机器人停止。</translation>
     </message>
     <message>
       <source>{v1}: the quaternion read back has length {v2}.</source>
@@ -10488,7 +13067,148 @@
     </message>
   </context>
   <context>
+    <name>core.second_screen</name>
+    <message>
+      <source>No screen has {v1} (connected: {v2}).</source>
+      <translation>没有屏幕具有 {v1}（已连接：{v2}）。</translation>
+    </message>
+    <message>
+      <source>Set the screen to {v1} × {v2} px, or correct the projector's size in the rig description.</source>
+      <translation>请将屏幕设为 {v1} × {v2} px，或更正测量系统描述中投影仪的大小。</translation>
+    </message>
+    <message>
+      <source>The mode of the screen {v1} has changed.</source>
+      <translation>屏幕 {v1} 的模式已更改。</translation>
+    </message>
+    <message>
+      <source>The screen {v1} cannot show the patterns pixel by pixel at a scaling of {v2}.</source>
+      <translation>缩放为 {v2} 时，屏幕 {v1} 无法逐像素显示图案。</translation>
+    </message>
+    <message>
+      <source>The screen {v1} has {v2} × {v3} px, and the patterns have {v4} × {v5} px.</source>
+      <translation>屏幕 {v1} 为 {v2} × {v3} px，而图案为 {v4} × {v5} px。</translation>
+    </message>
+    <message>
+      <source>The screen {v1} was disconnected.</source>
+      <translation>屏幕 {v1} 已断开。</translation>
+    </message>
+    <message>
+      <source>There are {v1} images, and none is {v2}.</source>
+      <translation>有 {v1} 幅图像，其中没有 {v2}。</translation>
+    </message>
+    <message>
+      <source>{v1} screens have {v2} (connected: {v3}).</source>
+      <translation>有 {v1} 个屏幕具有 {v2}（已连接：{v3}）。</translation>
+    </message>
+  </context>
+  <context>
+    <name>core.settings</name>
+    <message>
+      <source>{v1} cannot be {v2}; it is one of {v3}</source>
+      <translation>{v1} 不能为 {v2}；可为 {v3}</translation>
+    </message>
+  </context>
+  <context>
+    <name>core.simulate</name>
+    <message>
+      <source>Correct it; resources/worlds has examples.</source>
+      <translation>请更正；resources/worlds 中有示例。</translation>
+    </message>
+    <message>
+      <source>Export it again, or copy it again if the copy is incomplete.</source>
+      <translation>请重新导出；若副本不完整，请重新复制。</translation>
+    </message>
+    <message>
+      <source>Give an STL, PLY or OBJ file, or the name of a sample part.</source>
+      <translation>请给出 STL、PLY 或 OBJ 文件，或示例工件的名称。</translation>
+    </message>
+    <message>
+      <source>Give its unit, or scale it to {v1}…{v2} mm.</source>
+      <translation>请给出其单位，或缩放到 {v1}…{v2} mm。</translation>
+    </message>
+    <message>
+      <source>Give the path of an STL, PLY or OBJ file.</source>
+      <translation>请给出 STL、PLY 或 OBJ 文件的路径。</translation>
+    </message>
+    <message>
+      <source>Name one of {v1}, or a TOML file.</source>
+      <translation>请指定 {v1} 之一，或一个 TOML 文件。</translation>
+    </message>
+    <message>
+      <source>Name one of {v1}, or a mesh file (STL, PLY, OBJ).</source>
+      <translation>请指定 {v1} 之一，或一个网格文件（STL、PLY、OBJ）。</translation>
+    </message>
+    <message>
+      <source>The world {v1} cannot be read: {v2}.</source>
+      <translation>无法读取世界 {v1}：{v2}。</translation>
+    </message>
+    <message>
+      <source>The world {v1}: {v2}.</source>
+      <translation>世界 {v1}：{v2}。</translation>
+    </message>
+    <message>
+      <source>There is no sample part {v1}.</source>
+      <translation>没有示例工件 {v1}。</translation>
+    </message>
+    <message>
+      <source>There is no world {v1}.</source>
+      <translation>没有世界 {v1}。</translation>
+    </message>
+    <message>
+      <source>an outline is sampled too coarsely to be triangulated</source>
+      <translation>轮廓采样过粗，无法三角化</translation>
+    </message>
+    <message>
+      <source>its values</source>
+      <translation>其值</translation>
+    </message>
+    <message>
+      <source>{v1} cannot be read as a mesh: {v2}.</source>
+      <translation>无法将 {v1} 读作网格：{v2}。</translation>
+    </message>
+    <message>
+      <source>{v1} contains no triangles.</source>
+      <translation>{v1} 不含三角形。</translation>
+    </message>
+    <message>
+      <source>{v1} contains no usable triangles.</source>
+      <translation>{v1} 不含可用的三角形。</translation>
+    </message>
+    <message>
+      <source>{v1} has no complete PLY header.</source>
+      <translation>{v1} 没有完整的 PLY 文件头。</translation>
+    </message>
+    <message>
+      <source>{v1} is not a supported mesh file.</source>
+      <translation>{v1} 不是支持的网格文件。</translation>
+    </message>
+    <message>
+      <source>{v1} is truncated: it has {v2} bytes, its header needs at least {v3}.</source>
+      <translation>{v1} 被截断：只有 {v2} 字节，其文件头至少需要 {v3} 字节。</translation>
+    </message>
+    <message>
+      <source>{v1} is truncated: it has {v2} of {v3} bytes.</source>
+      <translation>{v1} 被截断：只有 {v3} 字节中的 {v2} 字节。</translation>
+    </message>
+    <message>
+      <source>{v1} is truncated: it has {v2} of {v3} rows.</source>
+      <translation>{v1} 被截断：只有 {v3} 行中的 {v2} 行。</translation>
+    </message>
+    <message>
+      <source>{v1} is truncated: the closing line `endsolid` is missing.</source>
+      <translation>{v1} 被截断：缺少结尾行 `endsolid`。</translation>
+    </message>
+    <message>
+      <source>{v1}: the part would be {v2} mm long.</source>
+      <translation>{v1}：工件将长 {v2} mm。</translation>
+    </message>
+  </context>
+  <context>
     <name>core.table_serial</name>
+    <message>
+      <source> any more</source>
+      <translation>（此前有应答）</translation>
+    </message>
     <message>
       <source>Check its emergency stop and interlocks.</source>
       <translation>请检查其急停和联锁。</translation>
@@ -10502,12 +13222,20 @@
       <translation>请检查电源、电缆、地址和波特率。</translation>
     </message>
     <message>
+      <source>Check the command table, and that no other program controls the table.</source>
+      <translation>请检查命令表，并确认没有其他程序控制该转台。</translation>
+    </message>
+    <message>
       <source>Check the controller, its command table, address and baud rate.</source>
       <translation>请检查控制器、其命令表、地址和波特率。</translation>
     </message>
     <message>
       <source>Check the port, and that no other program uses it.</source>
       <translation>请检查端口，并确认没有其他程序使用。</translation>
+    </message>
+    <message>
+      <source>Check the state of the controller and its limits.</source>
+      <translation>请检查控制器的状态及其限位。</translation>
     </message>
     <message>
       <source>Choose limits less than 360° apart in the rig description.</source>
@@ -10518,8 +13246,56 @@
       <translation>请指定 {v1} 之一，或命令表 (.toml) 的路径。</translation>
     </message>
     <message>
+      <source>Remove the cause and reset the controller, then try again.</source>
+      <translation>请排除原因并复位控制器，然后重试。</translation>
+    </message>
+    <message>
       <source>There is no command table {v1}.</source>
       <translation>没有命令表 {v1}。</translation>
+    </message>
+    <message>
+      <source>command {v1} has an unknown place {v2} (known: {v3})</source>
+      <translation>命令 {v1} 含有未知的位置 {v2}（已知：{v3}）</translation>
+    </message>
+    <message>
+      <source>conditions.moving, and conditions.refused or acknowledge, are needed: nothing is believed that was not read back</source>
+      <translation>需要 conditions.moving，以及 conditions.refused 或 acknowledge：未读回的内容一律不采信</translation>
+    </message>
+    <message>
+      <source>conditions.{v1} names a query or group that is not described</source>
+      <translation>conditions.{v1} 指定了没有描述的查询或组</translation>
+    </message>
+    <message>
+      <source>give either matches or differs</source>
+      <translation>请给出 matches 或 differs 之一</translation>
+    </message>
+    <message>
+      <source>is not a regular expression: {v1}</source>
+      <translation>不是正则表达式：{v1}</translation>
+    </message>
+    <message>
+      <source>no reply ({v1})</source>
+      <translation>没有应答（{v1}）</translation>
+    </message>
+    <message>
+      <source>queries.position with a group value is not described</source>
+      <translation>没有描述带组 value 的 queries.position</translation>
+    </message>
+    <message>
+      <source>reply is not a regular expression: {v1}</source>
+      <translation>reply 不是正则表达式：{v1}</translation>
+    </message>
+    <message>
+      <source>reply needs a named group, such as (?P&lt;value&gt;…)</source>
+      <translation>reply 需要命名组，如 (?P&lt;value&gt;…)</translation>
+    </message>
+    <message>
+      <source>sequences.move sends no goal</source>
+      <translation>sequences.move 没有发送目标</translation>
+    </message>
+    <message>
+      <source>the command table</source>
+      <translation>命令表</translation>
     </message>
     <message>
       <source>{v1} Connect again, and find the reference anew if the controller lost it.</source>
@@ -10534,12 +13310,20 @@
       <translation>{v2} 处的 {v1} 没有重复 {v3} ({v4})。</translation>
     </message>
     <message>
+      <source>{v1} at {v2} did not reply ({v3}).</source>
+      <translation>{v2} 上的 {v1} 没有应答（{v3}）。</translation>
+    </message>
+    <message>
       <source>{v1} at {v2} does not answer{v3}: {v4}.</source>
       <translation>{v2} 处的 {v1} 不应答{v3}：{v4}。</translation>
     </message>
     <message>
       <source>{v1} at {v2} sent no valid reply ({v3}).</source>
       <translation>{v2} 处的 {v1} 没有发送有效应答 ({v3})。</translation>
+    </message>
+    <message>
+      <source>{v1} came to rest {v2}° away from its goal.</source>
+      <translation>{v1} 停止时偏离目标 {v2}°。</translation>
     </message>
     <message>
       <source>{v1} cannot be read as a command table: {v2}.</source>
@@ -10554,12 +13338,32 @@
       <translation>{v1} 没有接通其电机。</translation>
     </message>
     <message>
+      <source>{v1} refused {v2} with {v3}.</source>
+      <translation>{v1} 以 {v3} 拒绝了 {v2}。</translation>
+    </message>
+    <message>
+      <source>{v1} refused {v2}: {v3}.</source>
+      <translation>{v1} 拒绝了 {v2}：{v3}。</translation>
+    </message>
+    <message>
       <source>{v1}: its controller counts modulo one turn, and the limits {v2}…{v3}° do not determine the turn.</source>
       <translation>{v1}：其控制器按一圈取模计数，而限位 {v2}…{v3}° 不能确定圈数。</translation>
+    </message>
+    <message>
+      <source>{v1}: the goal {v2}° is outside {v3}…{v4}°.</source>
+      <translation>{v1}：目标 {v2}° 超出 {v3}…{v4}°。</translation>
     </message>
   </context>
   <context>
     <name>core.virtual_rig</name>
+    <message>
+      <source>Check the device for obstructions, then try again.</source>
+      <translation>请检查设备有无阻碍，然后重试。</translation>
+    </message>
+    <message>
+      <source>Lengthen the period.</source>
+      <translation>请加大周期。</translation>
+    </message>
     <message>
       <source>Name cameras of this rig.</source>
       <translation>请指定此测量系统的相机。</translation>
@@ -10575,6 +13379,22 @@
     <message>
       <source>Virtual rig: setting world.knocked_deg names camera {v1}.</source>
       <translation>虚拟测量系统：设置 world.knocked_deg 指定了相机 {v1}。</translation>
+    </message>
+    <message>
+      <source>the virtual rig</source>
+      <translation>虚拟测量系统</translation>
+    </message>
+    <message>
+      <source>{v1} did not finish within {v2} s.</source>
+      <translation>{v1} 在 {v2} s 内没有完成。</translation>
+    </message>
+    <message>
+      <source>{v1}: the angle {v2}° is outside {v3}.</source>
+      <translation>{v1}：角度 {v2}° 超出 {v3}。</translation>
+    </message>
+    <message>
+      <source>{v1}: the position {v2} mm is outside {v3}…{v4} mm.</source>
+      <translation>{v1}：位置 {v2} mm 超出 {v3}…{v4} mm。</translation>
     </message>
   </context>
   <context>
@@ -12714,6 +15534,14 @@
       <translation>状况</translation>
     </message>
     <message>
+      <source>Connection refused</source>
+      <translation>连接被拒绝</translation>
+    </message>
+    <message>
+      <source>Connection reset by peer</source>
+      <translation>连接被对方重置</translation>
+    </message>
+    <message>
       <source>Continue</source>
       <translation>继续</translation>
     </message>
@@ -12942,8 +15770,16 @@
       <translation>不合格</translation>
     </message>
     <message>
+      <source>Field required</source>
+      <translation>缺少此字段</translation>
+    </message>
+    <message>
       <source>File</source>
       <translation>文件</translation>
+    </message>
+    <message>
+      <source>File is not a zip file</source>
+      <translation>文件不是 zip 文件</translation>
     </message>
     <message>
       <source>Files</source>
@@ -13282,6 +16118,78 @@
       <translation>硬件触发的输入端，上升沿</translation>
     </message>
     <message>
+      <source>Input should be a finite number</source>
+      <translation>应为有限数</translation>
+    </message>
+    <message>
+      <source>Input should be a valid boolean</source>
+      <translation>应为 true 或 false</translation>
+    </message>
+    <message>
+      <source>Input should be a valid dictionary</source>
+      <translation>应为表</translation>
+    </message>
+    <message>
+      <source>Input should be a valid dictionary or instance of {model}</source>
+      <translation>应为表或 {model}</translation>
+    </message>
+    <message>
+      <source>Input should be a valid integer</source>
+      <translation>应为整数</translation>
+    </message>
+    <message>
+      <source>Input should be a valid integer, got a number with a fractional part</source>
+      <translation>应为整数，而非带小数的数</translation>
+    </message>
+    <message>
+      <source>Input should be a valid integer, unable to parse string as an integer</source>
+      <translation>应为整数，此文本不是整数</translation>
+    </message>
+    <message>
+      <source>Input should be a valid list</source>
+      <translation>应为列表</translation>
+    </message>
+    <message>
+      <source>Input should be a valid number</source>
+      <translation>应为数字</translation>
+    </message>
+    <message>
+      <source>Input should be a valid number, unable to parse string as a number</source>
+      <translation>应为数字，此文本不是数字</translation>
+    </message>
+    <message>
+      <source>Input should be a valid string</source>
+      <translation>应为文本</translation>
+    </message>
+    <message>
+      <source>Input should be a valid tuple</source>
+      <translation>应为数组</translation>
+    </message>
+    <message>
+      <source>Input should be greater than or equal to {limit}</source>
+      <translation>应不小于 {limit}</translation>
+    </message>
+    <message>
+      <source>Input should be greater than {limit}</source>
+      <translation>应大于 {limit}</translation>
+    </message>
+    <message>
+      <source>Input should be less than or equal to {limit}</source>
+      <translation>应不大于 {limit}</translation>
+    </message>
+    <message>
+      <source>Input should be less than {limit}</source>
+      <translation>应小于 {limit}</translation>
+    </message>
+    <message>
+      <source>Input should be {expected}</source>
+      <translation>应为 {expected}</translation>
+    </message>
+    <message>
+      <source>Input/output error</source>
+      <translation>输入/输出错误</translation>
+    </message>
+    <message>
       <source>Inspection</source>
       <translation>检测</translation>
     </message>
@@ -13304,6 +16212,10 @@
     <message>
       <source>Inverse camera in the bundle adjustment of all cameras</source>
       <translation>在所有相机的光束法平差中作为逆相机</translation>
+    </message>
+    <message>
+      <source>Is a directory</source>
+      <translation>是文件夹</translation>
     </message>
     <message>
       <source>Isolated patch</source>
@@ -13460,6 +16372,10 @@
     <message>
       <source>Link</source>
       <translation>连接</translation>
+    </message>
+    <message>
+      <source>List should have at least {count} items after validation, not {found}</source>
+      <translation>列表至少应有 {count} 项，而非 {found} 项</translation>
     </message>
     <message>
       <source>Local</source>
@@ -13674,6 +16590,14 @@
       <translation>无校验</translation>
     </message>
     <message>
+      <source>No space left on device</source>
+      <translation>磁盘空间不足</translation>
+    </message>
+    <message>
+      <source>No such file or directory</source>
+      <translation>没有该文件或文件夹</translation>
+    </message>
+    <message>
       <source>No: robot, guide and table are perfect</source>
       <translation>否：机器人、导轨和转台无误差</translation>
     </message>
@@ -13688,6 +16612,10 @@
     <message>
       <source>None: as the drive's map says</source>
       <translation>未设置：按驱动器映射</translation>
+    </message>
+    <message>
+      <source>Not a directory</source>
+      <translation>不是文件夹</translation>
     </message>
     <message>
       <source>Noto Sans</source>
@@ -13830,6 +16758,10 @@
       <translation>穿透深度</translation>
     </message>
     <message>
+      <source>Permission denied</source>
+      <translation>没有权限</translation>
+    </message>
+    <message>
       <source>Photo response non-uniformity, relative standard deviation (EMVA 1288)</source>
       <translation>光响应非均匀性，相对标准差 (EMVA 1288)</translation>
     </message>
@@ -13932,6 +16864,10 @@
     <message>
       <source>Read noise</source>
       <translation>读出噪声</translation>
+    </message>
+    <message>
+      <source>Read-only file system</source>
+      <translation>只读文件系统</translation>
     </message>
     <message>
       <source>Read-out of a row</source>
@@ -14242,6 +17178,22 @@
       <translation>表面之间一次反射光的强度；1：由反照率决定</translation>
     </message>
     <message>
+      <source>String should have at least {count} character</source>
+      <translation>文本至少应有 {count} 个字符</translation>
+    </message>
+    <message>
+      <source>String should have at least {count} characters</source>
+      <translation>文本至少应有 {count} 个字符</translation>
+    </message>
+    <message>
+      <source>String should have at most {count} characters</source>
+      <translation>文本最多 {count} 个字符</translation>
+    </message>
+    <message>
+      <source>String should match pattern {pattern}</source>
+      <translation>文本应符合模式 {pattern}</translation>
+    </message>
+    <message>
       <source>Surface</source>
       <translation>表面</translation>
     </message>
@@ -14486,6 +17438,14 @@
       <translation>触发方式</translation>
     </message>
     <message>
+      <source>Tuple should have at least {count} items after validation, not {found}</source>
+      <translation>数组至少应有 {count} 项，而非 {found} 项</translation>
+    </message>
+    <message>
+      <source>Tuple should have at most {count} items after validation, not {found}</source>
+      <translation>数组最多 {count} 项，而非 {found} 项</translation>
+    </message>
+    <message>
       <source>Two reads this far apart must agree</source>
       <translation>相隔此时间的两次读取必须一致</translation>
     </message>
@@ -14680,6 +17640,10 @@
     <message>
       <source>dimensions</source>
       <translation>个尺寸</translation>
+    </message>
+    <message>
+      <source>file is not a database</source>
+      <translation>文件不是数据库</translation>
     </message>
     <message>
       <source>full</source>
@@ -16046,7 +19010,7 @@ The first run of this part counts.</source>
     </message>
     <message>
       <source>camera</source>
-      <translation>台相机</translation>
+      <translation>相机</translation>
     </message>
     <message>
       <source>cameras</source>
@@ -17565,10 +20529,6 @@ in danger use the emergency stop.</source>
       <translation>无损；一切都可重新计算</translation>
     </message>
     <message>
-      <source>connected by Check or Start</source>
-      <translation>通过“检查”或“开始”连接</translation>
-    </message>
-    <message>
       <source>viewpoint is</source>
       <translation>个视点</translation>
     </message>
@@ -17599,6 +20559,18 @@ in danger use the emergency stop.</source>
     <message>
       <source>{most} decoded</source>
       <translation>{most} 已解码</translation>
+    </message>
+    <message>
+      <source>{name} with {count}</source>
+      <translation>{name}，含 {count}</translation>
+    </message>
+    <message>
+      <source>{name}, connected</source>
+      <translation>{name}，已连接</translation>
+    </message>
+    <message>
+      <source>{name}, connected by Check or Start</source>
+      <translation>{name}，按“检查”或“开始”时连接</translation>
     </message>
     <message>
       <source>{share} is missing: {words}.</source>
@@ -18235,10 +21207,6 @@ in danger use the emergency stop.</source>
     <message>
       <source>{name} is not installed</source>
       <translation>未安装 {name}</translation>
-    </message>
-    <message>
-      <source>{name}, connected</source>
-      <translation>{name}，已连接</translation>
     </message>
     <message>
       <source>{name}, not connected</source>

@@ -157,8 +157,7 @@ def why_not_placed(found: Recorded, links: Mapping[str, object] | None = None) -
         return ""
     moving = _list([MOVED_BY[link] for link in lacking])
     words = _list([NAMES[link] for link in lacking])
-    verb = "is" if len(lacking) == 1 else "are"
-    return f"The {moving} may move between the viewpoints, and {words} {verb} not calibrated, so each cloud stays in its camera frame."
+    return f"Not calibrated: {words}. The {moving} may move between the viewpoints, so each cloud stays in its camera frame."
 
 
 def _list(words: Sequence[str]) -> str:

@@ -12,8 +12,12 @@ from xml.etree import ElementTree
 
 from measureapp.errors import InputError
 
-LONGEST_VALUE = 400  # letters that a value of a recognised message may have
-LEAST_LETTERS = 6  # fixed letters of a template by which a message is recognised
+LONGEST_VALUE = 2000  # letters that a value of a recognised message may have
+SURE_LETTERS = 10  # fixed letters of a template by which a message is recognised, whatever its values are
+LEAST_LETTERS = 6  # and by which it is recognised if its values are single words, or texts that are known
+FEWEST_LETTERS = 3  # and if it is a whole sentence with values that are known or no words, or if its values are numbers
+ANY = f".{{0,{LONGEST_VALUE}}}?"
+NUMBER = r"[-+−±]?\d[\d.,]*"
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,25 +34,24 @@ class Catalogue:
 
     language: str  # as in "zh_CN"
     entries: dict[str, Entry] = field(default_factory=dict)
-    _patterns: dict[str, list[tuple[re.Pattern[str], str]]] | None = None  # by the longest fixed word
+    _patterns: dict[str, list[tuple[re.Pattern[str], str]]] | None = None  # of templates, by the longest fixed word
 
     def translation(self, source: str) -> str | None:
         """Return the translation of a text; None without one."""
         entry = self.entries.get(source)
         return entry.translation if entry is not None and entry.translation else None
 
-    def find_template(self, text: str) -> tuple[str, dict[str, str]] | None:
-        """Return the template that a text was made of, and its values as texts; the one with the most fixed letters."""
+    def find_templates(self, text: str) -> list[tuple[str, dict[str, str]]]:
+        """Return the templates that a text may have been made of, and its values as texts; those with most fixed letters first."""
         if self._patterns is None:
             self._patterns = _patterns(self.entries.values())
-        best: tuple[int, str, dict[str, str]] | None = None
+        found: list[tuple[str, dict[str, str]]] = []
         for word in dict.fromkeys(WORD.findall(text)):
             for pattern, source in self._patterns.get(word, ()):
                 match = pattern.fullmatch(text)
-                fixed = len(PLACEHOLDER.sub("", source))
-                if match is not None and (best is None or fixed > best[0]) and not _repeated(source, match):
-                    best = fixed, source, match.groupdict()
-        return None if best is None else best[1:]
+                if match is not None and not _repeated(source, match):
+                    found.append((source, match.groupdict()))
+        return sorted(found, key=lambda one: -len(PLACEHOLDER.sub("", one[0])))
 
 
 LETTER = re.compile(r"[A-Za-z]")
@@ -115,6 +118,11 @@ def _names(text: str) -> list[str] | None:
         return None
 
 
+def fixed_letters(source: str) -> int:
+    """Return how many letters of a template are not of its values."""
+    return len(LETTER.findall(PLACEHOLDER.sub("", source)))
+
+
 def _repeated(source: str, match: re.Match[str]) -> bool:
     """Whether a value contains a fixed piece of its template again: the text lists several, which are translated one by one."""
     piece = max(PLACEHOLDER.split(source)[::2], key=len)
@@ -129,15 +137,17 @@ def _patterns(entries: Iterable[Entry]) -> dict[str, list[tuple[re.Pattern[str],
             continue
         pieces = PLACEHOLDER.split(entry.source)
         words = [word for piece in pieces[::2] for word in WORD.findall(piece)]
-        if not words or len(LETTER.findall("".join(pieces[::2]))) < LEAST_LETTERS:
+        letters = fixed_letters(entry.source)
+        if not words or letters < FEWEST_LETTERS:
             continue  # such as "{a} of {b}": it would match too much
+        value = ANY if letters >= LEAST_LETTERS or entry.source.endswith(".") else NUMBER
         seen: set[str] = set()
         text = ""
         for place, piece in enumerate(pieces):
             if place % 2 == 0:
                 text += re.escape(piece.replace("{{", "{").replace("}}", "}"))
             else:
-                text += f"(?P={piece})" if piece in seen else f"(?P<{piece}>.{{0,{LONGEST_VALUE}}}?)"
+                text += f"(?P={piece})" if piece in seen else f"(?P<{piece}>{value})"
                 seen.add(piece)
         found[max(words, key=len)].append((re.compile(text, re.DOTALL), entry.source))
     return found

@@ -3,61 +3,42 @@
 from __future__ import annotations
 
 import ast
-import re
 from collections.abc import Iterator
 from pathlib import Path
 
-from measureapp.resources import resource
 from ui.look.field_words import field_words, tip_words
+from ui.look.language.core import ROOT, Core, name_of, reached_files
+from ui.look.language.errors import told_texts
+from ui.look.language.templates import PLACEHOLDER, WORDS, escaped, has_sentence, is_text, template
 
-ROOT = resource("languages").parent.parent
-WORDS = re.compile(r"[A-Za-z]{2}")
-PLACEHOLDER = re.compile(r"\{\w+[^{}]*\}")
-SENTENCE = re.compile(r"(^|[^\w.-])[a-zµ]{3,}")  # rather than the name of a view
-CODE = re.compile(r"""px;|vec3\(|%\(|color: |->|"do": """)  # style sheets, shaders and formats of the log
-NAMES = re.compile(r"[\w./\\*#:+-]*")  # of files, keys and settings
-MESSAGES = {  # calls of the core whose texts reach the window
-    "InputError", "StorageError", "FitError", "DeviceError", "PlanError", "CalibrationError", "ReconstructError", "RegisterError", "InspectionError",
-    "DecodeError", "MeasureError", "UnitQuestion", "AmbiguousPart", "BoardDetectionError", "DiskFailed", "DiskFull", "DeviceLost", "Damaged",
-    "report", "warn", "Cancelled",
-}  # fmt: skip
 TOLD = {
     ("calibrate", "kinds"),
     ("calibrate", "guidance"),
     ("calibrate", "draft"),
-    ("inspection", "certified_lengths.py"),
-    ("inspection", "verdict.py"),
-    ("inspection", "value.py"),
+    ("inspection", "certified_lengths"),
+    ("inspection", "verdict"),
+    ("inspection", "value"),
     ("inspection", "blades"),
     ("inspection", "features"),
     ("inspection", "session"),
     ("inspection", "tolerances"),
     ("inspection", "alignment"),
     ("pipeline", "consistency"),
-    ("data", "consistency.py"),
-    ("data", "surroundings.py"),
-    ("data", "axis_motions.py"),
-    ("data", "identification.py"),
-    ("fringe", "patterns", "check.py"),
+    ("data", "consistency"),
+    ("data", "surroundings"),
+    ("data", "axis_motions"),
+    ("data", "identification"),
+    ("fringe", "patterns", "check"),
     ("planning", "collision"),
-    ("planning", "reach.py"),
-    ("planning", "travel.py"),
-    ("planning", "generate.py"),
+    ("planning", "reach"),
+    ("planning", "travel"),
+    ("planning", "generate"),
     ("register", "clouds"),
     ("register", "pairs"),
-    ("register", "stitch.py"),
-    ("reconstruct", "why.py"),
+    ("register", "stitch"),
+    ("reconstruct", "why"),
     ("reconstruct", "diagnosis"),
 }  # rooms and files whose sentences the window displays
-REFUSING = {
-    ("data", "deviation_scale.py"),
-    ("data", "dimension_program.py"),
-    ("data", "feature_program.py"),
-    ("data", "inspection_program.py"),
-    ("data", "part_temperature.py"),
-    ("data", "standard_tolerances.py"),
-    ("data", "tolerance_text.py"),
-}  # files whose `ValueError` says why what was entered cannot be used
 FORMS = (
     *("measureapp/data/rig.py", "measureapp/data/cell.py", "measureapp/data/length_certificate.py", "plugins/*/settings.py"),
     *("measureapp/simulate/options.py", "measureapp/simulate/sensor.py"),  # of the virtual rig
@@ -107,41 +88,20 @@ def _descriptions(field: ast.AnnAssign) -> Iterator[str]:
     if isinstance(field.value, ast.Call):
         for given in field.value.keywords:
             if given.arg == "description" and isinstance(given.value, ast.Constant):
-                yield tip_words(str(given.value.value)).replace("{", "{{").replace("}", "}}")
+                yield escaped(tip_words(str(given.value.value)))
 
 
 def core_texts() -> dict[str, str]:
     """Return the messages of the core and the plugins that may reach the window, as templates: {text: room}."""
+    core = Core(reached_files())
     found: dict[str, str] = {}
-    files = [
-        (place, ast.parse(path.read_text(encoding="utf-8")))
-        for folder in ("measureapp", "plugins")
-        for path in sorted((ROOT / folder).rglob("*.py"))
-        if (place := path.relative_to(ROOT / folder).parts)[0] not in ("cli", "simulate", "peers")
-    ]
-    hints = {name for _, tree in files for argument in _arguments(tree, MESSAGES) if (name := _name(argument)).isupper()}
-    for place, tree in files:
-        if place[:2] in TOLD or place in TOLD:
+    for module, tree in core.trees.items():
+        place = module.split(".")[1:]
+        if module.startswith("measureapp") and (tuple(place[:2]) in TOLD or tuple(place) in TOLD):
             found.update(dict.fromkeys((*_texts(tree), *_sentences(tree)), place[0]))
-        told = _arguments(tree, MESSAGES | {"ValueError"} if place in REFUSING else MESSAGES)
-        for text in (text for one in (*told, *_hints(tree, hints)) for text in _messages(one)):
-            found.setdefault(text, place[0].removesuffix(".py"))
+    for text, module in told_texts(core).items():
+        found.setdefault(text, module.split(".")[1])
     return found
-
-
-def _arguments(tree: ast.Module, calls: set[str]) -> Iterator[ast.expr]:
-    """Yield the arguments of all calls of these names."""
-    for node in ast.walk(tree):
-        if isinstance(node, ast.Call) and _name(node.func) in calls:
-            yield from (*node.args, *(one.value for one in node.keywords))
-
-
-def _hints(tree: ast.Module, names: set[str]) -> Iterator[ast.expr]:
-    """Yield the sentences that are the module's constants of these names: hints that several errors give."""
-    for node in tree.body:
-        is_named = isinstance(node, ast.Assign) and any(_name(target) in names for target in node.targets)
-        if is_named and any(text.endswith(".") for text in _messages(node.value)):
-            yield node.value
 
 
 def _texts(tree: ast.Module) -> Iterator[str]:
@@ -150,10 +110,10 @@ def _texts(tree: ast.Module) -> Iterator[str]:
         if not (isinstance(node, ast.Constant) and isinstance(node.value, str)) or isinstance(parents[node], ast.JoinedStr | ast.Expr):
             continue
         parent = parents[node]
-        direct = isinstance(parent, ast.Call) and _name(parent.func) in ("tr", "later", "several", "label") and node in parent.args
-        if WORDS.search(PLACEHOLDER.sub("", node.value)) and (direct or (_is_text(node.value) and not _is_internal(node, parents))):
+        direct = isinstance(parent, ast.Call) and name_of(parent.func) in ("tr", "later", "several", "label") and node in parent.args
+        if WORDS.search(PLACEHOLDER.sub("", node.value)) and (direct or (is_text(node.value) and not _is_internal(node, parents))):
             yield node.value
-            if isinstance(parent, ast.Call) and _name(parent.func) == "several" and len(parent.args) == 2:
+            if isinstance(parent, ast.Call) and name_of(parent.func) == "several" and len(parent.args) == 2:
                 yield node.value + "s"  # as `several` forms it
 
 
@@ -161,18 +121,9 @@ def _sentences(tree: ast.Module) -> Iterator[str]:
     """Yield the texts with values in them, as templates."""
     parents = {child: node for node in ast.walk(tree) for child in ast.iter_child_nodes(node)}
     for node in ast.walk(tree):
-        if isinstance(node, ast.JoinedStr) and not isinstance(parents[node], ast.FormattedValue) and not _is_internal(node, parents):
-            yield from (text for text in _messages(node) if SENTENCE.search(PLACEHOLDER.sub("", text)))
-
-
-def _is_text(value: str) -> bool:
-    """Whether a string reads like a text for people: several words, or one with a capital letter."""
-    if CODE.search(value):
-        return False
-    bare = PLACEHOLDER.sub("", value).strip()
-    if bare != value and " " in value and re.search(r"[a-z]{3}", bare):
-        return True
-    return bool(bare) and (NAMES.fullmatch(bare) is None or re.fullmatch(r"[A-Z][a-z-]+[….]?", bare) is not None)
+        is_part = isinstance(parents.get(node), ast.FormattedValue)
+        if isinstance(node, ast.JoinedStr) and not is_part and not _is_internal(node, parents) and has_sentence(text := template(node)):
+            yield text
 
 
 def _is_internal(node: ast.AST, parents: dict[ast.AST, ast.AST]) -> bool:
@@ -183,7 +134,7 @@ def _is_internal(node: ast.AST, parents: dict[ast.AST, ast.AST]) -> bool:
         if isinstance(parent, ast.Compare | ast.Assert | ast.MatchValue) or (isinstance(parent, ast.Subscript) and child is parent.slice):
             return True
         if isinstance(parent, ast.Call) and child is not parent.func:
-            name = _name(parent.func)
+            name = name_of(parent.func)
             if name in UNTRANSLATED or (
                 name in LOGS and isinstance(parent.func, ast.Attribute) and "log" in ast.unparse(parent.func.value)
             ):
@@ -192,29 +143,6 @@ def _is_internal(node: ast.AST, parents: dict[ast.AST, ast.AST]) -> bool:
             return False
         child = parent
     return False
-
-
-def _messages(node: ast.expr) -> Iterator[str]:
-    if isinstance(node, ast.Constant) and isinstance(node.value, str):
-        if _is_text(node.value):
-            yield node.value.replace("{", "{{").replace("}", "}}")
-    elif isinstance(node, ast.JoinedStr):
-        text, count = "", 0
-        for piece in node.values:
-            if isinstance(piece, ast.Constant):
-                text += str(piece.value).replace("{", "{{").replace("}", "}}")
-            else:
-                count += 1
-                text += f"{{v{count}}}"
-        if WORDS.search(PLACEHOLDER.sub("", text)):
-            yield text
-    elif isinstance(node, ast.IfExp):
-        yield from _messages(node.body)
-        yield from _messages(node.orelse)
-
-
-def _name(node: ast.expr) -> str:
-    return node.attr if isinstance(node, ast.Attribute) else node.id if isinstance(node, ast.Name) else ""
 
 
 def catalogue_file(language: str) -> Path:

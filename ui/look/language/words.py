@@ -8,16 +8,21 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from string import Formatter
 
-from ui.look.language.catalogue import Catalogue
+from ui.look.language.catalogue import LEAST_LETTERS, PLACEHOLDER, SURE_LETTERS, Catalogue, fixed_letters
 
 KEPT = 20_000  # texts whose origin is remembered, so that they can be translated anew when the language changes
 SEPARATORS = [re.compile(f"({one})") for one in (r"\n", r"(?<=[.!?…]) ", " · ", ": ", "; ", ", ")]  # the coarsest first
+AND = re.compile("( and )")
 LETTERS = re.compile(r"[A-Za-z]{2}")
 
 
 IDEOGRAPHS = "\u4e00", "\u9fff"
 BEGINS = {"lower": str.lower, "upper": str.upper}  # how a text begins, as the format of its placeholder
 STOPPED = "stopped"  # a placeholder with the full stop of the script behind it
+UNSTOPPED = "unstopped"  # and without it
+NO_WORDS = re.compile(r"""`[^`]*`|'[^']*'|"[^"]*"|\S*[\d/\\._]\S*""")  # names in quotes, files, fields and numbers
+WORD = re.compile(r"\b[a-zµ]{3,}\b")
+WORDS = re.compile(r"\b[a-zµ]{3,}\b.*\s\w|\w\s.*\b[a-zµ]{3,}\b")  # of which a sentence is made, rather than a name
 
 
 class WordsFormatter(Formatter):
@@ -29,6 +34,8 @@ class WordsFormatter(Formatter):
             return format(value, format_spec)
         if format_spec == STOPPED:
             return value + full_stop(value)
+        if format_spec == UNSTOPPED:
+            return value.rstrip(".。")
         return BEGINS[format_spec](value[:1]) + value[1:] if format_spec in BEGINS else value
 
 
@@ -110,13 +117,41 @@ class Translator:
         constant = text.replace("{", "{{").replace("}", "}}")  # as a template without values
         if catalogue.translation(constant) is not None:
             return self.translate(constant, {})
-        found = None if self._is_list(catalogue, text) else catalogue.find_template(text)
+        found = None if self._is_list(catalogue, text) else self._template(catalogue, text)
         if found is not None:
             return self.translate(*found)
-        if text[-1] == "." and (catalogue.translation(text[:-1]) is not None or catalogue.find_template(text[:-1]) is not None):
-            return self.translate(f"{{words:{STOPPED}}}", {"words": text[:-1]})  # a reason as a sentence of its own
+        if text[-1] != "." and (catalogue.translation(f"{text}.") is not None or self._template(catalogue, f"{text}.") is not None):
+            return self.translate(f"{{words:{UNSTOPPED}}}", {"words": f"{text}."})  # a sentence as part of another one
         made = self._in_pieces(text)
         return self._begun_otherwise(text) if made == text else made
+
+    def _template(self, catalogue: Catalogue, text: str) -> tuple[str, dict[str, str]] | None:
+        """Return the template that a text was made of, and its values; one of few letters only if its values are known."""
+        reason = text[:-1] if text[-1] == "." else ""  # as a sentence of its own
+        whole = f"{{words:{STOPPED}}}", {"words": reason}
+        if reason and catalogue.translation(reason) is not None:
+            return whole
+        found = [(one, one) for one in catalogue.find_templates(text)]
+        found += [(one, whole) for one in catalogue.find_templates(reason)] if reason else []
+        for (source, values), made in sorted(found, key=lambda one: -len(PLACEHOLDER.sub("", one[0][0]))):
+            letters = fixed_letters(source)
+            if letters >= SURE_LETTERS or all(
+                self._is_known(value, WORD if letters < LEAST_LETTERS else WORDS) for value in values.values()
+            ):
+                return made
+        return None
+
+    def _is_known(self, value: str, unknown: re.Pattern[str]) -> bool:
+        """Whether a value has no words, or all of it can be translated."""
+        catalogue = self._catalogue
+        if catalogue is None or not value or unknown.search(NO_WORDS.sub("", value)) is None or value in self._issued:
+            return True
+        if any(catalogue.translation(one) is not None for one in (value, f"{value}.", value[0].swapcase() + value[1:])):
+            return True
+        if self._template(catalogue, value) is not None or self._template(catalogue, f"{value}.") is not None:
+            return True
+        pieces = self._pieces(value)
+        return len(pieces) > 1 and all(self._is_known(piece, unknown) for piece in pieces[::2])
 
     @staticmethod
     def _is_list(catalogue: Catalogue, text: str) -> bool:
@@ -131,15 +166,23 @@ class Translator:
             return text
         return self.translate("{words:lower}" if text[0].islower() else "{words:upper}", {"words": other})
 
+    @staticmethod
+    def _pieces(text: str) -> list[str]:
+        """Return the sentences or items of a text, and between them what separates them."""
+        return next((found for one in SEPARATORS if len(found := one.split(text)) > 1), [text])
+
     def _in_pieces(self, text: str) -> str:
         """Translate the sentences and items of a text one by one; where none is known it stays."""
-        pieces = next((found for one in SEPARATORS if len(found := one.split(text)) > 1), [text])
+        pieces = self._pieces(text)
+        listed = AND.split(text)
+        if len(pieces) == 1 and all(self.renewed(piece) != piece for piece in listed[::2]):
+            pieces = listed  # a list whose items are known; other sentences are not torn apart
         if len(pieces) == 1 or all(self.renewed(piece) == piece for piece in pieces[::2]):
             if text[-1] in "….:" and self.renewed(text[:-1]) != text[:-1]:  # such as a button that opens a dialog
                 return self.translate("{words}" + text[-1], {"words": text[:-1]})
             return text
-        values = {f"v{place}": piece for place, piece in enumerate(pieces[::2])}
-        source = "".join(f"{{v{place // 2}}}" if place % 2 == 0 else piece for place, piece in enumerate(pieces))
+        values = {f"v{place}": piece for place, piece in enumerate(pieces) if place % 2 == 0 or AND.fullmatch(piece)}
+        source = "".join(f"{{v{place}}}" if f"v{place}" in values else piece for place, piece in enumerate(pieces))
         return self.translate(source, values)
 
 
