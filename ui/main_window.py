@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cached_property
 from pathlib import Path
 
-from PySide6.QtCore import QDateTime, Qt
+from PySide6.QtCore import QDateTime, Qt, QTimer, Slot
 from PySide6.QtGui import QCloseEvent, QResizeEvent, QShortcut
 from PySide6.QtWidgets import QMainWindow, QStackedWidget, QWidget
 
@@ -21,6 +21,7 @@ from ui.pages.clouds.clouds import CloudsPage
 from ui.pages.inspection.inspection import InspectionPage
 from ui.pages.operator.shell import Shell
 from ui.pages.page import Page
+from ui.pages.pages import Pages
 from ui.pages.plan.page import PlanPage
 from ui.pages.report import ReportPage
 from ui.pages.rig.page import RigPage
@@ -52,6 +53,7 @@ SMALLEST = (1280, 720)
 TITLE_BARS = 72  # height of desktop bars on a screen of the smallest size
 CLOSING_WAIT_MS = 20_000
 ROOMY_WIDTH = 1500
+PAGES_APART_MS = 50  # for what happens meanwhile
 
 
 class MainWindow(QMainWindow):
@@ -67,14 +69,10 @@ class MainWindow(QMainWindow):
         self.properties = PropertiesPanel(look)
         self.strip = JobStrip(look)
         self.closing, self._may_stop = ClosingBar(look), False
-        self.pages: dict[str, Page] = {kind.name: kind(look, session, controllers) for kind in PAGES}
-        self.rail = Rail(look, {page.name: page.word for page in self.pages.values()})
+        self.pages = Pages(PAGES, self._make_page)
+        self.rail = Rail(look, self.pages.words)
         self.stack = QStackedWidget()
         self.stack.setObjectName("pages")
-        for page in self.pages.values():
-            self.stack.addWidget(page)
-            page.propertiesChanged.connect(self._follow_properties)
-            page.propertiesAsked.connect(self._unfold)
         self._add_commands()
         self._lay_out()
         self._connect()
@@ -82,6 +80,23 @@ class MainWindow(QMainWindow):
         restore_window(self, settings)
         kept = settings.text("page")
         self.show_page(kept if kept in self.pages else "rig")
+
+    def _make_page(self, kind: type[Page]) -> Page:
+        page = kind(self.look, self.session, self.controllers)
+        self.stack.addWidget(page)
+        page.propertiesChanged.connect(self._follow_properties)
+        page.propertiesAsked.connect(self._unfold)
+        if isinstance(page, ScanPage):
+            page.next_step.clicked.connect(self._go_on)
+        elif isinstance(page, InspectionPage):
+            page.measure_file.clicked.connect(self.project_menu.inspect_files)
+        return page
+
+    @Slot()
+    def make_pages(self) -> None:
+        """Make the pages that are missing, one after the other while nothing else is to be done: the first click on each is answered at once."""
+        if self.isVisible() and not self.shell.is_operators and self.pages.make_next():
+            QTimer.singleShot(PAGES_APART_MS, self, self.make_pages)
 
     def _add_commands(self) -> None:
         self.actions_ = Actions(self, lambda: self.session.role == "engineer")
@@ -128,16 +143,12 @@ class MainWindow(QMainWindow):
     @cached_property
     def palette_(self) -> CommandPalette:
         """The command palette."""
-        return CommandPalette(self.look, self.actions_, self._words_of_pages, self, lambda: (self.page.name, self.page))
+        return CommandPalette(self.look, self.actions_, self.pages.words, self, lambda: (self.page.name, self.page))
 
     @cached_property
     def shortcuts(self) -> ShortcutList:
         """The list of shortcuts."""
-        return ShortcutList(self.look, self.actions_, self._words_of_pages, self)
-
-    @property
-    def _words_of_pages(self) -> dict[str, str]:
-        return {page.name: page.word for page in self.pages.values()}
+        return ShortcutList(self.look, self.actions_, self.pages.words, self)
 
     def _words_of(self, id_: str) -> str:
         action = self.actions_.action(id_)
@@ -190,7 +201,7 @@ class MainWindow(QMainWindow):
         self.header_state.stop()
         self.hide()  # before waiting for threads
         self.controllers.end(CLOSING_WAIT_MS)
-        for page in self.pages.values():
+        for page in self.pages.made:
             page.close_page()
         self.shell.close_views()
         event.accept()
@@ -235,11 +246,7 @@ class MainWindow(QMainWindow):
         session.messages.changed.connect(self._show_open)
         session.projectChanged.connect(self._name_window)
         session.cellChanged.connect(self._allow_escape)
-        scan, inspection = self.pages["scan"], self.pages["inspection"]
-        assert isinstance(scan, ScanPage) and isinstance(inspection, InspectionPage)
-        scan.next_step.clicked.connect(self._go_on)
         session.appearanceChanged.connect(self._show_role)
-        inspection.measure_file.clicked.connect(self.project_menu.inspect_files)
         self._escape = QShortcut(Qt.Key.Key_Escape, self, controllers.rig.stop)
         self._escape.setEnabled(False)
 

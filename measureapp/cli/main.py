@@ -85,7 +85,7 @@ def _fail_usage(error: typer.exceptions.TyperException, as_json: bool) -> int:
             say(message)
             return BAD_INPUT
         message = "A command is missing."
-    sentence = message if message.endswith((".", "?", ")")) else f"{message}."
+    sentence = message if message.endswith((".", "?")) else f"{message}."
     return _fail("UsageError", sentence, f"See `{_command_of(error)} --help`.", as_json, BAD_INPUT)
 
 

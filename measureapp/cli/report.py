@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from measureapp.cli.reply import JsonOption, TerminalProgress, reply
+from measureapp.errors import InputError
 
 if TYPE_CHECKING:
     from measureapp.report.documents import DocumentKind
@@ -31,10 +32,14 @@ def register(app: typer.Typer) -> None:
     ) -> None:
         """Write the report of the last measurement in the chosen formats (default: PDF, CSV and JSON)."""
         from measureapp.project.folder import ProjectFolder
-        from measureapp.report.documents import write_documents
+        from measureapp.report.documents import ALL_KINDS, write_documents
         from measureapp.report.project import compose_project
         from measureapp.report.template import read_template
 
+        if out is not None and out.suffix.lower()[1:] in ALL_KINDS and not out.is_dir():
+            raise InputError(
+                f"--out is a folder, and {out} would be one with the name of a file.", "Name a folder; the files are called report."
+            )
         folder = ProjectFolder.open(project)
         chosen = None if template is None else read_template(template)
         model = compose_project(folder, template=chosen, progress=TerminalProgress())

@@ -20529,10 +20529,6 @@ in danger use the emergency stop.</source>
       <translation>无损；一切都可重新计算</translation>
     </message>
     <message>
-      <source>connected by Check or Start</source>
-      <translation>通过“检查”或“开始”连接</translation>
-    </message>
-    <message>
       <source>viewpoint is</source>
       <translation>个视点</translation>
     </message>
@@ -20563,6 +20559,18 @@ in danger use the emergency stop.</source>
     <message>
       <source>{most} decoded</source>
       <translation>已解码 {most}</translation>
+    </message>
+    <message>
+      <source>{name} with {count}</source>
+      <translation>{name}，含 {count}</translation>
+    </message>
+    <message>
+      <source>{name}, connected</source>
+      <translation>{name}，已连接</translation>
+    </message>
+    <message>
+      <source>{name}, connected by Check or Start</source>
+      <translation>{name}，按“检查”或“开始”时连接</translation>
     </message>
     <message>
       <source>{share} is missing: {words}.</source>
@@ -21199,10 +21207,6 @@ in danger use the emergency stop.</source>
     <message>
       <source>{name} is not installed</source>
       <translation>未安装 {name}</translation>
-    </message>
-    <message>
-      <source>{name}, connected</source>
-      <translation>{name}，已连接</translation>
     </message>
     <message>
       <source>{name}, not connected</source>

@@ -79,6 +79,11 @@ def test_without_a_choice_pdf_csv_and_json_go_into_the_project(project: Path, ca
     assert {path.name for path in (project / "report").iterdir()} == {"report.pdf", "report.csv", "report.json"}
 
 
+def test_a_folder_is_not_given_the_name_of_a_document(project: Path, tmp_path: Path, capsys) -> None:
+    assert main(["report", str(project), "--out", str(tmp_path / "mine.pdf")]) == 2
+    assert "--out is a folder" in capsys.readouterr().err and not (tmp_path / "mine.pdf").exists()
+
+
 def test_a_project_without_measurement_is_refused(tmp_path: Path, capsys) -> None:
     ProjectFolder.create(tmp_path / "empty", ProjectSettings(name="n", part="gypsum", rig=read_rig("paper")))
     assert main(["report", str(tmp_path / "empty")]) == 2

@@ -12,6 +12,7 @@ from measureapp.acquire import events as e
 from measureapp.errors import InputError
 from measureapp.pipeline import events as p
 from ui.app import Reporter, open_demo
+from ui.main_window import PAGES
 from ui.widgets.properties_panel import Properties
 
 
@@ -177,12 +178,26 @@ def test_the_rail_changes_pages_and_the_properties_fold(window):
 
 
 def test_the_panel_shows_properties_of_the_page_in_sight_only(window):
+    window.show_page("scan")  # once, when it shows what it has
     window.show_page("calibration")
     shown = window.properties.shown
     window.pages["scan"].show_properties(Properties("Out of sight"))
     assert window.properties.shown is shown
     window.show_page("scan")
     assert window.properties.shown.title == "Out of sight"
+
+
+def test_pages_are_made_when_they_are_asked_for_and_the_rest_in_idle_moments(window, qtbot):
+    def made():
+        return [page.name for page in window.pages.made]
+
+    assert made() == ["rig"]
+    window.show_page("report")
+    assert made() == ["rig", "report"] and len(window.pages) == len(PAGES)
+    assert list(window.pages.words) == list(window.pages) == [kind.name for kind in PAGES]
+    window.make_pages()
+    qtbot.waitUntil(lambda: len(made()) == len(PAGES))
+    assert made()[2:] == ["calibration", "plan", "scan", "clouds", "inspection"]
 
 
 def test_the_theme_changes_while_the_window_is_open(application, window):

@@ -78,7 +78,6 @@ class CalibrationPage(Page):
         self.follow(session.calibrationChanged, self._show)
         self.follow(session.rigChanged, self._show)
         self.follow(session.busyChanged, self._show_busy)
-        self._show()
 
     def _make_menus(self) -> None:
         """The wizards as a menu; next to the empty state's button a quiet one for the cameras alone."""

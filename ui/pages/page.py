@@ -74,12 +74,13 @@ class Page(QWidget):
                 widget.setVisible(filled)
 
     def follow(self, signal: SignalInstance, *shows: Callable[[], object]) -> None:
-        """Call ``shows`` whenever ``signal`` is emitted: at once while the page is in sight, else once when it comes into sight.
+        """Call ``shows`` when the page first comes into sight and whenever ``signal`` is emitted: at once in sight, else when it comes into sight.
 
         To show at every event of a job what nobody sees would hold up the window. Results of a closed project are let go at once.
         """
         for show in shows:
             signal.connect(Following(self, show).take)
+            self._owed[show] = None
 
     def owe(self, show: Callable[[], object]) -> None:
         """Call ``show`` now, or when the page comes into sight."""

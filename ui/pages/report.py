@@ -86,7 +86,6 @@ class ReportPage(Page):
         controllers.documents.pagesFailed.connect(self._show_no_pages)
         self.follow(session.reportChanged, self._show)
         self.follow(session.busyChanged, self._show_busy)
-        self._show()
 
     def open_repeats(self) -> None:
         """Open the window of repeated measurements; it is made when first used."""

@@ -12,11 +12,13 @@ from ui.controllers.documents import FORMATS
 from ui.look.language.words import tr
 from ui.messages import CANCEL
 from ui.pages.page import Page
+from ui.pages.pages import Pages
 from ui.pages.plan.page import PlanPage
 from ui.pages.report import ReportPage
 from ui.session import Session
 from ui.shell.project_menu import SAMPLES, ProjectMenu
 from ui.shell.tour import Tour
+from ui.widgets.basic import Button
 from ui.widgets.properties_panel import PropertiesPanel
 
 
@@ -32,7 +34,7 @@ class CommandedWindow(Protocol):
 
     session: Session
     controllers: Controllers
-    pages: dict[str, Page]
+    pages: Pages
     project_menu: ProjectMenu
     properties: PropertiesPanel
     messages: Begins
@@ -93,8 +95,8 @@ def register_commands(actions: Actions, window: CommandedWindow) -> None:
         Action("palette", "Commands…", window.show_commands, "search find palette", shortcut="Ctrl+K"),
         Action("exit", "Exit", window.close, "quit end", shortcut="Ctrl+Q", for_operator=True),
     )
-    for place, (name, page) in enumerate(window.pages.items()):
-        actions.register(_page_action(window, name, page.word, place))
+    for place, (name, word) in enumerate(window.pages.words.items()):
+        actions.register(_page_action(window, name, word, place))
     actions.register(
         Action("demo", "Run the demo", window.controllers.demo.run, "virtual rig sample example", "rig", why_not=_no_job(session))
     )
@@ -180,8 +182,11 @@ def _page_action(window: CommandedWindow, name: str, word: str, place: int) -> A
 
 def _exports(window: CommandedWindow) -> tuple[Action, ...]:
     """Return the documents that the Report page exports, which are wanted on every page."""
-    page = window.pages["report"]
-    assert isinstance(page, ReportPage)
+
+    def export(kind: str) -> None:
+        page = window.pages["report"]
+        assert isinstance(page, ReportPage)
+        page.export(kind)
 
     def reason(kind: str) -> str:
         if window.session.measurement is None:
@@ -189,25 +194,32 @@ def _exports(window: CommandedWindow) -> tuple[Action, ...]:
         return "" if window.controllers.documents.can_export(kind) else "The measurement has nothing of this kind."
 
     return tuple(
-        Action(f"report.{kind}", f"{words}…", partial(page.export, kind), EXPORT_KEYWORDS, "report", why_not=partial(reason, kind))
+        Action(f"report.{kind}", f"{words}…", partial(export, kind), EXPORT_KEYWORDS, "report", why_not=partial(reason, kind))
         for kind, (words, *_) in FORMATS.items()
     )
 
 
 def _plan_keys(window: CommandedWindow) -> tuple[Action, ...]:
     """Return what the Plan page does by keys of its own."""
-    planning, page = window.controllers.planning, window.pages["plan"]
-    assert isinstance(page, PlanPage)
+
+    def page() -> PlanPage:
+        found = window.pages["plan"]
+        assert isinstance(found, PlanPage)
+        return found
+
+    def press(button: Callable[[PlanPage], Button]) -> Callable[[], None]:
+        return lambda: button(page()).click()
+
     listed = (
-        ("undo", "Undo the change of the plan", page.undo_last, "Ctrl+Z"),
-        ("redo", "Redo the change of the plan", planning.redo, "Ctrl+Shift+Z"),
-        ("open", "Open a scan plan…", page.open_file.click, "Ctrl+Shift+O"),
-        ("copy", "Duplicate the viewpoints", page.tools.copy.click, "Ctrl+D"),
-        ("up", "Move the viewpoints up", page.tools.up.click, "Alt+Up"),
-        ("down", "Move the viewpoints down", page.tools.down.click, "Alt+Down"),
+        ("undo", "Undo the change of the plan", lambda: page().undo_last(), "Ctrl+Z"),
+        ("redo", "Redo the change of the plan", window.controllers.planning.redo, "Ctrl+Shift+Z"),
+        ("open", "Open a scan plan…", press(lambda plan: plan.open_file), "Ctrl+Shift+O"),
+        ("copy", "Duplicate the viewpoints", press(lambda plan: plan.tools.copy), "Ctrl+D"),
+        ("up", "Move the viewpoints up", press(lambda plan: plan.tools.up), "Alt+Up"),
+        ("down", "Move the viewpoints down", press(lambda plan: plan.tools.down), "Alt+Down"),
     )
 
     def reason() -> str:
-        return "" if window.page is page else "Go to the page Plan first."
+        return "" if window.page.name == "plan" else "Go to the page Plan first."
 
     return tuple(Action(f"plan.{name}", words, run, "viewpoint", "plan", keys, reason, bound=False) for name, words, run, keys in listed)

@@ -10,7 +10,8 @@ from PySide6.QtWidgets import QWidget
 
 from ui.controllers.controllers import Controllers
 from ui.look.language.words import tr
-from ui.pages.page import SAMPLE, Page
+from ui.pages.page import SAMPLE
+from ui.pages.pages import Pages
 from ui.session import Session
 from ui.settings.settings import Settings
 from ui.widgets.rail import Rail
@@ -70,7 +71,7 @@ class GuidedWindow(Protocol):
     session: Session
     controllers: Controllers
     settings: Settings
-    pages: dict[str, Page]
+    pages: Pages
     rail: Rail
 
     def show_page(self, name: str) -> None:

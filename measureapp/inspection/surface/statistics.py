@@ -136,9 +136,8 @@ def find_extreme(index: DeviationIndex, search_mm: float, *, sign: float) -> Ext
     found = index.found
     values = np.where(np.abs(found.distances_mm) <= search_mm, sign * found.distances_mm, -np.inf)
     start, count = 0, min(FIRST_CANDIDATES, len(values))
-    order: IntArray = np.argsort(-values, kind="stable")
     while start < len(values):
-        some = order[start : start + count]
+        some = _greatest(values, start + count)[start:]
         some = some[np.isfinite(values[some])]
         if len(some) == 0:
             return None
@@ -149,6 +148,13 @@ def find_extreme(index: DeviationIndex, search_mm: float, *, sign: float) -> Ext
             return Extreme(float(found.distances_mm[best]), np.array(found.points_mm[best]), int(agreeing[good[0]]), int(best))
         start, count = start + count, 2 * count
     return None
+
+
+def _greatest(values: FloatArray, count: int) -> IntArray:
+    """Return the indices of the greatest values in order, without sorting all the others: a second where there are millions."""
+    least = np.partition(values, len(values) - count)[len(values) - count] if count < len(values) else -np.inf
+    some: IntArray = np.flatnonzero(values >= least)
+    return some[np.argsort(-values[some], kind="stable")][:count]
 
 
 def _count_agreeing(index: DeviationIndex, some: IntArray, values: FloatArray) -> IntArray:

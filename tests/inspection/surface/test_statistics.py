@@ -17,7 +17,7 @@ from measureapp.inspection.surface.nominal import NominalSurface
 from measureapp.inspection.surface.probe import probe_deviation
 from measureapp.inspection.surface.section import cut_section
 from measureapp.inspection.surface.smoothing import smooth_for_eye
-from measureapp.inspection.surface.statistics import compute_statistics
+from measureapp.inspection.surface.statistics import _greatest, compute_statistics
 from measureapp.inspection.surface.whiskers import section_whiskers
 
 NOISE = 0.01
@@ -155,3 +155,10 @@ def test_whiskers_reach_from_the_nominal_by_their_gain(index):
     top = made.deviations_mm.argmax()
     assert made.feet_mm[top, 0] == pytest.approx(30, abs=3) and made.deviations_mm[top] == pytest.approx(0.3, abs=3 * NOISE)
     assert section_whiskers(section, gain=7.0, spacing_mm=5.0).gain == 7.0
+
+
+@pytest.mark.parametrize("count", [1, 3, 40, 200, 205])
+def test_the_greatest_values_are_those_of_a_complete_sort_also_where_many_are_equal(count):
+    values = np.round(np.random.default_rng(1).normal(size=200), 1)
+    values[::7] = -np.inf
+    assert list(_greatest(values, count)) == list(np.argsort(-values, kind="stable")[:count])

@@ -112,7 +112,6 @@ class CloudsPage(ViewportPage):
         session.projectChanged.connect(self.table.hidden.clear)
         self.follow(session.cloudsChanged, self._show, self._forget_distances)
         self.follow(session.busyChanged, self._show_busy)
-        self._show()
 
     @cached_property
     def dialog(self) -> HolesDialog:

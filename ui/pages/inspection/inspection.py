@@ -91,9 +91,6 @@ class InspectionPage(ViewportPage):
         self.display.changed.connect(self._show_display)
         self.follow(session.busyChanged, self._show_busy)
         self.follow(session.appearanceChanged, self._show_undo)
-        self._show_comparison()
-        self._show_distances()
-        self._show()
 
     def _tools(self, look: Look) -> QHBoxLayout:
         """Return the tool bar above the picture."""

@@ -61,7 +61,6 @@ class PlanPage(ViewportPage):
         self.legend = CoverageLegend(look)
         self._lay_out(look)
         self._connect(session)
-        self._show()
 
     def _lay_out(self, look: Look) -> None:
         self.open_file = Button("Open…", look, "open", "quiet", "Open a scan plan (TOML or JSON)")

@@ -53,7 +53,6 @@ class RigPage(Page):
         self._add_actions()
         self._lay_out()
         self._connect()
-        self._show()
 
     def _add_actions(self) -> None:
         rig = self.controllers.rig

@@ -62,8 +62,6 @@ class ScanPage(ViewportPage):
         self._timer.setInterval(LIVE_INTERVAL_MS)
         self._timer.timeout.connect(self._tick)
         self._connect()
-        self._make_images()
-        self._show()
 
     def _lay_out(self, look: Look) -> None:
         pictures = card(self.pictures_title, self.pictures, margin=12)

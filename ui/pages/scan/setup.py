@@ -152,13 +152,18 @@ class ScanSetup(QWidget):
         """Show what is there: rig, plan, project."""
         session, chosen = self._session, self.value()
         rig = session.rig
-        state = "connected" if session.cell.connected else "connected by Check or Start"
-        self.rig.setText(tr("Choose one on the page Rig.") if rig is None else f"{rig.name}, {state}")
+        self.rig.setText(
+            tr("Choose one on the page Rig.")
+            if rig is None
+            else tr("{name}, connected", name=rig.name)
+            if session.cell.connected
+            else tr("{name}, connected by Check or Start", name=rig.name)
+        )
         plan = session.plan
         self.plan.text.setPlaceholderText(
             tr("None yet: choose a file, or make one on the page Plan")
             if plan is None
-            else f"{plan.name}, {several(len(plan), 'viewpoint')}"
+            else tr("{name} with {count}", name=plan.name, count=several(len(plan), "viewpoint"))
         )
         self._form.setRowVisible(self.part, not chosen.is_existing)
         for editor in (self.nominal, self.program):
