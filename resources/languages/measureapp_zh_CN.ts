@@ -18758,7 +18758,7 @@ The first run of this part counts.</source>
     </message>
     <message>
       <source>Pair {pair}</source>
-      <translation>对 {pair}</translation>
+      <translation>相机对 {pair}</translation>
     </message>
     <message>
       <source>Per viewpoint</source>
@@ -20558,7 +20558,7 @@ in danger use the emergency stop.</source>
     </message>
     <message>
       <source>{most} decoded</source>
-      <translation>{most} 已解码</translation>
+      <translation>已解码 {most}</translation>
     </message>
     <message>
       <source>{name} with {count}</source>
@@ -21652,7 +21652,7 @@ There is no page about “{name}”.</source>
     </message>
     <message>
       <source>From</source>
-      <translation>从</translation>
+      <translation>方位角</translation>
     </message>
     <message>
       <source>Full</source>

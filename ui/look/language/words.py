@@ -17,6 +17,17 @@ LETTERS = re.compile(r"[A-Za-z]{2}")
 
 
 IDEOGRAPHS = "\u4e00", "\u9fff"
+IDEOGRAPH = re.compile(f"[{IDEOGRAPHS[0]}-{IDEOGRAPHS[1]}]")
+AFTER_IDEOGRAPH = f"(?<=[{IDEOGRAPHS[0]}-{IDEOGRAPHS[1]}）”])"
+PUNCTUATION = tuple(  # of sentences that were put together, as Chinese writes it
+    (re.compile(pattern), mark)
+    for pattern, mark in (
+        *((rf"{AFTER_IDEOGRAPH}{ascii} (?=\S)", mark) for ascii, mark in ((",", "，"), (";", "；"), (":", "："))),
+        (rf"{AFTER_IDEOGRAPH}\. ?(?=$|[{IDEOGRAPHS[0]}-{IDEOGRAPHS[1]}])", "。"),
+        (rf"(?<=[{IDEOGRAPHS[0]}-{IDEOGRAPHS[1]}]\s)([\d\s]*\d)\.$", r"\1。"),
+        ("。 ", "。"),
+    )
+)
 BEGINS = {"lower": str.lower, "upper": str.upper}  # how a text begins, as the format of its placeholder
 STOPPED = "stopped"  # a placeholder with the full stop of the script behind it
 UNSTOPPED = "unstopped"  # and without it
@@ -45,6 +56,13 @@ FORMATTER = WordsFormatter()
 def full_stop(text: str) -> str:
     """Return the full stop of the script that a text ends in."""
     return "。" if IDEOGRAPHS[0] <= text[-1:] <= IDEOGRAPHS[1] else "."
+
+
+def punctuated(text: str) -> str:
+    """Return a text with the marks of the script that it is in, also between parts of it that were translated one by one."""
+    for pattern, mark in PUNCTUATION if IDEOGRAPH.search(text) else ():
+        text = pattern.sub(mark, text)
+    return text
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,6 +101,8 @@ class Translator:
         if self._state:
             put = {name: self.renewed(value) if isinstance(value, str) else value for name, value in values.items()}
         made = FORMATTER.vformat(template, (), put) if values or "{{" in template else template
+        if self._catalogue is not None:
+            made = punctuated(made)
         if made and made not in values.values():  # else its value says all about it
             self._issued[made] = Origin(source, values, self._state)
             self._issued.move_to_end(made)
@@ -162,7 +182,7 @@ class Translator:
     def _begun_otherwise(self, text: str) -> str:
         """Translate a text that is known with another case of its first letter, as where it became part of a sentence; names are one word."""
         other = text[0].swapcase() + text[1:]
-        if " " not in text or other == text or self.renewed(other) == other:
+        if " " not in self._pieces(text)[0] or other == text or self.renewed(other) == other:
             return text
         return self.translate("{words:lower}" if text[0].islower() else "{words:upper}", {"words": other})
 

@@ -95,7 +95,7 @@ def rough_cloud() -> PointCloud:
 def test_what_was_excluded_around_the_part(chinese):
     said = Surroundings(10_000, tuple((kind, 120 * place) for place, kind in enumerate(KINDS, start=1))).sentence
     assert "1.2% background; 2.4% the table's top, and all within 1 mm above it; 3.6% fixtures" in said
-    assert "1.2% 为背景; 2.4% 为转台台面及其上方 1 mm 以内的所有点" in chinese.renewed(said)
+    assert "1.2% 为背景；2.4% 为转台台面及其上方 1 mm 以内的所有点" in chinese.renewed(said)
     assert not left_in_english(chinese, said) and not left_in_english(chinese, SURROUNDINGS_KEPT)
 
 

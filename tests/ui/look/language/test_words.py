@@ -49,7 +49,7 @@ def test_a_number_that_was_formatted_in_a_message_stays_as_it_is(translator):
 
 
 def test_sentences_put_together_are_translated_one_by_one(translator):
-    assert translator.renewed("Check the cable. Camera left does not answer: the cable is loose.").startswith("检查电缆。 相机 left")
+    assert translator.renewed("Check the cable. Camera left does not answer: the cable is loose.").startswith("检查电缆。相机 left")
     assert translator.renewed("Surface…") == "表面…"
 
 
@@ -75,9 +75,9 @@ def test_a_text_that_became_part_of_a_sentence_is_known_by_its_other_first_lette
     ("text", "chinese"),
     [
         ("datum system A|B", "基准体系 A|B"),
-        ("means of 2 mm cells, minimum zone, the worst of 5 sections", "2 mm 单元的均值, 最小区域, 5 个截面中最差者"),
+        ("means of 2 mm cells, minimum zone, the worst of 5 sections", "2 mm 单元的均值，最小区域，5 个截面中最差者"),
         ("0.0123 mm less 0.0045 mm by noise", "0.0123 mm，扣除噪声引起的 0.0045 mm"),
-        ("datums: minimum zone; associated centre", "基准: 最小区域; 拟合中心"),
+        ("datums: minimum zone; associated centre", "基准：最小区域；拟合中心"),
         ("7 constructed features: mid-line.1 … mid-line.7", "7 个构造特征：mid-line.1 … mid-line.7"),
         ("angle", "角度"),
     ],
