@@ -47,6 +47,7 @@ class ReportPage(Page):
         self._pages = column(spacing=16)
         self._sheet.setLayout(self._pages)
         self.pages: list[PagePicture] = []
+        self._is_stale = False
         self._scroll = QScrollArea()
         self._scroll.setWidgetResizable(True)
         self._scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
@@ -120,6 +121,7 @@ class ReportPage(Page):
         self.show_pages(())
         if measurement is None:
             self.state.setText(tr("Nothing to report."))
+            self._is_stale = False
             return
         documents = self.controllers.documents
         for kind, made in self.exports.items():
@@ -136,7 +138,13 @@ class ReportPage(Page):
         times = tuple((sentence_case(name), f"{seconds:.1f} s") for name, seconds in measurement.timings_s.items())
         groups = [Group("Measurement", rows), *([Group("Time", times)] if times else [])]
         self.show_properties(Properties("Report", tuple(groups)))
-        documents.preview()
+        self._draw_pages()
+
+    def _draw_pages(self) -> None:
+        """Have the pages drawn, or remember it until this page is in sight: drawing takes a second of a processor."""
+        self._is_stale = not self.isVisible()
+        if not self._is_stale:
+            self.controllers.documents.preview()
 
     def show_pages(self, pages: tuple[QImage, ...]) -> None:
         """Show the pages of the report."""
@@ -164,8 +172,10 @@ class ReportPage(Page):
         QTimer.singleShot(0, self, self._fit_pages)
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Fit the pages to the available width."""
+        """Draw the pages if the measurement is another one, and fit them to the available width."""
         super().showEvent(event)
+        if self._is_stale:
+            self._draw_pages()
         QTimer.singleShot(0, self, self._fit_pages)
 
     @property
