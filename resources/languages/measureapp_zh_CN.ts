@@ -15478,6 +15478,10 @@ alignment = "{v2}"
       <translation>导轨坐标系中的中心</translation>
     </message>
     <message>
+      <source>Certificate</source>
+      <translation>证书</translation>
+    </message>
+    <message>
       <source>Certificate SHA-256</source>
       <translation>证书 SHA-256</translation>
     </message>
@@ -15716,6 +15720,10 @@ alignment = "{v2}"
     <message>
       <source>EGM port</source>
       <translation>EGM 端口</translation>
+    </message>
+    <message>
+      <source>Edges</source>
+      <translation>棱边</translation>
     </message>
     <message>
       <source>Electrons at full scale</source>
@@ -17058,6 +17066,10 @@ alignment = "{v2}"
       <translation>串口，例如 /dev/ttyUSB0 或 COM3；留空：按 USB 适配器的序列号查找，或使用 TCP</translation>
     </message>
     <message>
+      <source>Set-ups</source>
+      <translation>装夹</translation>
+    </message>
+    <message>
       <source>Settings stored in the camera that are loaded first; empty: none</source>
       <translation>首先加载的、存储在相机中的设置集；留空：不加载</translation>
     </message>
@@ -17464,6 +17476,10 @@ alignment = "{v2}"
     <message>
       <source>Uncertainty of the scale</source>
       <translation>比例的不确定度</translation>
+    </message>
+    <message>
+      <source>Unexplained</source>
+      <translation>未解释</translation>
     </message>
     <message>
       <source>Unit</source>
@@ -20361,6 +20377,10 @@ in danger use the emergency stop.</source>
       <translation>未扫描任何视点。</translation>
     </message>
     <message>
+      <source>Nominal (CAD)</source>
+      <translation>名义模型 (CAD)</translation>
+    </message>
+    <message>
       <source>Nominal of the part</source>
       <translation>工件的名义模型</translation>
     </message>
@@ -21229,7 +21249,7 @@ in danger use the emergency stop.</source>
     </message>
     <message>
       <source>Above</source>
-      <translation>以上</translation>
+      <translation>高于</translation>
     </message>
     <message>
       <source>Axes, cube, scale and legend</source>
@@ -21241,7 +21261,7 @@ in danger use the emergency stop.</source>
     </message>
     <message>
       <source>Below</source>
-      <translation>以下</translation>
+      <translation>低于</translation>
     </message>
     <message>
       <source>Blue – white – red</source>
@@ -21280,10 +21300,6 @@ in danger use the emergency stop.</source>
       <translation>下</translation>
     </message>
     <message>
-      <source>Edges</source>
-      <translation>边线</translation>
-    </message>
-    <message>
       <source>F shows everything, Shift+F the selection, 1 to 7 the standard views. P changes the projection, E shows edges, T makes the surface transparent, L hides labels, H the furniture. Arrow keys rotate, with Shift they pan; plus and minus zoom. Enter picks the point in the centre.</source>
       <translation>F 显示全部，Shift+F 显示所选，1 至 7 为标准视图。P 切换投影，E 显示边线，T 使表面透明，L 隐藏标签，H 隐藏附件。方向键旋转，加 Shift 平移；加号和减号缩放。Enter 拾取中心处的点。</translation>
     </message>
@@ -21301,7 +21317,7 @@ in danger use the emergency stop.</source>
     </message>
     <message>
       <source>Inside</source>
-      <translation>以内</translation>
+      <translation>公差内</translation>
     </message>
     <message>
       <source>Isometric</source>

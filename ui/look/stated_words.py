@@ -50,7 +50,7 @@ STAGES = (
     later("Total"),
 )
 REASONS = (later("Unmatched"), later("Ambiguous"), later("Contradicted"), later("Uncertain"), later("Outlier"))  # of pixels without a point
-CONTRIBUTIONS = (later("Systematic"),)
+CONTRIBUTIONS = (later("Systematic"), later("Set-ups"), later("Unexplained"), later("Certificate"), later("Edges"))
 CHECKS = (later("brightness"), later("time"))  # of the error model, whose other names are several words
 NEEDED = ("one feature", "two features", "is not a blade_section", "is a blade_section", "or nothing for no verdict")
 DRIVERS = (  # as they name themselves

@@ -19,10 +19,14 @@ LETTERS = re.compile(r"[A-Za-z]{2}")
 IDEOGRAPHS = "\u4e00", "\u9fff"
 IDEOGRAPH = re.compile(f"[{IDEOGRAPHS[0]}-{IDEOGRAPHS[1]}]")
 AFTER_IDEOGRAPH = f"(?<=[{IDEOGRAPHS[0]}-{IDEOGRAPHS[1]}）”])"
+BEFORE_IDEOGRAPH = f"(?=[{IDEOGRAPHS[0]}-{IDEOGRAPHS[1]}])"
 PUNCTUATION = tuple(  # of sentences that were put together, as Chinese writes it
     (re.compile(pattern), mark)
     for pattern, mark in (
-        *((rf"{AFTER_IDEOGRAPH}{ascii} (?=\S)", mark) for ascii, mark in ((",", "，"), (";", "；"), (":", "："))),
+        *(
+            (rf"{AFTER_IDEOGRAPH}{ascii} (?=\S)|{ascii} {BEFORE_IDEOGRAPH}", mark)
+            for ascii, mark in ((",", "，"), (";", "；"), (":", "："))
+        ),
         (rf"{AFTER_IDEOGRAPH}\. ?(?=$|[{IDEOGRAPHS[0]}-{IDEOGRAPHS[1]}])", "。"),
         (rf"(?<=[{IDEOGRAPHS[0]}-{IDEOGRAPHS[1]}]\s)([\d\s]*\d)\.$", r"\1。"),
         ("。 ", "。"),
