@@ -40,6 +40,7 @@ from measureapp.project.documents import (
     rig_calibration_from,
 )
 from measureapp.project.folder import ProjectFolder
+from measureapp.project.text_document import reason_of
 
 CAMERAS, RIG, PROJECT = "cameras.json", "rig.json", "project.json"
 HINT = "Name a session, a result that was accepted, a cameras.json, or a project with a calibrated rig."
@@ -215,7 +216,7 @@ def read_document(path: Path) -> Any:
     except OSError as error:
         raise InputError(f"{path} cannot be read: {error.strerror or error}.", HINT) from error
     except (ValueError, RecursionError) as error:
-        raise InputError(f"{path} is not JSON: {error}.", HINT) from error
+        raise InputError(f"{path} is not JSON: {reason_of(error)}.", HINT) from error
     if not isinstance(document, dict):
         raise InputError(f"{path} holds no calibration.", HINT)
     return document

@@ -24,6 +24,7 @@ Then = Callable[[], None]
 DAY_S = 86_400.0
 TINY_S = 1e-9
 FIRST, VIEWS, SUM = "calibration", "clouds", "whole"  # stages of a profile; all others belong to the last task
+PROFILE = "Give the answer of `measureapp process PROJECT --profile --json`."
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,8 +96,8 @@ class Day:
     busy: Mapping[str, float]  # resource -> share of the time until then in which it was used
 
 
-def work_of(answer: Mapping[str, Any]) -> ProjectWork:
-    """Return the work of a project from the answer of ``process PROJECT --profile --json``. Raises InputError where it is none."""
+def work_of(answer: Mapping[str, Any], name: str) -> ProjectWork:
+    """Return the work of a project from the answer of ``process PROJECT --profile --json``. Raises InputError where ``name`` is none."""
     try:
         stages, views = answer["profile"], len(answer["views"])
         if not views:
@@ -108,9 +109,7 @@ def work_of(answer: Mapping[str, Any]) -> ProjectWork:
         first = ((Task(*uses[FIRST]), 1),) if FIRST in uses else ()
         return ProjectWork((*first, (view, views), (Task(*map(sum, zip(*rest, strict=True))), 1)), memory)
     except (KeyError, TypeError, ValueError, AttributeError) as error:
-        raise InputError(
-            "This is not the profile of a project.", "Make one with: measureapp process PROJECT --profile --json > profile.json"
-        ) from error
+        raise InputError(f"{name} is not the profile of a project.", PROFILE) from error
 
 
 def most_per_day(work: ProjectWork, cluster: Cluster) -> dict[str, float]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -10,7 +9,6 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from measureapp.cli.reply import JsonOption, reply
-from measureapp.errors import InputError
 
 if TYPE_CHECKING:
     from measureapp.campaign.capacity import Cluster, Day, ProjectWork
@@ -45,9 +43,10 @@ def register(app: typer.Typer) -> None:
 
         Nothing is computed on any project: the times are those of the profile, on the processor that made it.
         """
-        from measureapp.campaign.capacity import Cluster, arrivals, fewest_machines, most_per_day, simulate, work_of
+        from measureapp.campaign.capacity import PROFILE, Cluster, arrivals, fewest_machines, most_per_day, simulate, work_of
+        from measureapp.project.text_document import read_toml_or_json
 
-        work = work_of(_read(profile))
+        work = work_of(read_toml_or_json(profile, "the profile of a project", PROFILE), str(profile))
         cluster = Cluster(machines or 1, cores, memory_gib * 2**30, 1e6 * storage_mb_s, 1e6 * connection_mb_s, 1e-3 * scheduler_ms)
         arrive_s, alone_s = arrivals(per_day, hours, SEED), float(simulate(work, cluster, arrivals(1, 1.0, SEED)).latency_s[0])
         limit_s = 60.0 * within if within is not None else 2.0 * alone_s
@@ -57,17 +56,6 @@ def register(app: typer.Typer) -> None:
         most = most_per_day(work, cluster)
         document = _document(work, cluster, day, alone_s, most, core_hour)
         reply(document, "\n".join(_lines(document)), as_json)
-
-
-def _read(path: Path) -> Any:
-    try:
-        return json.loads(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise InputError(
-            f"{path} cannot be read: {error.strerror or error}.", "Give the answer of: process PROJECT --profile --json."
-        ) from error
-    except ValueError as error:
-        raise InputError(f"{path} is not valid JSON.", "Give the answer of: process PROJECT --profile --json.") from error
 
 
 def _document(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -112,10 +113,10 @@ def with_limits(settings: DecodeSettings, min_modulation: float | None, max_phas
     """Return the settings with limits of the command line; raises InputError for values that are none."""
     from measureapp.errors import InputError
 
-    if min_modulation is not None and not min_modulation >= 0:
-        raise InputError(f"--min-modulation {min_modulation:g} is below 0.", "Give grey levels of an 8-bit image.")
-    if max_phase_sigma is not None and not max_phase_sigma > 0:
-        raise InputError(f"--max-phase-sigma {max_phase_sigma:g} is not an angle above 0.", "Give radians.")
+    if min_modulation is not None and not 0 <= min_modulation < 255:
+        raise InputError(f"--min-modulation {min_modulation:g} is not from 0 to below 255.", "Give grey levels of an 8-bit image.")
+    if max_phase_sigma is not None and not 0 < max_phase_sigma <= math.pi:
+        raise InputError(f"--max-phase-sigma {max_phase_sigma:g} is not an angle above 0, up to π.", "Give radians.")
     return settings.limited(min_modulation, max_phase_sigma)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -20,7 +21,7 @@ def unique_names(folders: Sequence[Path], why_once: str) -> list[str]:
     InputError
         A folder is given twice.
     """
-    resolved = [Path(folder).resolve() for folder in folders]
+    resolved = [Path(os.path.realpath(folder)) for folder in folders]  # unlike `Path.resolve`, not refused where links form a loop
     twice = [path for number, path in enumerate(resolved) if path in resolved[:number]]
     if twice:
         raise InputError(f"{twice[0]} is named twice.", why_once)

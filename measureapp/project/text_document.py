@@ -59,7 +59,14 @@ def read_toml_or_json(path: Path, what: str, remedy: str) -> Any:
     except OSError as error:
         raise InputError(f"{path} cannot be read: {error.strerror or error}.", remedy) from error
     except (ValueError, RecursionError) as error:
-        raise InputError(f"{path} cannot be read as {what}: {error}.", remedy) from error
+        raise InputError(f"{path} cannot be read as {what}: {reason_of(error)}.", remedy) from error
+
+
+def reason_of(error: ValueError | RecursionError) -> str:
+    """Return in words why a text cannot be parsed."""
+    if isinstance(error, UnicodeDecodeError):
+        return "it is not a text file"
+    return "its values are nested too deeply" if isinstance(error, RecursionError) else str(error)
 
 
 def check_version(path: Path, document: Mapping[str, Any], version: int) -> None:

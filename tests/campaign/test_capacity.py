@@ -73,7 +73,7 @@ def test_the_work_of_a_project_is_what_its_profile_says():
         "report": {**use, "processor_s": 4.0, "read_mb": 2.0, "written_mb": 3.0},
         "whole": {**use, "processor_s": 58.0, "read_mb": 902.0, "written_mb": 84.0},  # of all stages, so that nothing is counted twice
     }
-    work = work_of({"views": [{}] * 8, "profile": stages})
+    work = work_of({"views": [{}] * 8, "profile": stages}, "a.json")
     assert work.phases == ((Task(30.0, 1e8, 1e6), 1), (Task(2.0, 1e8, 1e7), 8), (Task(12.0, 2e6, 3e6), 1))
     assert (work.tasks, work.memory_bytes) == (10, 1.5e9)
 
@@ -82,8 +82,8 @@ def test_the_work_of_a_project_is_what_its_profile_says():
     "answer", [{}, [], {"profile": {}, "views": []}, {"profile": {"clouds": {}}, "views": [1]}, {"profile": 3, "views": 2}]
 )
 def test_another_document_is_refused(answer):
-    with pytest.raises(InputError, match="not the profile"):
-        work_of(answer)
+    with pytest.raises(InputError, match=r"^a\.json is not the profile"):
+        work_of(answer, "a.json")
 
 
 def test_too_little_memory_is_refused_with_its_numbers():

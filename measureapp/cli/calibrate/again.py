@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-import json
 import os
 import tempfile
 from collections.abc import Sequence
@@ -21,6 +20,7 @@ if TYPE_CHECKING:
     from measureapp.project.differences import Difference
 
 MOST_SHOWN = 10
+SAVED = ("a calibration", "Give the file that a `calibrate` command saved with --out.")
 
 
 def register(group: typer.Typer) -> None:
@@ -58,8 +58,9 @@ def register(group: typer.Typer) -> None:
 
 def _file_again(calibration: Path) -> tuple[Sequence[Difference], int, int]:
     from measureapp.project.differences import compare_documents
+    from measureapp.project.text_document import read_toml_or_json
 
-    stored = _json(calibration)
+    stored = read_toml_or_json(calibration, *SAVED)
     made = made_from_document(stored, calibration)
     folder = calibration.resolve().parent / made.folder
     made.require_same_inputs(folder)
@@ -69,7 +70,7 @@ def _file_again(calibration: Path) -> tuple[Sequence[Difference], int, int]:
         with contextlib.chdir(folder), Path(os.devnull).open("w", encoding="utf-8") as nowhere, contextlib.redirect_stdout(nowhere):
             # a poor verdict (exit code 1) is not raised in this mode and is no obstacle
             build()(args=list(arguments), obj=arguments, prog_name="measureapp", standalone_mode=False)
-        solved = _json(written)
+        solved = read_toml_or_json(written, *SAVED)
     used = made_from_document(solved, calibration).inputs
     further = sorted(set(used) - set(made.inputs))
     if further:
@@ -93,15 +94,6 @@ def _session_again(result: Path) -> tuple[Sequence[Difference], int, int]:
 
     found = recalculate_session(result, TerminalProgress())
     return found.differences, found.numbers, found.images
-
-
-def _json(path: Path) -> Any:
-    try:
-        return json.loads(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise InputError(f"{path} cannot be read: {error.strerror or error}.", "Give the path of a stored calibration.") from error
-    except ValueError as error:
-        raise InputError(f"{path} is not JSON: {error}.", "Give the file that a `calibrate` command saved with --out.") from error
 
 
 def _lines(calibration: Path, document: dict[str, Any]) -> list[str]:

@@ -120,7 +120,7 @@ def read_rig_answer(path: Path, cameras: CameraArrayCalibration) -> RigCalibrati
             stations=tuple(RobotStation(pose(one["read"]), pose(one["true"])) for one in document.get("stations", ())),
             motions=motions_from(document.get("error_motions")),
         )
-    except (OSError, ValueError, KeyError, TypeError, MeasureError) as error:
+    except (OSError, ValueError, KeyError, TypeError, MeasureError, RecursionError) as error:
         raise InputError(f"{path} holds no calibrated rig: {error}.", "Give the file that `calibrate rig --out` wrote.") from error
 
 

@@ -108,7 +108,7 @@ def read_hand_eye(path: Path) -> HandEye:
             return hand_eye_from(document["hand_eye"])
         matrix = document["flange_from_camera"] if "flange_from_camera" in document else document["refined"]["flange_from_camera"]
         return HandEye(RigidTransform(matrix, "flange", "camera"))
-    except (OSError, ValueError, KeyError, TypeError, MeasureError) as error:
+    except (OSError, ValueError, KeyError, TypeError, MeasureError, RecursionError) as error:
         raise InputError(f"{path} holds no flange_from_camera: {error}.", "Give the file that `calibrate hand-eye --out` wrote.") from error
 
 

@@ -19,6 +19,7 @@ from measureapp.errors import FrameMismatch, InputError
 from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.geometry.transform import RigidTransform
 from measureapp.project.atomic import write_json
+from measureapp.project.text_document import reason_of
 
 SCHEMA_VERSION = 2  # since 2 with optional `covariance`, and the command in `provenance`; version 1 is read as well
 READABLE_VERSIONS = (1, 2)
@@ -56,7 +57,9 @@ def read_cameras(path: Path) -> CameraArrayCalibration:
             "Give the path of a cameras.json: `measureapp calibrate cameras --out` writes it, `measureapp process` that of a project.",
         ) from error
     except (ValueError, RecursionError) as error:
-        raise InputError(f"{path} is not JSON: {error}.", "Give a cameras.json written by `measureapp calibrate cameras`.") from error
+        raise InputError(
+            f"{path} is not JSON: {reason_of(error)}.", "Give a cameras.json written by `measureapp calibrate cameras`."
+        ) from error
     return cameras_from(document, str(path))
 
 

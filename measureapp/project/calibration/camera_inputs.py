@@ -86,7 +86,7 @@ def read_camera_inputs(path: Path) -> CameraInputs:
         raise InputError(
             f"{path} cannot be read: {error.strerror or error}.", "Give a file written by `measureapp calibrate cameras`."
         ) from error
-    except (ValueError, KeyError, TypeError, AttributeError) as error:
+    except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
         reason = f"{error} is missing" if isinstance(error, KeyError) else error
         raise InputError(f"{path} does not hold the corners of a camera calibration: {reason}.", "Detect the corners again.") from error
 

@@ -31,7 +31,7 @@ def read_transform(path: Path, to_frame: str, from_frame: str) -> RigidTransform
         ) from error
     try:
         matrix = np.array(_numbers(text), float)
-    except (ValueError, TypeError) as error:
+    except (ValueError, TypeError, RecursionError) as error:
         raise InputError(f"{path} does not hold numbers only.", HINT) from error
     if matrix.size != 16 or not np.isfinite(matrix).all():
         raise InputError(f"{path} does not hold the 16 finite numbers of a 4×4 matrix.", HINT)

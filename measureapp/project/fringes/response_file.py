@@ -15,6 +15,7 @@ from measureapp.data.model import Model, first_problem
 from measureapp.errors import InputError
 from measureapp.fringe.patterns.response import ProjectorResponse
 from measureapp.project.atomic import write_json
+from measureapp.project.text_document import reason_of
 
 RAMP_COLUMNS = ("level", "grey")
 
@@ -38,7 +39,7 @@ def read_response(path: Path) -> ProjectorResponse:
     except ValidationError as error:
         raise InputError(f"{path}: {first_problem(error, 'the response')}.", "Give a file written by `measureapp response`.") from error
     except (ValueError, RecursionError) as error:
-        raise InputError(f"{path} is not JSON: {error}.", "Give a file written by `measureapp response`.") from error
+        raise InputError(f"{path} is not JSON: {reason_of(error)}.", "Give a file written by `measureapp response`.") from error
 
 
 def read_ramp(path: Path) -> tuple[FloatArray, FloatArray]:
