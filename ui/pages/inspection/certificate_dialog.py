@@ -54,7 +54,9 @@ class CertificateDialog(QDialog):
         cancel.clicked.connect(self.reject)
         self.form.edited.connect(self._show)
         buttons = row(self.remove, 0, cancel, self.use)
-        self.setLayout(column(label(sentence_case(entry.name), "heading"), label(USE, "small", wrap=True), 8, self.form, 8, buttons, margin=24))
+        self.setLayout(
+            column(label(sentence_case(entry.name), "heading"), label(USE, "small", wrap=True), 8, self.form, 8, buttons, margin=24)
+        )
         self.setFixedWidth(WIDTH)
         self.setModal(True)
         self._show()
