@@ -85,7 +85,7 @@ def test_several_reasons_of_a_view_follow_the_language_there_and_back():
     for _ in range(2):
         translator.use(catalogue)
         shown = translator.renewed(shown)
-        assert not left_in_english(translator, shown) and len(shown.split("; ")) == reasons
+        assert not left_in_english(translator, shown) and len(re.split("; |；", shown)) == reasons
         translator.use(None)
         shown = translator.renewed(shown)
         assert shown == sentence(quality.reason)
