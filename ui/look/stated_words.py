@@ -66,7 +66,7 @@ DRIVERS = (  # as they name themselves
     "Virtual rig",
 )
 FIXED = (later("location"), later("orientation"))  # by datums, in sentences about those that do not
-PLACES = (later("position"), later("positions"))  # of board, guide or table, counted in what a wizard still asks for
+PLACES = (later("position"), later("positions"))  # of board, guide or table, counted in what a calibration still needs
 COUNTS = (later("one"), later("two"), later("three"), later("four"), later("five"), later("six"))
 LISTED = ("{n} rejected",)  # after the number of points of each feature of a value
 TEMPLATE = later("built-in")  # name of the shipped template of reports
