@@ -10302,6 +10302,10 @@
       <translation>其值嵌套过深</translation>
     </message>
     <message>
+      <source>its values are of other kinds</source>
+      <translation>其值的类型不符</translation>
+    </message>
+    <message>
       <source>name = {v1}
 alignment = "{v2}"
 </source>
