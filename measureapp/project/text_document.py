@@ -62,11 +62,20 @@ def read_toml_or_json(path: Path, what: str, remedy: str) -> Any:
         raise InputError(f"{path} cannot be read as {what}: {reason_of(error)}.", remedy) from error
 
 
-def reason_of(error: ValueError | RecursionError) -> str:
-    """Return in words why a text cannot be parsed."""
-    if isinstance(error, UnicodeDecodeError):
-        return "it is not a text file"
-    return "its values are nested too deeply" if isinstance(error, RecursionError) else str(error)
+def reason_of(error: Exception) -> str:
+    """Return in words why a text cannot be parsed, or its values cannot be used."""
+    match error:
+        case UnicodeDecodeError():
+            return "it is not a text file"
+        case RecursionError():
+            return "its values are nested too deeply"
+        case KeyError():
+            return f"{error} is missing"
+        case TypeError() | AttributeError():
+            return "its values are of other kinds"
+        case OSError():
+            return str(error.strerror or error)
+    return str(error).rstrip(".")
 
 
 def check_version(path: Path, document: Mapping[str, Any], version: int) -> None:

@@ -2815,8 +2815,8 @@
       <translation>手眼、导轨和转台轴线是用先前的相机确定的：接下来请标定测量系统。</translation>
     </message>
     <message>
-      <source>Hold the board</source>
-      <translation>请将标定板</translation>
+      <source>Hold the board {v1}</source>
+      <translation>请将标定板{v1}</translation>
     </message>
     <message>
       <source>Image centre x</source>
@@ -2992,15 +2992,15 @@
     </message>
     <message>
       <source>Show the board in {v1} more {v2}, sharp and whole</source>
-      <translation>再在 {v1} 个{v2}展示标定板，要清晰且完整</translation>
+      <translation>请再在 {v1} 个{v2}展示标定板，要清晰且完整</translation>
     </message>
     <message>
       <source>Show the board where cameras {v1} and {v2} both see it, {v3}</source>
       <translation>在相机 {v1} 和 {v2} 都能看到的地方展示标定板，{v3}</translation>
     </message>
     <message>
-      <source>Show the board {v1} of the {v2}</source>
-      <translation>在{v2}的{v1}展示标定板</translation>
+      <source>Show the board {v1} of {v2}</source>
+      <translation>请{v1}展示标定板（{v2}）</translation>
     </message>
     <message>
       <source>Show the fixed board from the first robot pose</source>
@@ -3047,8 +3047,8 @@
       <translation>请使用有 {v1} 的标定板。</translation>
     </message>
     <message>
-      <source>Take a pose in which the board's {v1} edge is farther from the {v2}, the board tilted by 20° to 45°</source>
-      <translation>取一个位姿，使标定板的{v1}边离{v2}更远，标定板倾斜 20° 至 45°</translation>
+      <source>Take a pose in which the board's {v1} is farther from the {v2}, the board tilted by 20° to 45°</source>
+      <translation>取一个位姿，使标定板的{v1}离{v2}更远，标定板倾斜 20° 至 45°</translation>
     </message>
     <message>
       <source>Take a sharper and brighter image of the flat board.</source>
@@ -3059,8 +3059,8 @@
       <translation>请拍摄更清晰的图像，或靠近使方格更大。</translation>
     </message>
     <message>
-      <source>Take poses</source>
-      <translation>请拍摄位姿</translation>
+      <source>Take poses {v1}</source>
+      <translation>请取位姿：{v1}</translation>
     </message>
     <message>
       <source>Take ten poses or more: the robot's own errors average out.</source>
@@ -3071,16 +3071,16 @@
       <translation>请拍摄十个以上视图。</translation>
     </message>
     <message>
-      <source>Take the board at</source>
-      <translation>请在以下位置拍摄标定板</translation>
+      <source>Take the board at {count} more table {positions}, between those there are</source>
+      <translation>请再在 {count} 个转台{positions}拍摄标定板，取在已有位置之间</translation>
     </message>
     <message>
       <source>Take the board at {v1} more table positions, each turned by 15° to 30°</source>
       <translation>再在 {v1} 个转台位置拍摄标定板，每次转动 15° 至 30°</translation>
     </message>
     <message>
-      <source>Take the board from</source>
-      <translation>请从以下方向拍摄标定板</translation>
+      <source>Take the board from {count} more guide {positions}, between those there are</source>
+      <translation>请再从 {count} 个导轨{positions}拍摄标定板，取在已有位置之间</translation>
     </message>
     <message>
       <source>Take the fixed board from {v1} positions of the guide or more, {v2} mm apart</source>
@@ -3419,8 +3419,8 @@
       <translation>请向多个方向倾斜标定板。</translation>
     </message>
     <message>
-      <source>Tilt the board more {v1} (its {v2} edge away from the {v3}), by 20° to 45°</source>
-      <translation>使标定板更多地{v1}倾斜（其{v2}边远离{v3}），20° 至 45°</translation>
+      <source>Tilt the board more {v1} (its {v2} away from the {v3}), by 20° to 45°</source>
+      <translation>请使标定板更多地{v1}倾斜（其{v2}远离{v3}），20° 至 45°</translation>
     </message>
     <message>
       <source>Tilt, all directions</source>
@@ -3600,7 +3600,7 @@
     </message>
     <message>
       <source>farther away from the {v1}</source>
-      <translation>离{v1}更远</translation>
+      <translation>移远离{v1}</translation>
     </message>
     <message>
       <source>first half: </source>
@@ -3679,8 +3679,16 @@
       <translation>测量系统联合求解</translation>
     </message>
     <message>
+      <source>left edge</source>
+      <translation>左边缘</translation>
+    </message>
+    <message>
       <source>lies {v1} px from its expected position; {v2} px is the limit</source>
       <translation>距预期位置 {v1} px；限值为 {v2} px</translation>
+    </message>
+    <message>
+      <source>lower edge</source>
+      <translation>下边缘</translation>
     </message>
     <message>
       <source>maximum likelihood</source>
@@ -3688,7 +3696,7 @@
     </message>
     <message>
       <source>nearer to the {v1}</source>
-      <translation>离{v1}更近</translation>
+      <translation>移近{v1}</translation>
     </message>
     <message>
       <source>not found</source>
@@ -3716,7 +3724,7 @@
     </message>
     <message>
       <source>once {v1} nearer to the {v2} and once {v3} farther away</source>
-      <translation>一次离{v2}近 {v1}，一次远 {v3}</translation>
+      <translation>移近{v2} {v1} 一次，再移远 {v3} 一次</translation>
     </message>
     <message>
       <source>one more view with</source>
@@ -3775,12 +3783,12 @@
       <translation>投影仪</translation>
     </message>
     <message>
-      <source>projector's image</source>
-      <translation>投影仪图像</translation>
-    </message>
-    <message>
       <source>registration of overlapping views corrects 0.1 mm with ease, and starts safely up to 0.5 mm</source>
       <translation>重叠视图的配准可轻松修正 0.1 mm，并能从不超过 0.5 mm 可靠开始</translation>
+    </message>
+    <message>
+      <source>right edge</source>
+      <translation>右边缘</translation>
     </message>
     <message>
       <source>rotation of the board about the guide frame's x</source>
@@ -3839,6 +3847,10 @@
       <translation>手眼变换</translation>
     </message>
     <message>
+      <source>the image</source>
+      <translation>图像</translation>
+    </message>
+    <message>
       <source>the images of cameras {v1} and {v2} were exchanged</source>
       <translation>相机 {v1} 与 {v2} 的图像互换了</translation>
     </message>
@@ -3853,6 +3865,10 @@
     <message>
       <source>the projector</source>
       <translation>投影仪</translation>
+    </message>
+    <message>
+      <source>the projector's image</source>
+      <translation>投影仪图像</translation>
     </message>
     <message>
       <source>the rig</source>
@@ -3877,6 +3893,10 @@
     <message>
       <source>too dark</source>
       <translation>太暗</translation>
+    </message>
+    <message>
+      <source>upper edge</source>
+      <translation>上边缘</translation>
     </message>
     <message>
       <source>view {v1}</source>
@@ -3912,7 +3932,7 @@
     </message>
     <message>
       <source>{v1} has {v2} {v3} of the board; at least {v4} are needed.</source>
-      <translation>{v1} 有 {v2} 个标定板{v3}；至少需要 {v4} 个。</translation>
+      <translation>{v1} 有标定板的 {v2} {v3}；至少需要 {v4} 个。</translation>
     </message>
     <message>
       <source>{v1} images</source>
@@ -3973,10 +3993,6 @@
     <message>
       <source>{v1} {v2} could not be used; {v3}: {v4}.</source>
       <translation>{v1} 个{v2}无法使用；{v3}：{v4}。</translation>
-    </message>
-    <message>
-      <source>{v1} {v2} more {v3} {v4}, between those there are</source>
-      <translation>{v1} {v2} 个 {v3}{v4}，取在已有位置之间</translation>
     </message>
     <message>
       <source>{v1} {v2}°, {v3}° are wanted</source>
@@ -10258,6 +10274,10 @@
       <translation>不是表格</translation>
     </message>
     <message>
+      <source>it is not a text file</source>
+      <translation>不是文本文件</translation>
+    </message>
+    <message>
       <source>it needs more than {v1} GiB of memory</source>
       <translation>需要超过 {v1} GiB 的内存</translation>
     </message>
@@ -10276,6 +10296,14 @@
     <message>
       <source>its name is not known</source>
       <translation>其名称未知</translation>
+    </message>
+    <message>
+      <source>its values are nested too deeply</source>
+      <translation>其值嵌套过深</translation>
+    </message>
+    <message>
+      <source>its values are of other kinds</source>
+      <translation>其值的类型不符</translation>
     </message>
     <message>
       <source>name = {v1}
@@ -15478,6 +15506,10 @@ alignment = "{v2}"
       <translation>导轨坐标系中的中心</translation>
     </message>
     <message>
+      <source>Certificate</source>
+      <translation>证书</translation>
+    </message>
+    <message>
       <source>Certificate SHA-256</source>
       <translation>证书 SHA-256</translation>
     </message>
@@ -15716,6 +15748,10 @@ alignment = "{v2}"
     <message>
       <source>EGM port</source>
       <translation>EGM 端口</translation>
+    </message>
+    <message>
+      <source>Edges</source>
+      <translation>棱边</translation>
     </message>
     <message>
       <source>Electrons at full scale</source>
@@ -17058,6 +17094,10 @@ alignment = "{v2}"
       <translation>串口，例如 /dev/ttyUSB0 或 COM3；留空：按 USB 适配器的序列号查找，或使用 TCP</translation>
     </message>
     <message>
+      <source>Set-ups</source>
+      <translation>装夹</translation>
+    </message>
+    <message>
       <source>Settings stored in the camera that are loaded first; empty: none</source>
       <translation>首先加载的、存储在相机中的设置集；留空：不加载</translation>
     </message>
@@ -17466,6 +17506,10 @@ alignment = "{v2}"
       <translation>比例的不确定度</translation>
     </message>
     <message>
+      <source>Unexplained</source>
+      <translation>未解释</translation>
+    </message>
+    <message>
       <source>Unit</source>
       <translation>单位</translation>
     </message>
@@ -17646,6 +17690,14 @@ alignment = "{v2}"
       <translation>文件不是数据库</translation>
     </message>
     <message>
+      <source>five</source>
+      <translation>5</translation>
+    </message>
+    <message>
+      <source>four</source>
+      <translation>4</translation>
+    </message>
+    <message>
       <source>full</source>
       <translation>全</translation>
     </message>
@@ -17702,6 +17754,10 @@ alignment = "{v2}"
       <translation>无公差</translation>
     </message>
     <message>
+      <source>one</source>
+      <translation>1</translation>
+    </message>
+    <message>
       <source>one feature</source>
       <translation>一个特征</translation>
     </message>
@@ -17722,6 +17778,14 @@ alignment = "{v2}"
       <translation>对方掠射</translation>
     </message>
     <message>
+      <source>position</source>
+      <translation>位置</translation>
+    </message>
+    <message>
+      <source>positions</source>
+      <translation>位置</translation>
+    </message>
+    <message>
       <source>quarter</source>
       <translation>四分之一</translation>
     </message>
@@ -17732,6 +17796,10 @@ alignment = "{v2}"
     <message>
       <source>seen by another</source>
       <translation>由另一相机看到</translation>
+    </message>
+    <message>
+      <source>six</source>
+      <translation>6</translation>
     </message>
     <message>
       <source>sphere_plate</source>
@@ -17754,8 +17822,16 @@ alignment = "{v2}"
       <translation>程序</translation>
     </message>
     <message>
+      <source>three</source>
+      <translation>3</translation>
+    </message>
+    <message>
       <source>time</source>
       <translation>时间</translation>
+    </message>
+    <message>
+      <source>two</source>
+      <translation>2</translation>
     </message>
     <message>
       <source>two features</source>
@@ -20361,6 +20437,10 @@ in danger use the emergency stop.</source>
       <translation>未扫描任何视点。</translation>
     </message>
     <message>
+      <source>Nominal (CAD)</source>
+      <translation>名义模型 (CAD)</translation>
+    </message>
+    <message>
       <source>Nominal of the part</source>
       <translation>工件的名义模型</translation>
     </message>
@@ -21229,7 +21309,7 @@ in danger use the emergency stop.</source>
     </message>
     <message>
       <source>Above</source>
-      <translation>以上</translation>
+      <translation>高于</translation>
     </message>
     <message>
       <source>Axes, cube, scale and legend</source>
@@ -21241,7 +21321,7 @@ in danger use the emergency stop.</source>
     </message>
     <message>
       <source>Below</source>
-      <translation>以下</translation>
+      <translation>低于</translation>
     </message>
     <message>
       <source>Blue – white – red</source>
@@ -21280,10 +21360,6 @@ in danger use the emergency stop.</source>
       <translation>下</translation>
     </message>
     <message>
-      <source>Edges</source>
-      <translation>边线</translation>
-    </message>
-    <message>
       <source>F shows everything, Shift+F the selection, 1 to 7 the standard views. P changes the projection, E shows edges, T makes the surface transparent, L hides labels, H the furniture. Arrow keys rotate, with Shift they pan; plus and minus zoom. Enter picks the point in the centre.</source>
       <translation>F 显示全部，Shift+F 显示所选，1 至 7 为标准视图。P 切换投影，E 显示边线，T 使表面透明，L 隐藏标签，H 隐藏附件。方向键旋转，加 Shift 平移；加号和减号缩放。Enter 拾取中心处的点。</translation>
     </message>
@@ -21301,7 +21377,7 @@ in danger use the emergency stop.</source>
     </message>
     <message>
       <source>Inside</source>
-      <translation>以内</translation>
+      <translation>公差内</translation>
     </message>
     <message>
       <source>Isometric</source>

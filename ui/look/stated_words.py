@@ -50,7 +50,7 @@ STAGES = (
     later("Total"),
 )
 REASONS = (later("Unmatched"), later("Ambiguous"), later("Contradicted"), later("Uncertain"), later("Outlier"))  # of pixels without a point
-CONTRIBUTIONS = (later("Systematic"),)
+CONTRIBUTIONS = (later("Systematic"), later("Set-ups"), later("Unexplained"), later("Certificate"), later("Edges"))
 CHECKS = (later("brightness"), later("time"))  # of the error model, whose other names are several words
 NEEDED = ("one feature", "two features", "is not a blade_section", "is a blade_section", "or nothing for no verdict")
 DRIVERS = (  # as they name themselves
@@ -66,6 +66,8 @@ DRIVERS = (  # as they name themselves
     "Virtual rig",
 )
 FIXED = (later("location"), later("orientation"))  # by datums, in sentences about those that do not
+PLACES = (later("position"), later("positions"))  # of board, guide or table, counted in what a calibration still needs
+COUNTS = (later("one"), later("two"), later("three"), later("four"), later("five"), later("six"))
 LISTED = ("{n} rejected",)  # after the number of points of each feature of a value
 TEMPLATE = later("built-in")  # name of the shipped template of reports
 SUBJECTS = ("the program", "the alignment", "the alignment {name}", "dimension {name}")  # of refused changes

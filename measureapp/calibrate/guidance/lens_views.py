@@ -42,10 +42,10 @@ CENTRES = {  # of the regions, as shares of width and height
     "in the middle": (0.5, 0.5),
 }
 TILTS = {  # way -> (component of the board's normal, sign, which edge moves away from the camera)
-    "to the left": (0, 1.0, "left"),
-    "to the right": (0, -1.0, "right"),
-    "upwards": (1, 1.0, "upper"),
-    "downwards": (1, -1.0, "lower"),
+    "to the left": (0, 1.0, "left edge"),
+    "to the right": (0, -1.0, "right edge"),
+    "upwards": (1, 1.0, "upper edge"),
+    "downwards": (1, -1.0, "lower edge"),
 }
 
 

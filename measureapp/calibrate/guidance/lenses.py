@@ -26,7 +26,7 @@ from measureapp.geometry.pinhole import PinholeCamera
 
 SHARED_TARGET = 5  # views that two cameras have in common
 FILLED = 0.5  # of the image's width: required size of the board before the first view
-_IMAGES = {"camera": "image", "projector": "projector's image"}
+_IMAGES = {"camera": "the image", "projector": "the projector's image"}
 LEAST_FOR_INFORMATION = 4  # views, below which the covariance is unreliable
 
 
@@ -41,13 +41,13 @@ def advise_lenses(draft: Draft, notes: Notes, *, fixed_board: bool = False) -> N
         notes.wish(f"Show the board in {max(few)} more {'position' if max(few) == 1 else 'positions'}, sharp and whole")
     for one in views:
         if one.count and (region := one.empty_region(ADVISED_COVERAGE)) is not None:
-            notes.wish(f"Show the board {region} of the {_IMAGES[one.what]}", one.camera)
+            notes.wish(f"Show the board {region} of {_IMAGES[one.what]}", one.camera)
     for one in views:
         if one.count and (way := one.least_tilt()) is not None:
             notes.wish(_tilt_wish(way, one.what, fixed), one.camera)
     for one in views:
         if (change := one.next_distance()) is not None:
-            notes.wish(f"{'Take poses' if fixed else 'Hold the board'} {change}", one.camera)
+            notes.wish(f"Take poses {change}" if fixed else f"Hold the board {change}", one.camera)
     _note_shared_views(cameras, draft.counted, notes)
     missing = max((ADVISED_VIEWS - one.count for one in views), default=ADVISED_VIEWS)
     if not few and missing > 0:
@@ -58,8 +58,8 @@ def advise_lenses(draft: Draft, notes: Notes, *, fixed_board: bool = False) -> N
 def _tilt_wish(way: str, what: str, fixed: bool) -> str:
     edge = TILTS[way][2]
     if fixed:
-        return f"Take a pose in which the board's {edge} edge is farther from the {what}, the board tilted by 20° to 45°"
-    return f"Tilt the board more {way} (its {edge} edge away from the {what}), by 20° to 45°"
+        return f"Take a pose in which the board's {edge} is farther from the {what}, the board tilted by 20° to 45°"
+    return f"Tilt the board more {way} (its {edge} away from the {what}), by 20° to 45°"
 
 
 def views_of(draft: Draft) -> list[LensViews]:

@@ -34,13 +34,16 @@ class Travel:
     positions_gauge: str
     span_gauge: str
     further: str  # order to move beyond the positions there are
-    take: str  # order to take the board in between: before and behind the number
-    of: str
+    between: str  # order to take the board between the positions there are
 
 
-TABLE = Travel(7, SWEEP_TARGET_DEG, "°", "Table positions", "Sweep of the table", "Turn the table further", "Take the board at", "table")
+TABLE = Travel(
+    *(7, SWEEP_TARGET_DEG, "°", "Table positions", "Sweep of the table", "Turn the table further"),
+    "Take the board at {count} more table {positions}, between those there are",
+)
 SLIDE = Travel(
-    5, ADVISED_STROKE_MM, " mm", "Guide positions", "Travel of the guide", "Move the guide further", "Take the board from", "guide"
+    *(5, ADVISED_STROKE_MM, " mm", "Guide positions", "Travel of the guide", "Move the guide further"),
+    "Take the board from {count} more guide {positions}, between those there are",
 )
 
 
@@ -125,7 +128,7 @@ def _advise_travel(travel: Travel, positions: Sequence[float], count: int, notes
     if span_of(positions) < travel.span:
         _more(max(missing, 1), positions, travel, notes)
     elif missing:
-        notes.wish(f"{travel.take} {missing} more {travel.of} {_positions(missing)}, between those there are")
+        notes.wish(travel.between.format(count=missing, positions=_positions(missing)))
     _gap(positions, travel.unit, notes)
 
 

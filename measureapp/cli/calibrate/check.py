@@ -15,6 +15,7 @@ from measureapp.cli.calibrate.pose_options import RigTables, observe_rig
 from measureapp.cli.main import OUT_OF_TOLERANCE
 from measureapp.cli.reply import TerminalProgress
 from measureapp.errors import InputError, MeasureError
+from measureapp.project.text_document import reason_of
 
 if TYPE_CHECKING:
     from measureapp.calibrate.rig.quick_check import QuickCheck
@@ -121,7 +122,9 @@ def read_rig_answer(path: Path, cameras: CameraArrayCalibration) -> RigCalibrati
             motions=motions_from(document.get("error_motions")),
         )
     except (OSError, ValueError, KeyError, TypeError, MeasureError, RecursionError) as error:
-        raise InputError(f"{path} holds no calibrated rig: {error}.", "Give the file that `calibrate rig --out` wrote.") from error
+        raise InputError(
+            f"{path} holds no calibrated rig: {reason_of(error)}.", "Give the file that `calibrate rig --out` wrote."
+        ) from error
 
 
 def check_answer(found: QuickCheck) -> dict[str, Any]:

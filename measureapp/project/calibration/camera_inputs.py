@@ -16,6 +16,7 @@ from measureapp.calibrate.sightings import ALL_MARKS, Rejection, Sighting
 from measureapp.data.board import AnyBoard, BoardDescription
 from measureapp.errors import InputError
 from measureapp.project.atomic import write_json
+from measureapp.project.text_document import reason_of
 
 SCHEMA_VERSION = 1
 BOARD: TypeAdapter[Any] = TypeAdapter(AnyBoard)
@@ -87,8 +88,9 @@ def read_camera_inputs(path: Path) -> CameraInputs:
             f"{path} cannot be read: {error.strerror or error}.", "Give a file written by `measureapp calibrate cameras`."
         ) from error
     except (ValueError, KeyError, TypeError, AttributeError, RecursionError) as error:
-        reason = f"{error} is missing" if isinstance(error, KeyError) else error
-        raise InputError(f"{path} does not hold the corners of a camera calibration: {reason}.", "Detect the corners again.") from error
+        raise InputError(
+            f"{path} does not hold the corners of a camera calibration: {reason_of(error)}.", "Detect the corners again."
+        ) from error
 
 
 def _require_whole(problem: CameraArrayProblem) -> None:

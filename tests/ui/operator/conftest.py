@@ -109,6 +109,12 @@ class Workshop:
         self.operator.choose(card)
         self.screens.identify.fields["serial"].setText(serial)
 
+    def begin(self, serial: str) -> None:
+        """Start the measurement of the gypsum cross with a serial number."""
+        self.identify(serial)
+        self.screens.identify.next.click()
+        self.load_and_start()
+
     def load_and_start(self) -> None:
         """Confirm that the part is clamped, and start."""
         self.wait(lambda: self.operator.obstacles is not None)

@@ -55,9 +55,7 @@ def test_the_result_and_its_report_are_filed_under_the_serial_number(workshop):
 
 def test_a_part_that_fails_looks_failed_wherever_its_result_is_shown(workshop):
     workshop.verdicts = ("pass", "fail", "not proven", "pass")
-    workshop.identify("GC-0003")
-    workshop.screens.identify.next.click()
-    workshop.load_and_start()
+    workshop.begin("GC-0003")
     screens = workshop.screens
     assert screens.verdict.band.verdict == "fail" and screens.verdict.band.word.text() == "FAIL"
     assert screens.verdict.band.accessibleName().startswith("FAIL.")
@@ -82,18 +80,14 @@ def test_the_worst_dimension_decides_and_without_any_nothing_passes(workshop):
     }
     for number, (verdicts, word) in enumerate(words.items()):
         workshop.verdicts = verdicts
-        workshop.identify(f"GC-004{number}")
-        workshop.screens.identify.next.click()
-        workshop.load_and_start()
+        workshop.begin(f"GC-004{number}")
         assert workshop.screens.verdict.band.word.text() == word
         workshop.wait(lambda: workshop.operator.filed is not None)
 
 
 def test_a_part_is_measured_again_only_with_an_answer_why_and_both_runs_are_kept(workshop):
     workshop.verdicts = ("fail", "pass", "pass", "pass")
-    workshop.identify("GC-0005")
-    workshop.screens.identify.next.click()
-    workshop.load_and_start()
+    workshop.begin("GC-0005")
     workshop.wait(lambda: workshop.operator.filed is not None)
     workshop.wait(lambda: workshop.operator.runs)
     screens = workshop.screens
@@ -128,9 +122,7 @@ def test_what_is_required_is_asked_for(workshop):
 
 def test_after_a_fault_it_says_what_is_kept_and_resumes_in_the_same_folder(workshop):
     workshop.fault = DeviceError("The projector does not answer.", "Check its cable.")
-    workshop.identify("GC-0007")
-    workshop.screens.identify.next.click()
-    workshop.load_and_start()
+    workshop.begin("GC-0007")
     run = workshop.screens.run
     assert run.cause.text() == "The projector does not answer." and run.remedy.text() == "Check its cable."
     assert run.kept.text() == "1 of 6 viewpoints are stored and kept."
@@ -155,9 +147,7 @@ def test_a_stop_before_the_first_viewpoint_offers_what_it_speaks_of(workshop, mo
         session.set_run(RunNow("idle"))
 
     monkeypatch.setattr(workshop.application.controllers.scanning, "run", stop)
-    workshop.identify("GC-0011")
-    workshop.screens.identify.next.click()
-    workshop.load_and_start()
+    workshop.begin("GC-0011")
     run = workshop.screens.run
     assert run.cause.text() == "The measurement was stopped." and not run.remedy.isVisible()
     assert run.kept.text() == "No viewpoint was stored yet."
@@ -169,9 +159,7 @@ def test_a_stop_before_the_first_viewpoint_offers_what_it_speaks_of(workshop, mo
 def test_stop_is_answered_at_once_and_an_operator_is_not_sent_to_a_page_he_has_not(workshop, monkeypatch):
     session = workshop.application.session
     monkeypatch.setattr(workshop.application.controllers.scanning, "run", lambda *_: session.set_run(RunNow("running")))
-    workshop.identify("GC-0012")
-    workshop.screens.identify.next.click()
-    workshop.load_and_start()
+    workshop.begin("GC-0012")
     run = workshop.screens.run
     session.set_run(RunNow("paused", "The project folder is gone.", "Connect its disk again."))
     run.stop.click()
@@ -185,9 +173,7 @@ def test_stop_is_answered_at_once_and_an_operator_is_not_sent_to_a_page_he_has_n
 
 def test_what_is_gone_with_its_folder_is_not_said_to_be_kept(workshop):
     workshop.fault, workshop.is_folder_lost = DeviceError("The project folder is gone.", ""), True
-    workshop.identify("GC-0016")
-    workshop.screens.identify.next.click()
-    workshop.load_and_start()
+    workshop.begin("GC-0016")
     run = workshop.screens.run
     workshop.wait(lambda: workshop.operator.fault.is_lost)
     assert run.kept.text() == "The folder of this part is gone, with all that was stored in it."
@@ -197,9 +183,7 @@ def test_what_is_gone_with_its_folder_is_not_said_to_be_kept(workshop):
 def test_the_engineer_can_be_called_while_a_run_is_paused(workshop, monkeypatch):
     session = workshop.application.session
     monkeypatch.setattr(workshop.application.controllers.scanning, "run", lambda *_: session.set_run(RunNow("running")))
-    workshop.identify("GC-0017")
-    workshop.screens.identify.next.click()
-    workshop.load_and_start()
+    workshop.begin("GC-0017")
     run = workshop.screens.run
     assert not run.help.isVisible()
     session.set_run(RunNow("paused", "The project folder is gone.", "Connect its disk again."))
@@ -210,9 +194,7 @@ def test_the_engineer_can_be_called_while_a_run_is_paused(workshop, monkeypatch)
 def test_a_fault_of_many_words_leaves_the_buttons_where_they_are_pressed(workshop):
     workshop.fault = DeviceError("Seven devices cannot be connected. " + "Camera left: no camera with this serial number answers. " * 12)
     workshop.window.resize(1280, 720)
-    workshop.identify("GC-0013")
-    workshop.screens.identify.next.click()
-    workshop.load_and_start()
+    workshop.begin("GC-0013")
     run, call = workshop.screens.run, workshop.screens.call
     run.call.click()
     workshop.qtbot.wait(20)
@@ -225,9 +207,7 @@ def test_a_fault_of_many_words_leaves_the_buttons_where_they_are_pressed(worksho
 
 def test_start_again_says_why_it_cannot(workshop):
     workshop.fault = DeviceError("The robot was stopped.", "")
-    workshop.identify("GC-0014")
-    workshop.screens.identify.next.click()
-    workshop.load_and_start()
+    workshop.begin("GC-0014")
     session = workshop.application.session
     session.set_cell(replace(session.cell, stopped="The door is open."))
     workshop.screens.run.again.click()
@@ -273,9 +253,7 @@ def test_a_rig_without_calibration_does_not_start(workshop, rig):
 
 def test_the_calibration_of_one_run_of_the_virtual_rig_serves_the_next_ones(workshop):
     for number in (1, 2):
-        workshop.identify(f"GC-010{number}")
-        workshop.screens.identify.next.click()
-        workshop.load_and_start()
+        workshop.begin(f"GC-010{number}")
         workshop.wait(lambda: workshop.operator.filed is not None and workshop.operator.shelf.settings.calibrated)
     first, second = workshop.requests
     assert first.calibrate and first.calibrated is None
@@ -297,9 +275,7 @@ def test_until_the_first_viewpoint_the_screen_says_what_happens(workshop, monkey
     session = workshop.application.session
     session.set_graphics("failed" if graphics_are_missing() else "ready", "No graphics in this test.")
     monkeypatch.setattr(workshop.application.controllers.scanning, "run", lambda *_: session.set_run(RunNow("running")))
-    workshop.identify("4711-9")
-    workshop.screens.identify.next.click()
-    workshop.load_and_start()
+    workshop.begin("4711-9")
     run = workshop.screens.run
     workshop.wait(run.isVisible)
     assert run.words.text() == "The measurement is being prepared"  # a calibration may be there already

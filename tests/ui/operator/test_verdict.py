@@ -33,9 +33,7 @@ def test_the_pages_of_the_report_are_shown(workshop):
 )
 def test_each_verdict_says_what_to_do_next(workshop, verdicts, advice):
     workshop.verdicts = verdicts
-    workshop.identify("GC-0020")
-    workshop.screens.identify.next.click()
-    workshop.load_and_start()
+    workshop.begin("GC-0020")
     workshop.wait(lambda: workshop.operator.filed is not None)
     shown = workshop.screens.verdict.advice
     assert shown.text().startswith(advice) and shown.isVisible() == bool(advice) == bool(shown.text())

@@ -19,11 +19,15 @@ LETTERS = re.compile(r"[A-Za-z]{2}")
 IDEOGRAPHS = "\u4e00", "\u9fff"
 IDEOGRAPH = re.compile(f"[{IDEOGRAPHS[0]}-{IDEOGRAPHS[1]}]")
 AFTER_IDEOGRAPH = f"(?<=[{IDEOGRAPHS[0]}-{IDEOGRAPHS[1]}）”])"
+BEFORE_IDEOGRAPH = f"(?=[{IDEOGRAPHS[0]}-{IDEOGRAPHS[1]}])"
 PUNCTUATION = tuple(  # of sentences that were put together, as Chinese writes it
     (re.compile(pattern), mark)
     for pattern, mark in (
-        *((rf"{AFTER_IDEOGRAPH}{ascii} (?=\S)", mark) for ascii, mark in ((",", "，"), (";", "；"), (":", "："))),
-        (rf"{AFTER_IDEOGRAPH}\. ?(?=$|[{IDEOGRAPHS[0]}-{IDEOGRAPHS[1]}])", "。"),
+        *(
+            (rf"{AFTER_IDEOGRAPH}{ascii} (?=\S)|{ascii} {BEFORE_IDEOGRAPH}", mark)
+            for ascii, mark in ((",", "，"), (";", "；"), (":", "："))
+        ),
+        (rf"(?:{AFTER_IDEOGRAPH}|(?<=\d[°%]))\. ?(?=$|[{IDEOGRAPHS[0]}-{IDEOGRAPHS[1]}])", "。"),
         (rf"(?<=[{IDEOGRAPHS[0]}-{IDEOGRAPHS[1]}]\s)([\d\s]*\d)\.$", r"\1。"),
         ("。 ", "。"),
     )
@@ -54,8 +58,8 @@ FORMATTER = WordsFormatter()
 
 
 def full_stop(text: str) -> str:
-    """Return the full stop of the script that a text ends in."""
-    return "。" if IDEOGRAPHS[0] <= text[-1:] <= IDEOGRAPHS[1] else "."
+    """Return the full stop of the script that a text is in."""
+    return "。" if IDEOGRAPH.search(text) else "."
 
 
 def punctuated(text: str) -> str:
@@ -137,10 +141,15 @@ class Translator:
         constant = text.replace("{", "{{").replace("}", "}}")  # as a template without values
         if catalogue.translation(constant) is not None:
             return self.translate(constant, {})
-        found = None if self._is_list(catalogue, text) else self._template(catalogue, text)
+        is_list = self._is_list(catalogue, text)
+        found = None if is_list else self._template(catalogue, text)
         if found is not None:
             return self.translate(*found)
-        if text[-1] != "." and (catalogue.translation(f"{text}.") is not None or self._template(catalogue, f"{text}.") is not None):
+        if (
+            text[-1] != "."
+            and not is_list
+            and (catalogue.translation(f"{text}.") is not None or self._template(catalogue, f"{text}.") is not None)
+        ):
             return self.translate(f"{{words:{UNSTOPPED}}}", {"words": f"{text}."})  # a sentence as part of another one
         made = self._in_pieces(text)
         return self._begun_otherwise(text) if made == text else made
@@ -151,8 +160,8 @@ class Translator:
         whole = f"{{words:{STOPPED}}}", {"words": reason}
         if reason and catalogue.translation(reason) is not None:
             return whole
-        found = [(one, one) for one in catalogue.find_templates(text)]
-        found += [(one, whole) for one in catalogue.find_templates(reason)] if reason else []
+        found = [(one, whole) for one in catalogue.find_templates(reason)] if reason else []
+        found += [(one, one) for one in catalogue.find_templates(text)]
         for (source, values), made in sorted(found, key=lambda one: -len(PLACEHOLDER.sub("", one[0][0]))):
             letters = fixed_letters(source)
             if letters >= SURE_LETTERS or all(

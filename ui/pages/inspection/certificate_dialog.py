@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QDialog, QWidget
 from measureapp.data.length_certificate import LengthCertificate
 from ui.look.language.words import tr
 from ui.look.look import Look
+from ui.look.wording import sentence_case
 from ui.widgets.basic import Button, column, label, row
 from ui.widgets.model_form import ModelForm
 
@@ -53,7 +54,9 @@ class CertificateDialog(QDialog):
         cancel.clicked.connect(self.reject)
         self.form.edited.connect(self._show)
         buttons = row(self.remove, 0, cancel, self.use)
-        self.setLayout(column(label(entry.name, "heading"), label(USE, "small", wrap=True), 8, self.form, 8, buttons, margin=24))
+        self.setLayout(
+            column(label(sentence_case(entry.name), "heading"), label(USE, "small", wrap=True), 8, self.form, 8, buttons, margin=24)
+        )
         self.setFixedWidth(WIDTH)
         self.setModal(True)
         self._show()

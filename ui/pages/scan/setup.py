@@ -87,7 +87,7 @@ class ScanSetup(QWidget):
         form.add("Rig", self.rig)
         form.add("Project", self.folder)
         form.addRow("", self.what)
-        for name, editor in (("Part", self.part), ("Nominal", self.nominal), ("Program", self.program)):
+        for name, editor in (("Part", self.part), ("Nominal (CAD)", self.nominal), ("Program", self.program)):
             form.add(name, editor)
         form.add("Calibration of", self.calibrated)
         form.add("Plan", self.plan)

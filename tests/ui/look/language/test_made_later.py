@@ -181,7 +181,7 @@ def test_the_header_of_a_report_is_in_the_language(application, qtbot, speaking,
         dialog.accept_button.click()
         assert f"⟦{LABELS[name]}⟧" in dialog.problem.text() and not english_left([("problem", dialog.problem.text())])
         dialog.fields[name].clear()
-    assert chinese.renewed("Temperature (°C): Enter a number.") == "温度 (°C): 请输入数字。"
+    assert chinese.renewed("Temperature (°C): Enter a number.") == "温度 (°C)：请输入数字。"
 
 
 def test_the_suffix_of_a_number_follows_the_language(application, window, qtbot, speaking, english_left):

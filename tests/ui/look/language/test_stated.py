@@ -11,6 +11,7 @@ from pydantic import ValidationError
 
 from measureapp.data.cloud import PointCloud
 from measureapp.data.consistency import Consistency, ConsistencyCheck
+from measureapp.data.dimension import CONTRIBUTION_LABELS, CONTRIBUTIONS
 from measureapp.data.inspection_program import InspectionProgram
 from measureapp.data.model import first_problem
 from measureapp.data.surroundings import KINDS, SURROUNDINGS_KEPT, Surroundings
@@ -27,7 +28,7 @@ from measureapp.resources import resource
 from ui.look.language.catalogue import read_catalogue
 from ui.look.language.sources import catalogue_file
 from ui.look.language.words import Translator
-from ui.look.wording import sentence
+from ui.look.wording import sentence, sentence_case
 
 KEPT = re.compile(
     r"`[^`]*`|'[^']*'|\w+_\w+|dimensions\.\d+|\b(?:bore|diameter|position|length|max|ISO)\b"
@@ -69,6 +70,12 @@ def test_why_points_could_not_be_fitted(chinese):
         assert not left_in_english(chinese, f"bore: {refused.value.message}")
 
 
+@pytest.mark.parametrize("name", CONTRIBUTIONS)
+def test_what_contributes_to_the_uncertainty(chinese, name):
+    label = sentence_case(CONTRIBUTION_LABELS.get(name, name))
+    assert chinese.renewed(label) != label
+
+
 def test_several_reasons_of_a_view_follow_the_language_there_and_back():
     quality = assess_cloud(rough_cloud(), completeness=0.02)
     reasons = len(quality.reason.split("; "))
@@ -78,7 +85,7 @@ def test_several_reasons_of_a_view_follow_the_language_there_and_back():
     for _ in range(2):
         translator.use(catalogue)
         shown = translator.renewed(shown)
-        assert not left_in_english(translator, shown) and len(shown.split("; ")) == reasons
+        assert not left_in_english(translator, shown) and len(re.split("; |；", shown)) == reasons
         translator.use(None)
         shown = translator.renewed(shown)
         assert shown == sentence(quality.reason)
