@@ -904,6 +904,14 @@
       <translation>正在 {name} 中检测标定板</translation>
     </message>
     <message>
+      <source>Dimensions (CSV)</source>
+      <translation>尺寸表 (CSV)</translation>
+    </message>
+    <message>
+      <source>Dimensions (XLSX)</source>
+      <translation>尺寸表 (XLSX)</translation>
+    </message>
+    <message>
       <source>Dimensions still refer to the stitched cloud.</source>
       <translation>尺寸仍以拼接点云为准。</translation>
     </message>
@@ -1422,14 +1430,6 @@
     <message>
       <source>Surface mesh (STL)</source>
       <translation>表面网格 (STL)</translation>
-    </message>
-    <message>
-      <source>Table of dimensions (CSV)</source>
-      <translation>尺寸表 (CSV)</translation>
-    </message>
-    <message>
-      <source>Table of dimensions (XLSX)</source>
-      <translation>尺寸表 (XLSX)</translation>
     </message>
     <message>
       <source>Taking images of the board</source>
@@ -6138,10 +6138,6 @@
       <translation>缺少相机 {v1} 的曝光。</translation>
     </message>
     <message>
-      <source>Give 0 &lt; B ≤ A.</source>
-      <translation>请给出 0 &lt; B ≤ A。</translation>
-    </message>
-    <message>
       <source>Give 1 for the longest and fractions of it for the others.</source>
       <translation>最长者给 1，其余给其分数。</translation>
     </message>
@@ -6160,6 +6156,10 @@
     <message>
       <source>Give the first {v1} images of the Gray code only.</source>
       <translation>请只给出格雷码的前 {v1} 幅图像。</translation>
+    </message>
+    <message>
+      <source>Give {v1} ≤ B ≤ A.</source>
+      <translation type="unfinished" />
     </message>
     <message>
       <source>Image {v1} of camera {v2} at {v3} µs</source>

@@ -17,7 +17,7 @@ from ui.look.wording import part_words, sentence_case, when
 from ui.pages.page import Page
 from ui.session import Session
 from ui.settings.dialogs import choose_new
-from ui.widgets.basic import Button, card, clear, column, label, row
+from ui.widgets.basic import Button, card, clear, column, label, row, scrolled
 from ui.widgets.empty_state import EmptyState
 from ui.widgets.page_picture import PagePicture
 from ui.widgets.properties_panel import Group, Properties
@@ -32,6 +32,7 @@ EMPTY = (
     "The report is created when a part has been measured: pictures, dimensions, calibration and settings.",
 )
 PAGE_WIDTH = 820
+SIDE_WIDTH = 304  # px, room for a scroll bar included
 
 
 class ReportPage(Page):
@@ -68,8 +69,7 @@ class ReportPage(Page):
             0,
             folder,
         )
-        side.setFixedWidth(288)
-        layout = row(self._scroll, side, spacing=16)
+        layout = row(self._scroll, scrolled(side, SIDE_WIDTH), spacing=16)
         layout.setStretch(0, 1)
         self.body.setLayout(layout)
         self.open_pdf = Button("Open PDF", look, "pdf", "primary")
