@@ -6159,7 +6159,7 @@
     </message>
     <message>
       <source>Give {v1} ≤ B ≤ A.</source>
-      <translation type="unfinished" />
+      <translation>请给出 {v1} ≤ B ≤ A。</translation>
     </message>
     <message>
       <source>Image {v1} of camera {v2} at {v3} µs</source>

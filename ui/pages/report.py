@@ -61,13 +61,12 @@ class ReportPage(Page):
         folder.clicked.connect(controllers.documents.open_folder)
         side = card(
             self.header_button,
-            8,
             label("Export", "heading"),
             label("Saves a copy to a folder of your choice.", "soft", wrap=True),
-            8,
             *self.exports.values(),
             0,
             folder,
+            margin=12,
         )
         layout = row(self._scroll, scrolled(side, SIDE_WIDTH), spacing=16)
         layout.setStretch(0, 1)
