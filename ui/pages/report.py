@@ -64,8 +64,8 @@ class ReportPage(Page):
             label("Export", "heading"),
             label("Saves a copy to a folder of your choice.", "soft", wrap=True),
             *self.exports.values(),
-            0,
             folder,
+            0,
             margin=12,
         )
         layout = row(self._scroll, scrolled(side, SIDE_WIDTH), spacing=16)
