@@ -6138,10 +6138,6 @@
       <translation>缺少相机 {v1} 的曝光。</translation>
     </message>
     <message>
-      <source>Give 0 &lt; B ≤ A.</source>
-      <translation>请给出 0 &lt; B ≤ A。</translation>
-    </message>
-    <message>
       <source>Give 1 for the longest and fractions of it for the others.</source>
       <translation>最长者给 1，其余给其分数。</translation>
     </message>
@@ -6160,6 +6156,10 @@
     <message>
       <source>Give the first {v1} images of the Gray code only.</source>
       <translation>请只给出格雷码的前 {v1} 幅图像。</translation>
+    </message>
+    <message>
+      <source>Give {v1} ≤ B ≤ A.</source>
+      <translation>请给出 {v1} ≤ B ≤ A。</translation>
     </message>
     <message>
       <source>Image {v1} of camera {v2} at {v3} µs</source>

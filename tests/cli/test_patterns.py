@@ -72,6 +72,7 @@ def test_an_export_for_a_projector_of_gamma_2_is_darker_nowhere_and_brighter_bet
         (("check", "nonsense"), "nonsense"),
         (("check", "paper", "--mean", "300"), "380"),
         (("check", "paper", "--modulation", "-3"), "-3"),
+        (("check", "paper", "--modulation", "1e-300"), "1e-300"),
         (("check", "paper", "--exposures", "1,x"), "1,x"),
         (("check", "paper", "--exposures", "1,-1"), "-1"),
         (("check", "paper", "--full-well", "0"), "full well"),

@@ -16,6 +16,7 @@ from measureapp.fringe.patterns.draw import check_covers, check_determines_phase
 from measureapp.fringe.settings import DecodeSettings
 from measureapp.fringe.unwrap import LEAST_GUARD, extent_px, plan_heterodyne
 
+LEAST_MODULATION_GREY = 1e-3  # far below what any camera distinguishes; squares of what follows from less would overflow
 EDGE_MARGIN_PX = 2.0  # decoded positions this far outside the projector still count
 DEFAULT_MEAN, DEFAULT_MODULATION = 110.0, 80.0  # an ordinary pixel of an 8-bit image
 MILLION = 1_000_000  # shares of an exposure as whole numbers
@@ -134,9 +135,10 @@ def _check_contrast(contrast: Contrast) -> None:
         raise DecodeError(
             f"The exposures {listed} are not relative to the longest.", "Give 1 for the longest and fractions of it for the others."
         )
-    if not (0 < contrast.modulation_grey <= contrast.mean_grey and contrast.saturation > 0):
+    if not (LEAST_MODULATION_GREY <= contrast.modulation_grey <= contrast.mean_grey and contrast.saturation > 0):
         raise DecodeError(
-            f"A contrast of A = {contrast.mean_grey:g}, B = {contrast.modulation_grey:g} grey levels cannot be.", "Give 0 < B ≤ A."
+            f"A contrast of A = {contrast.mean_grey:g}, B = {contrast.modulation_grey:g} grey levels cannot be.",
+            f"Give {LEAST_MODULATION_GREY:g} ≤ B ≤ A.",
         )
     if contrast.mean_grey + contrast.modulation_grey > contrast.saturation:
         raise DecodeError(
