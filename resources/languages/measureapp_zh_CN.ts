@@ -15710,6 +15710,10 @@ alignment = "{v2}"
       <translation>镜头模型未包含的畸变，全分辨率下每轴的均方根值</translation>
     </message>
     <message>
+      <source>Distortion {name}</source>
+      <translation>畸变 {name}</translation>
+    </message>
+    <message>
       <source>Drift</source>
       <translation>漂移</translation>
     </message>

@@ -68,6 +68,7 @@ DRIVERS = (  # as they name themselves
 FIXED = (later("location"), later("orientation"))  # by datums, in sentences about those that do not
 PLACES = (later("position"), later("positions"))  # of board, guide or table, counted in what a calibration still needs
 COUNTS = (later("one"), later("two"), later("three"), later("four"), later("five"), later("six"))
+LENS = ("Distortion {name}",)  # of a lens, beside those that are several words
 LISTED = ("{n} rejected",)  # after the number of points of each feature of a value
 TEMPLATE = later("built-in")  # name of the shipped template of reports
 SUBJECTS = ("the program", "the alignment", "the alignment {name}", "dimension {name}")  # of refused changes

@@ -59,12 +59,12 @@ def percent(value: float | None, digits: int = 1, *, signed: bool = False) -> st
 
 
 def keep_units(words: str) -> str:
-    """Return ``words`` with non-breaking spaces between numbers and their units, so that no line ends between them.
+    """Return ``words`` in the language of the window, with non-breaking spaces between numbers and their units, so that no line ends between them.
 
     >>> keep_units("adds 0.006 mm to 300 mm") == "adds 0.006\u00a0mm to 300\u00a0mm"
     True
     """
-    return UNIT_AFTER_NUMBER.sub("\u00a0", words)
+    return UNIT_AFTER_NUMBER.sub("\u00a0", translated(words))  # with these spaces it would not be recognised
 
 
 def counted(value: int) -> str:

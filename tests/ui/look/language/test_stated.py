@@ -28,7 +28,7 @@ from measureapp.resources import resource
 from ui.look.language.catalogue import read_catalogue
 from ui.look.language.sources import catalogue_file
 from ui.look.language.words import Translator
-from ui.look.wording import sentence, sentence_case
+from ui.look.wording import keep_units, sentence, sentence_case
 
 KEPT = re.compile(
     r"`[^`]*`|'[^']*'|\w+_\w+|dimensions\.\d+|\b(?:bore|diameter|position|length|max|ISO)\b"
@@ -166,3 +166,9 @@ def test_the_names_of_demos_and_of_their_programs(chinese, tmp_path):
     for file in sorted(resource("parts").glob("*/*.toml")):
         name = tomllib.loads(file.read_text(encoding="utf-8")).get("name")
         assert name is None or not left_in_english(chinese, name), file
+
+
+def test_a_verdict_whose_units_are_kept_is_translated(chinese, monkeypatch):
+    monkeypatch.setattr("ui.look.wording.translated", chinese.renewed)
+    said = keep_units("Adds 0.021 mm (k = 2), at worst 0.131 mm, to a length of 300 mm in this volume: usable.")
+    assert said.endswith("可用。") and "300\u00a0mm" in said and chinese.renewed("Distortion k1") == "畸变 k1"
