@@ -18941,10 +18941,6 @@ The first run of this part counts.</source>
       <translation>旋转 {axis}</translation>
     </message>
     <message>
-      <source>Saves a copy to a folder of your choice.</source>
-      <translation>将副本保存到您选择的文件夹。</translation>
-    </message>
-    <message>
       <source>Second point</source>
       <translation>第二点</translation>
     </message>

@@ -61,8 +61,8 @@ class ReportPage(Page):
         folder.clicked.connect(controllers.documents.open_folder)
         side = card(
             self.header_button,
+            8,
             label("Export", "heading"),
-            label("Saves a copy to a folder of your choice.", "soft", wrap=True),
             *self.exports.values(),
             folder,
             0,
