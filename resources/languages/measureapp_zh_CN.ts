@@ -904,6 +904,14 @@
       <translation>正在 {name} 中检测标定板</translation>
     </message>
     <message>
+      <source>Dimensions (CSV)</source>
+      <translation>尺寸表 (CSV)</translation>
+    </message>
+    <message>
+      <source>Dimensions (XLSX)</source>
+      <translation>尺寸表 (XLSX)</translation>
+    </message>
+    <message>
       <source>Dimensions still refer to the stitched cloud.</source>
       <translation>尺寸仍以拼接点云为准。</translation>
     </message>
@@ -1422,14 +1430,6 @@
     <message>
       <source>Surface mesh (STL)</source>
       <translation>表面网格 (STL)</translation>
-    </message>
-    <message>
-      <source>Table of dimensions (CSV)</source>
-      <translation>尺寸表 (CSV)</translation>
-    </message>
-    <message>
-      <source>Table of dimensions (XLSX)</source>
-      <translation>尺寸表 (XLSX)</translation>
     </message>
     <message>
       <source>Taking images of the board</source>

@@ -23,8 +23,8 @@ if TYPE_CHECKING:
 FORMATS = {  # words, ending
     "pdf": ("PDF report", "pdf"),
     "html": ("3-D report (HTML)", "html"),
-    "xlsx": ("Table of dimensions (XLSX)", "xlsx"),
-    "csv": ("Table of dimensions (CSV)", "csv"),
+    "xlsx": ("Dimensions (XLSX)", "xlsx"),
+    "csv": ("Dimensions (CSV)", "csv"),
     "json": ("Everything as JSON", "json"),
     "ply": ("Stitched cloud (PLY)", "ply"),
     "stl": ("Surface mesh (STL)", "stl"),

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import ClassVar
 
-from PySide6.QtCore import QObject, Qt, Signal, SignalInstance, Slot
+from PySide6.QtCore import QObject, Qt, QTimer, Signal, SignalInstance, Slot
 from PySide6.QtGui import QShowEvent
 from PySide6.QtWidgets import QStackedWidget, QWidget
 
@@ -17,6 +17,7 @@ from ui.widgets.basic import Button, column, label, row
 from ui.widgets.empty_state import EmptyState
 from ui.widgets.properties_panel import Properties
 
+IDLE_MS, APART_MS = 300, 20  # until a page out of sight follows, and between two of its steps
 SAMPLE = "gypsum"  # project offered where there is nothing to show
 NOTHING_SELECTED = Properties("Properties", note="Select something to see its properties.")
 
@@ -38,6 +39,9 @@ class Page(QWidget):
         self.look, self.session, self.controllers, self.empty = look, session, controllers, empty
         self.properties = NOTHING_SELECTED
         self._owed: dict[Callable[[], object], None] = {}  # what was not shown while the page was out of sight, in order
+        self._idle = QTimer(self)
+        self._idle.setSingleShot(True)
+        self._idle.timeout.connect(self._pay_one)
         self.title, self.state = label(self.word, "title"), label("", "soft", wrap=True)
         self.action_row = row(spacing=8)
         self.body = QWidget()
@@ -74,21 +78,32 @@ class Page(QWidget):
                 widget.setVisible(filled)
 
     def follow(self, signal: SignalInstance, *shows: Callable[[], object]) -> None:
-        """Call ``shows`` when the page first comes into sight and whenever ``signal`` is emitted: at once in sight, else when it comes into sight.
+        """Call ``shows`` first and whenever ``signal`` is emitted: at once in sight, else once when the page comes into sight or nothing is running.
 
         To show at every event of a job what nobody sees would hold up the window. Results of a closed project are let go at once.
         """
         for show in shows:
             signal.connect(Following(self, show).take)
             self._owed[show] = None
+        self._idle.start(IDLE_MS)
 
     def owe(self, show: Callable[[], object]) -> None:
-        """Call ``show`` now, or when the page comes into sight."""
+        """Call ``show`` now, or later."""
         if self.isVisible() or (self.shows_results and self.session.is_letting_go):
             self._owed.pop(show, None)
             show()
         else:
             self._owed[show] = None
+            self._idle.start(IDLE_MS)
+
+    @Slot()
+    def _pay_one(self) -> None:
+        """Show one thing that was missed, so that there is little left to do when the page is opened; the end of a job starts this again."""
+        if self._owed and not self.session.busy_with:
+            show = next(iter(self._owed))
+            del self._owed[show]
+            show()
+            self._idle.start(APART_MS)
 
     def showEvent(self, event: QShowEvent) -> None:
         """Show what changed while the page was out of sight."""

@@ -17,7 +17,7 @@ from ui.look.wording import part_words, sentence_case, when
 from ui.pages.page import Page
 from ui.session import Session
 from ui.settings.dialogs import choose_new
-from ui.widgets.basic import Button, card, clear, column, label, row
+from ui.widgets.basic import Button, card, clear, column, label, row, scrolled
 from ui.widgets.empty_state import EmptyState
 from ui.widgets.page_picture import PagePicture
 from ui.widgets.properties_panel import Group, Properties
@@ -32,6 +32,7 @@ EMPTY = (
     "The report is created when a part has been measured: pictures, dimensions, calibration and settings.",
 )
 PAGE_WIDTH = 820
+SIDE_WIDTH = 304  # px, room for a scroll bar included
 
 
 class ReportPage(Page):
@@ -47,6 +48,7 @@ class ReportPage(Page):
         self._pages = column(spacing=16)
         self._sheet.setLayout(self._pages)
         self.pages: list[PagePicture] = []
+        self._is_stale = False
         self._scroll = QScrollArea()
         self._scroll.setWidgetResizable(True)
         self._scroll.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
@@ -59,16 +61,14 @@ class ReportPage(Page):
         folder.clicked.connect(controllers.documents.open_folder)
         side = card(
             self.header_button,
-            8,
             label("Export", "heading"),
             label("Saves a copy to a folder of your choice.", "soft", wrap=True),
-            8,
             *self.exports.values(),
-            0,
             folder,
+            0,
+            margin=12,
         )
-        side.setFixedWidth(288)
-        layout = row(self._scroll, side, spacing=16)
+        layout = row(self._scroll, scrolled(side, SIDE_WIDTH), spacing=16)
         layout.setStretch(0, 1)
         self.body.setLayout(layout)
         self.open_pdf = Button("Open PDF", look, "pdf", "primary")
@@ -120,6 +120,7 @@ class ReportPage(Page):
         self.show_pages(())
         if measurement is None:
             self.state.setText(tr("Nothing to report."))
+            self._is_stale = False
             return
         documents = self.controllers.documents
         for kind, made in self.exports.items():
@@ -136,7 +137,13 @@ class ReportPage(Page):
         times = tuple((sentence_case(name), f"{seconds:.1f} s") for name, seconds in measurement.timings_s.items())
         groups = [Group("Measurement", rows), *([Group("Time", times)] if times else [])]
         self.show_properties(Properties("Report", tuple(groups)))
-        documents.preview()
+        self._draw_pages()
+
+    def _draw_pages(self) -> None:
+        """Have the pages drawn, or remember it until this page is in sight: drawing takes a second of a processor."""
+        self._is_stale = not self.isVisible()
+        if not self._is_stale:
+            self.controllers.documents.preview()
 
     def show_pages(self, pages: tuple[QImage, ...]) -> None:
         """Show the pages of the report."""
@@ -164,8 +171,10 @@ class ReportPage(Page):
         QTimer.singleShot(0, self, self._fit_pages)
 
     def showEvent(self, event: QShowEvent) -> None:
-        """Fit the pages to the available width."""
+        """Draw the pages if the measurement is another one, and fit them to the available width."""
         super().showEvent(event)
+        if self._is_stale:
+            self._draw_pages()
         QTimer.singleShot(0, self, self._fit_pages)
 
     @property

@@ -112,7 +112,7 @@ def test_the_palette_lists_the_buttons_of_the_page(window, qtbot):
         ("pdf export", "PDF report…"),
         ("report", "Go to Report"),
         ("scale", "Go to Inspect"),
-        ("excel", "Table of dimensions (XLSX)…"),
+        ("excel", "Dimensions (XLSX)…"),
     ],
 )
 def test_what_people_call_things_is_found_on_every_page(window, typed, expected):

@@ -21,6 +21,8 @@ def _settle(application, qtbot) -> None:
 def test_pages_open_without_a_stall(application, filled, heartbeat, qtbot):
     for name in WARM_UP:  # in the background of the program's first seconds
         import_with_retry(name)
+    filled.make_pages()
+    qtbot.waitUntil(lambda: len(filled.pages.made) == len(filled.pages))
     qtbot.wait(100)
     heartbeat.stalls.clear()
     for turn in ("first", "second"):

@@ -6,7 +6,7 @@ import pytest
 from PySide6.QtWidgets import QLabel
 
 from ui.look.look import Look
-from ui.pages.page import NOTHING_SELECTED
+from ui.pages.page import IDLE_MS, NOTHING_SELECTED
 from ui.session import DriverRow
 from ui.widgets.properties_panel import Group, Properties, PropertiesPanel
 
@@ -38,9 +38,12 @@ def test_properties_end_with_the_project(application, filled, plan, measurement)
         assert "view-0" not in str(filled.properties.shown) and "left" not in str(filled.properties.shown), name
 
 
-def test_a_page_out_of_sight_shows_once_what_it_missed_and_lets_a_closed_project_go_at_once(application, filled, measurement):
+def test_a_page_out_of_sight_shows_once_what_it_missed_in_idle_moments_and_lets_a_closed_project_go_at_once(
+    application, filled, measurement, qtbot
+):
     filled.show_page("clouds")
     page, session = filled.pages["inspection"], application.session
+    qtbot.waitUntil(lambda: not page._owed)
     shown = []
     page.follow(session.inspectionChanged, lambda: shown.append(session.inspection))
     for _ in range(3):
@@ -53,6 +56,12 @@ def test_a_page_out_of_sight_shows_once_what_it_missed_and_lets_a_closed_project
     filled.show_page("clouds")
     session.open_project("another", "gear", None)
     assert shown[2:] == [None] and page.is_empty and not page.side.table.texts()
+    session.set_busy("Scan")
+    session.set_inspection(measurement.inspection)
+    qtbot.wait(2 * IDLE_MS)
+    assert len(shown) == 3
+    session.set_busy("")
+    qtbot.waitUntil(lambda: len(shown) == 4 and bool(page.side.table.texts()))  # still out of sight
 
 
 def test_properties_of_a_viewpoint_end_when_it_is_deleted_and_come_back_with_undo(application, filled, qtbot):
