@@ -2439,14 +2439,6 @@
       <translation>1 幅图像</translation>
     </message>
     <message>
-      <source>; solutions from two halves of the views differ by {v1} px for {v2} where {v3} px was predicted</source>
-      <translation>；两半视图的解对 {v2} 相差 {v1} px，而预计为 {v3} px</translation>
-    </message>
-    <message>
-      <source>; there are too few views to compare two halves</source>
-      <translation>；视图太少，无法比较两半</translation>
-    </message>
-    <message>
       <source>A camera is called {v1}.</source>
       <translation>有相机名为 {v1}。</translation>
     </message>
@@ -3311,12 +3303,12 @@
       <translation>标定板的方格不是纯色：其中印有标记。</translation>
     </message>
     <message>
-      <source>The stated uncertainty can be trusted: {v1}{v2}.</source>
-      <translation>所述不确定度可信：{v1}{v2}。</translation>
+      <source>The stated uncertainty can be trusted: {v1}; {v2}.</source>
+      <translation>所述不确定度可信：{v1}；{v2}。</translation>
     </message>
     <message>
-      <source>The stated uncertainty is too small, there are errors other than noise: {v1}{v2}. Try 8 distortion coefficients, check the board for flatness and the images for blur.</source>
-      <translation>所述不确定度过小，存在噪声以外的误差：{v1}{v2}。请尝试 8 个畸变系数，检查标定板的平面度和图像的模糊。</translation>
+      <source>The stated uncertainty is too small, there are errors other than noise: {v1}; {v2}. Try 8 distortion coefficients, check the board for flatness and the images for blur.</source>
+      <translation>所述不确定度过小，存在噪声以外的误差：{v1}；{v2}。请尝试 8 个畸变系数，检查标定板的平面度和图像的模糊。</translation>
     </message>
     <message>
       <source>The translations of the {v1} poses are about {v2} times too small for those of the others.</source>
@@ -3827,6 +3819,10 @@
       <translation>多台相机</translation>
     </message>
     <message>
+      <source>solutions from two halves of the views differ by {v1} px for {v2}, with {v3} px predicted</source>
+      <translation>两半视图的解对{v2}相差 {v1} px，预计为 {v3} px</translation>
+    </message>
+    <message>
       <source>straight line of the guide</source>
       <translation>导轨的直线</translation>
     </message>
@@ -3881,6 +3877,10 @@
     <message>
       <source>the {v1}</source>
       <translation>{v1}</translation>
+    </message>
+    <message>
+      <source>there are too few views to compare two halves</source>
+      <translation>视图太少，无法比较两半</translation>
     </message>
     <message>
       <source>to the left</source>

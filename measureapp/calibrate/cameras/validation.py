@@ -89,15 +89,15 @@ class CrossValidation:
         held = f"views held back fit with {self.observed_px:.3f} px rms where {self.predicted_px:.3f} px was predicted"
         worst = max(self.halves, key=lambda half: half.difference_px / half.predicted_px, default=None)
         apart = (
-            f"; solutions from two halves of the views differ by {worst.difference_px:.3f} px for {_name_device(worst.camera)} "
-            f"where {worst.predicted_px:.3f} px was predicted"
+            f"solutions from two halves of the views differ by {worst.difference_px:.3f} px for {_name_device(worst.camera)}, "
+            f"with {worst.predicted_px:.3f} px predicted"
             if worst
-            else "; there are too few views to compare two halves"
+            else "there are too few views to compare two halves"
         )
         if self.healthy:
-            return f"The stated uncertainty can be trusted: {held}{apart}."
+            return f"The stated uncertainty can be trusted: {held}; {apart}."
         return (
-            f"The stated uncertainty is too small, there are errors other than noise: {held}{apart}. "
+            f"The stated uncertainty is too small, there are errors other than noise: {held}; {apart}. "
             "Try 8 distortion coefficients, check the board for flatness and the images for blur."
         )
 
