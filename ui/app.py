@@ -85,7 +85,6 @@ def run(project: Path | None = None, demo: bool = False) -> int:
     sys.excepthook = Reporter(built.session)
     built.window.show()
     QTimer.singleShot(0, built.controllers.startup.begin)
-    QTimer.singleShot(0, built.window.make_pages)
     built.controllers.roles.begin(in_operator_mode=built.settings.text("role") == "operator")
     if project is not None:
         built.controllers.project.open(project)

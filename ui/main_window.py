@@ -234,6 +234,7 @@ class MainWindow(QMainWindow):
         header.themeClicked.connect(self.change_theme)
         header.stopClicked.connect(controllers.rig.stop)
         header.role.valueChanged.connect(self._change_role)
+        controllers.startup.imported.connect(self.make_pages)
         controllers.files.measured.connect(lambda: self.show_page("inspection"))
         header.operatorSetupClicked.connect(self.shell.set_up)
         self.strip.cancelClicked.connect(controllers.jobs.cancel)

@@ -91,14 +91,17 @@ def test_what_is_imported_meanwhile_is_never_searched_for_garbage():
     assert gc.get_freeze_count() >= frozen + len(kept)
 
 
-def test_nothing_waits_behind_the_preparation_which_takes_minutes_at_the_first_start(application, qtbot, monkeypatch):
+def test_nothing_waits_behind_the_preparation_which_takes_minutes_at_the_first_start(application, window, qtbot, monkeypatch):
     done, reached = threading.Event(), []
     monkeypatch.setattr(startup, "load_graphics", lambda _job: "")
-    monkeypatch.setattr(startup, "warm_up", lambda _progress: done.wait(20.0))
+    monkeypatch.setattr(startup, "import_all", lambda _progress: None)
+    monkeypatch.setattr(startup, "load_kernels", lambda _progress: done.wait(20.0))
     controllers = application.controllers
+    window.show()
     controllers.startup.begin()
     controllers.background.run("Comparing with the nominal", lambda _job: "compared", reached.append, quiet=True)
     qtbot.waitUntil(lambda: reached == ["compared"], timeout=10_000)
     assert controllers.preparing.queue.busy
+    qtbot.waitUntil(lambda: len(window.pages.made) == len(window.pages))  # in idle moments, when all packages are imported
     done.set()
     qtbot.waitUntil(lambda: not controllers.preparing.queue.busy, timeout=10_000)

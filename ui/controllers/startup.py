@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import QObject, Slot
+from PySide6.QtCore import QObject, Signal, Slot
 
 from measureapp.errors import MeasureError
 from measureapp.progress import PartOf, Progress
@@ -39,6 +39,8 @@ NEVER = 1_000_000
 class StartupController(QObject):
     """Loads everything that is not needed to show the window."""
 
+    imported = Signal()  # all packages; no thread holds the interpreter for long any more
+
     def __init__(self, session: Session, runner: JobRunner, parent: QObject | None = None) -> None:
         super().__init__(parent)
         self._session = session
@@ -49,8 +51,11 @@ class StartupController(QObject):
         """Load the rig and the 3-D view, then prepare for the first measurement."""
         self._runner.run("Loading the rig", load_rig, self._show_rig, quiet=True)
         self._runner.run("Preparing the 3-D view", load_graphics, self._graphics_ready, on_stopped=self._graphics_failed, quiet=True)
+        self._prepare(import_all, self._show_imported)
+
+    def _prepare(self, work: Callable[[Progress], None], show: Callable[[object], None]) -> None:
         self._runner.run(
-            "Preparing the measurement", lambda job: warm_up(Yielding(job, lambda: bool(self._session.busy_with))), self._warm, quiet=True
+            "Preparing the measurement", lambda job: work(Yielding(job, lambda: bool(self._session.busy_with))), show, quiet=True
         )
 
     @Slot(object)
@@ -68,6 +73,11 @@ class StartupController(QObject):
     @Slot()
     def _graphics_failed(self) -> None:
         self._session.set_graphics("failed", "The 3-D view could not be loaded. Install the graphics libraries listed in the help.")
+
+    @Slot(object)
+    def _show_imported(self, _nothing: object) -> None:
+        self._prepare(load_kernels, self._warm)
+        self.imported.emit()
 
     @Slot(object)
     def _warm(self, _nothing: object) -> None:
@@ -149,22 +159,22 @@ class Yielding:
         self._progress.check()
 
 
-def warm_up(job: Progress) -> None:
-    """Import the packages of the first measurement, and compile or load its kernels; runs on a job's thread."""
+def import_all(job: Progress) -> None:
+    """Import the packages of the first measurement; runs on a job's thread."""
     with made_to_last():
-        _import_all(job)
+        for done, name in enumerate(WARM_UP):
+            job.report(IMPORTED_SHARE * done, len(WARM_UP), "Preparing the measurement")
+            if importlib.util.find_spec(name) is None:
+                raise MeasureError(
+                    tr("The package {name} is missing.", name=name), "Run `python3 installer/bootstrap.py run` to repair the installation."
+                )
+            import_with_retry(name)
+
+
+def load_kernels(job: Progress) -> None:
+    """Compile or load the kernels of the first measurement; runs on a job's thread."""
     from measureapp.pipeline.compile_apart import compile_apart
-    from measureapp.pipeline.warm_up import warm_up as load_kernels
+    from measureapp.pipeline.warm_up import warm_up
 
     compile_apart(job)
-    load_kernels(PartOf(job, IMPORTED_SHARE, 1.0, "Preparing the measurement: "))
-
-
-def _import_all(job: Progress) -> None:
-    for done, name in enumerate(WARM_UP):
-        job.report(IMPORTED_SHARE * done, len(WARM_UP), "Preparing the measurement")
-        if importlib.util.find_spec(name) is None:
-            raise MeasureError(
-                tr("The package {name} is missing.", name=name), "Run `python3 installer/bootstrap.py run` to repair the installation."
-            )
-        import_with_retry(name)
+    warm_up(PartOf(job, IMPORTED_SHARE, 1.0, "Preparing the measurement: "))
