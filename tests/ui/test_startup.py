@@ -97,7 +97,6 @@ def test_nothing_waits_behind_the_preparation_which_takes_minutes_at_the_first_s
     monkeypatch.setattr(startup, "import_all", lambda _progress: None)
     monkeypatch.setattr(startup, "load_kernels", lambda _progress: done.wait(20.0))
     controllers = application.controllers
-    window.show()
     controllers.startup.begin()
     controllers.background.run("Comparing with the nominal", lambda _job: "compared", reached.append, quiet=True)
     qtbot.waitUntil(lambda: reached == ["compared"], timeout=10_000)
