@@ -164,7 +164,7 @@ class _Model:
 
 def test_row_15_a_project_that_was_deleted_during_a_scan_is_reported_and_not_made_anew(project: ProjectFolder) -> None:
     shutil.rmtree(project.path)
-    with pytest.raises(DiskFailed, match="not there any more"):
+    with pytest.raises(DiskFailed, match="is gone"):
         project.frames.store(stack("view03"))
     assert not project.path.exists()
 

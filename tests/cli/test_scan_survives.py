@@ -112,7 +112,7 @@ def test_at_a_terminal_a_full_disk_pauses_the_scan_and_enter_stores_the_very_ima
     at_store += [("after", nothing), ("before", lambda stack: (refused.append(stack), full(stack)))]  # type: ignore[list-item]
     code, document, said = answer(words(), capsys)
     assert (code, document["ended"], [view["state"] for view in document["views"]]) == (0, "done", ["stored"] * 3)
-    assert "Paused: The disk is full. Free some space. Then resume the run: the images of v1 are in memory" in said
+    assert "Paused: The disk is full. Free some space. The images of v1 are in memory" in said
     assert "Press Enter to go on, or Ctrl-C to stop." in said
     assert re.search(r"v0: stored; \d+ s left, \d+ s at most\n", said)
     assert said.rstrip().endswith("v2: stored")

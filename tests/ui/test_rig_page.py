@@ -108,7 +108,7 @@ def test_a_stop_during_live_images_ends_them(application, connected, window, qtb
     qtbot.waitUntil(lambda: not connected.tiles["left"].image.is_empty, timeout=PATIENCE_MS)
     window.header.stop.click()
     qtbot.waitUntil(lambda: bool(application.session.cell.stopped) and not application.controllers.jobs.queue.busy, timeout=PATIENCE_MS)
-    assert application.session.connection.projector.shown() == -2
+    qtbot.waitUntil(lambda: application.session.connection.projector.shown() == -2, timeout=PATIENCE_MS)
     application.controllers.rig.reset()
 
 

@@ -15,7 +15,6 @@ from measureapp.cli.calibrate.pose_options import RigTables, observe_rig
 from measureapp.cli.main import OUT_OF_TOLERANCE
 from measureapp.cli.reply import TerminalProgress
 from measureapp.errors import InputError, MeasureError
-from measureapp.project.text_document import reason_of
 
 if TYPE_CHECKING:
     from measureapp.calibrate.rig.quick_check import QuickCheck
@@ -122,6 +121,8 @@ def read_rig_answer(path: Path, cameras: CameraArrayCalibration) -> RigCalibrati
             motions=motions_from(document.get("error_motions")),
         )
     except (OSError, ValueError, KeyError, TypeError, MeasureError, RecursionError) as error:
+        from measureapp.project.text_document import reason_of
+
         raise InputError(
             f"{path} holds no calibrated rig: {reason_of(error)}.", "Give the file that `calibrate rig --out` wrote."
         ) from error

@@ -15,7 +15,6 @@ from measureapp.cli.calibrate.options import Answer, BoardPosesOption, BoardSour
 from measureapp.cli.calibrate.pose_options import GuidePositionsOption, RobotNoise
 from measureapp.cli.reply import TerminalProgress, triple
 from measureapp.errors import InputError, MeasureError
-from measureapp.project.text_document import reason_of
 
 if TYPE_CHECKING:
     from measureapp.calibrate.motions.linear_guide import GuideSolution
@@ -110,6 +109,8 @@ def read_hand_eye(path: Path) -> HandEye:
         matrix = document["flange_from_camera"] if "flange_from_camera" in document else document["refined"]["flange_from_camera"]
         return HandEye(RigidTransform(matrix, "flange", "camera"))
     except (OSError, ValueError, KeyError, TypeError, MeasureError, RecursionError) as error:
+        from measureapp.project.text_document import reason_of
+
         raise InputError(
             f"{path} holds no flange_from_camera: {reason_of(error)}.", "Give the file that `calibrate hand-eye --out` wrote."
         ) from error

@@ -45,7 +45,7 @@ def test_a_projector_beside_given_cameras_predicts_views_held_back():
         assert validation.healthy
         assert validation.observed_px == pytest.approx(validation.predicted_px, rel=0.05)
         assert [half.camera for half in validation.halves] == [PROJECTOR]  # the cameras were given: they are not checked here
-        assert "px for the projector where" in validation.verdict
+        assert "px for the projector, with" in validation.verdict
         ratios += [half.difference_px / half.predicted_px for half in validation.halves]
     assert 0.4 < np.sqrt(np.mean(np.square(ratios))) < 1.7  # two differences of about five degrees of freedom
 
