@@ -27,7 +27,7 @@ from ui.workers.job import Job
 
 ROOM_FOR_WORDS = 1150  # px
 LEAST_PICTURE, LEAST_SIDE = 556, 400  # px, the page's margins included
-LEAST_SPLIT, SPLITTER_PX = 420, 16
+LEAST_SPLIT, SPLITTER_PX = 440, 16
 
 
 @dataclass(frozen=True, eq=False)
