@@ -182,9 +182,8 @@ def test_a_row_that_is_measured_again_shows_neither_its_old_verdict_nor_its_old_
     type_in(page, qtbot, "half", Column.NOMINAL, "60.5")
     assert seen[-1][:4] == ("stale", "Stale", "", True) and "Not proven" in seen[-1][4]
     page.side.table.select(row_named(page, "half").id)
-    qtbot.waitUntil(lambda: any(flag.key == "dimension:half" and not flag.verdict for flag in page.view._flags))
-    (flag,) = [flag for flag in page.view._flags if flag.key == "dimension:half"]
-    assert flag.more[-1] == "Before the change"
+    outdated = "dimension:half", "", ("Before the change",)
+    qtbot.waitUntil(lambda: outdated in [(flag.key, flag.verdict, flag.more[-1:]) for flag in page.view._flags])
     assert [page.side.filter.buttons[name].text() for name in ("not proven", "stale")] == ["0", "1"]
     table.set_filter(frozenset({"stale"}), "")
     assert [row.name for row in table.shown_rows] == ["half"]
@@ -343,9 +342,8 @@ def test_a_construction_is_drawn_in_the_picture_before_it_is_made(application, p
     qtbot.waitUntil(lambda: bool(drawn))
     before = len(drawn[-1])
     menu.hovered.emit(menu.actions()[0])
-    qtbot.waitUntil(lambda: len(drawn[-1]) > before)
-    dashes = np.vstack(drawn[-1][before:])
-    assert len(drawn[-1]) > before + 5 and np.allclose(dashes[:, 2], 20.0, atol=0.01)  # 10 mm above the plate
+    qtbot.waitUntil(lambda: len(drawn[-1]) > before + 5)
+    assert np.allclose(np.vstack(drawn[-1][before:])[:, 2], 20.0, atol=0.01)  # dashes 10 mm above the plate
     menu.aboutToHide.emit()
     qtbot.waitUntil(lambda: len(drawn[-1]) == before)
     assert [one.name for one in application.session.inspection.features] == names and not application.controllers.programming.is_modified
