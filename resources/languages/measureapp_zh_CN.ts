@@ -18026,6 +18026,10 @@ The first run of this part counts.</source>
       <translation>工件程序的文件夹</translation>
     </message>
     <message>
+      <source>For the engineer: {remedy}</source>
+      <translation>供工程师参考：{remedy}</translation>
+    </message>
+    <message>
       <source>Go on</source>
       <translation>继续</translation>
     </message>
