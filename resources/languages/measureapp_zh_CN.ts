@@ -11047,11 +11047,11 @@ alignment = "{v2}"
     </message>
     <message>
       <source>{v1}: this is not a format for clouds.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：这不是点云文件的格式。</translation>
     </message>
     <message>
       <source>{v1}: this is not a format for meshes.</source>
-      <translation type="unfinished" />
+      <translation>{v1}：这不是网格文件的格式。</translation>
     </message>
     <message>
       <source>{v1}: two exposures have the same exposure_us.</source>
