@@ -14039,10 +14039,6 @@ alignment = "{v2}"
       <translation>逐点</translation>
     </message>
     <message>
-      <source>Edge</source>
-      <translation>棱边</translation>
-    </message>
-    <message>
       <source>Edit the inspection program as text: alignment, features, dimensions</source>
       <translation>以文本编辑检测程序：对齐、特征、尺寸</translation>
     </message>
@@ -15398,6 +15394,10 @@ alignment = "{v2}"
       <translation>投影仪黑电平与白电平之比</translation>
     </message>
     <message>
+      <source>Blooming</source>
+      <translation>溢出</translation>
+    </message>
+    <message>
       <source>Blue</source>
       <translation>蓝</translation>
     </message>
@@ -15748,6 +15748,10 @@ alignment = "{v2}"
     <message>
       <source>EGM port</source>
       <translation>EGM 端口</translation>
+    </message>
+    <message>
+      <source>Edge</source>
+      <translation>棱边</translation>
     </message>
     <message>
       <source>Edges</source>
@@ -16726,8 +16730,16 @@ alignment = "{v2}"
       <translation>impeller、gypsum、gear、sphere_plate、flat 之一，或网格文件（STL、PLY、OBJ）</translation>
     </message>
     <message>
+      <source>Order conflict</source>
+      <translation>级次冲突</translation>
+    </message>
+    <message>
       <source>Order of the images</source>
       <translation>图像顺序</translation>
+    </message>
+    <message>
+      <source>Out of range</source>
+      <translation>超出范围</translation>
     </message>
     <message>
       <source>Outlier</source>
@@ -17030,6 +17042,10 @@ alignment = "{v2}"
       <translation>示例：{name}</translation>
     </message>
     <message>
+      <source>Saturated</source>
+      <translation>饱和</translation>
+    </message>
+    <message>
       <source>Saving</source>
       <translation>保存</translation>
     </message>
@@ -17104,6 +17120,10 @@ alignment = "{v2}"
     <message>
       <source>Settling time</source>
       <translation>稳定时间</translation>
+    </message>
+    <message>
+      <source>Shadow</source>
+      <translation>阴影</translation>
     </message>
     <message>
       <source>Shake</source>
@@ -17604,6 +17624,10 @@ alignment = "{v2}"
     <message>
       <source>Warn</source>
       <translation>警告</translation>
+    </message>
+    <message>
+      <source>Weak modulation</source>
+      <translation>调制度低</translation>
     </message>
     <message>
       <source>Weighted least squares</source>

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from PySide6.QtCore import QPoint, Signal
-from PySide6.QtGui import QTextCursor, QTextDocument
 from PySide6.QtWidgets import QDialog, QTextBrowser, QWidget
 
 from measureapp.errors import InputError
@@ -11,8 +10,7 @@ from ui.look.language.help_pages import read_help
 from ui.look.language.words import TRANSLATOR, tr
 from ui.look.look import Look
 from ui.widgets.basic import Button, column, row
-
-ABOVE_HEADING, BELOW, BELOW_ITEM = 16, 8, 4  # px
+from ui.widgets.help_layout import lay_out
 
 
 class HelpDialog(QDialog):
@@ -23,7 +21,7 @@ class HelpDialog(QDialog):
     def __init__(self, look: Look, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self.setWindowTitle(tr("Help"))
-        self.resize(720, 640)
+        self.resize(800, 640)
         self.browser = QTextBrowser()
         self.browser.setOpenLinks(False)
         self.browser.anchorClicked.connect(lambda link: self.show_page(link.path().removesuffix(".md")))
@@ -53,7 +51,7 @@ class HelpDialog(QDialog):
         colour = self._look.theme.colours["accent_text"]
         self.browser.document().setDefaultStyleSheet(tr("a {{ color: {colour}; }}", colour=colour))
         self.browser.setMarkdown(text)
-        _space(self.browser.document())
+        lay_out(self.browser.document(), self._look.theme)
 
     def _show_again(self) -> None:
         """Follow a change of language or theme, at the same paragraph: pages have the same ones in all languages."""
@@ -64,15 +62,3 @@ class HelpDialog(QDialog):
         block = self.browser.document().findBlockByNumber(paragraph)
         top = self.browser.document().documentLayout().blockBoundingRect(block).top()
         self.browser.verticalScrollBar().setValue(round(top) if paragraph else 0)
-
-
-def _space(document: QTextDocument) -> None:
-    """Add paragraph spacing, which Qt omits for Markdown."""
-    block = document.begin()
-    while block.isValid():
-        cursor, form = QTextCursor(block), block.blockFormat()
-        if cursor.currentTable() is None:
-            form.setTopMargin(ABOVE_HEADING if form.headingLevel() > 1 else 0)
-            form.setBottomMargin(BELOW_ITEM if block.textList() is not None and block.next().textList() is not None else BELOW)
-            cursor.setBlockFormat(form)
-        block = block.next()

@@ -6,7 +6,7 @@ import re
 from collections import Counter
 
 import pytest
-from PySide6.QtGui import QTextDocument
+from PySide6.QtGui import QTextDocument, QTextTable
 
 from measureapp.errors import InputError
 from measureapp.resources import resource
@@ -136,6 +136,20 @@ def test_a_name_in_other_words_than_the_window_is_found():
         "residual = 残差",
         "Save as… = 另存为",
     ]
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_no_line_of_a_page_is_cut_and_tables_have_the_colours_of_the_theme(application, window, qtbot, language):
+    application.settings.set_text("language", language)
+    window.help.resize(640, 500)
+    for name in page_names():
+        window.help.show_page(name)
+        qtbot.wait(10)
+        browser = window.help.browser
+        assert browser.horizontalScrollBar().maximum() == 0, name
+        for table in (one for one in browser.document().rootFrame().childFrames() if isinstance(one, QTextTable)):
+            assert table.format().borderBrush().color() == application.look.theme.colour("line")
+    window.help.close()
 
 
 def test_open_help_follows_the_language_and_the_theme_at_the_same_paragraph(application, window, qtbot):

@@ -8,12 +8,16 @@ import pytest
 from PySide6.QtCore import QAbstractListModel, QModelIndex
 from PySide6.QtWidgets import QAbstractItemView, QDialog, QWidget
 
+from measureapp.calibrate.draft.estimate import Estimate
+from measureapp.calibrate.draft.verdict import BY_THE_ROBOT
 from measureapp.calibrate.kinds.table import KINDS
 from tests.ui.look.language.displayed import chart_texts, displayed_texts, painted_texts
+from ui.controllers.result import Result, ValueRow
 from ui.viewport.backend import missing_graphics
 from ui.widgets.basic import label
 from ui.widgets.empty_rows import EmptyRows
 from ui.widgets.segments import Segments
+from ui.wizards.result_page import ResultPage
 
 PATIENCE_MS = 60_000
 
@@ -87,6 +91,30 @@ def test_open_wizards_follow_the_language(application, sample, qtbot, tongues):
         tongues.listen(name, page.wizards[name])
         page.wizards[name].close()
     assert "\n".join(sorted(tongues.found)) == ""
+
+
+def test_the_result_of_a_wizard_follows_the_language(application, qtbot, tongues):
+    page = ResultPage(application.look)
+    qtbot.addWidget(page)
+    verdict = "Adds 0.021 mm (k = 2), at worst 0.131 mm, to a length of 300 mm in this volume: usable."
+    reasons = (BY_THE_ROBOT, "About 2.0 times as many observations, as different from each other, would make it good.")
+    row = ValueRow(Estimate("left.fx", 2045.3, 0.21, "px", "Camera left", "Focal length x"), 2045.1, 2044.9)
+    page.show_result(
+        Result(
+            *(None, None, None, verdict, "not proven", reasons, (row,)),
+            facts=(("Views used", "7 of 8"), ("Largest residual", "0.012 mm, 01")),
+            rejected=(("01", "There are no images of the board."),),
+            comparison=verdict,
+            has_truth=True,
+            has_previous=True,
+            held_back=verdict,
+        )
+    )
+    page.show()
+    english = {text for _, text in displayed_texts(page)}
+    tongues.listen("result", page)
+    assert "\n".join(sorted(tongues.found)) == ""
+    assert {text for _, text in displayed_texts(page)} == english
 
 
 def dialogs(window) -> dict[str, Callable[[], object]]:
