@@ -1184,8 +1184,8 @@
       <translation>已回到操作模式：一段时间没有输入。</translation>
     </message>
     <message>
-      <source>Order</source>
-      <translation>订单</translation>
+      <source>Order of the viewpoints</source>
+      <translation>视点顺序</translation>
     </message>
     <message>
       <source>Ordering the viewpoints</source>
@@ -13779,8 +13779,8 @@ alignment = "{v2}"
       <translation>证书长度…</translation>
     </message>
     <message>
-      <source>Change</source>
-      <translation>更改</translation>
+      <source>Change distance</source>
+      <translation>更改距离</translation>
     </message>
     <message>
       <source>Change nothing</source>
@@ -14283,6 +14283,10 @@ alignment = "{v2}"
       <translation>按此长度修正并重新测量各长度；可以撤销</translation>
     </message>
     <message>
+      <source>Measured</source>
+      <translation>测得值</translation>
+    </message>
+    <message>
       <source>Measured minus nominal</source>
       <translation>测量值减名义值</translation>
     </message>
@@ -14748,7 +14752,7 @@ alignment = "{v2}"
     </message>
     <message>
       <source>Symmetry</source>
-      <translation>对称度</translation>
+      <translation>对称</translation>
     </message>
     <message>
       <source>Tertiary datum</source>
@@ -14920,7 +14924,7 @@ alignment = "{v2}"
     </message>
     <message>
       <source>form {form}</source>
-      <translation>形状 {form}</translation>
+      <translation>形状误差 {form}</translation>
     </message>
     <message>
       <source>line</source>
@@ -16514,10 +16518,6 @@ alignment = "{v2}"
       <translation>光在表面以下被散射返回的平均深度</translation>
     </message>
     <message>
-      <source>Measured</source>
-      <translation>已测量</translation>
-    </message>
-    <message>
       <source>Measured by another camera</source>
       <translation>由另一相机测量</translation>
     </message>
@@ -16848,6 +16848,10 @@ alignment = "{v2}"
     <message>
       <source>Play of the table between both directions of turning</source>
       <translation>转台两个旋转方向之间的间隙</translation>
+    </message>
+    <message>
+      <source>Point measured</source>
+      <translation>已测得点</translation>
     </message>
     <message>
       <source>Port</source>
@@ -18184,6 +18188,10 @@ The first run of this part counts.</source>
     <message>
       <source>Operators are offered released programs only. Whatever changes a program makes it a new one, which is released again.</source>
       <translation>只向操作员提供已发布的程序。程序一经更改即为新程序，须重新发布。</translation>
+    </message>
+    <message>
+      <source>Order</source>
+      <translation>订单</translation>
     </message>
     <message>
       <source>PIN forgotten? Run this command on this computer, then set a new one: measureapp gui --reset-engineer-pin</source>
@@ -20002,7 +20010,7 @@ Its code runs with your rights on this computer. If any of its files changes, yo
     <message>
       <source>Hold a button to move on. Stop is no safety function:
 in danger use the emergency stop.</source>
-      <translation>按住按钮可继续移动。“停止”没有安全功能：
+      <translation>按住按钮可继续移动。“停止”不是安全功能：
 危险时请使用急停。</translation>
     </message>
     <message>
@@ -20586,7 +20594,7 @@ in danger use the emergency stop.</source>
     </message>
     <message>
       <source>Stop (Esc) is no safety function: in danger use the emergency stop.</source>
-      <translation>停止 (Esc) 没有安全功能：危险时请使用急停。</translation>
+      <translation>停止 (Esc) 不是安全功能：危险时请使用急停。</translation>
     </message>
     <message>
       <source>Stored</source>
@@ -21442,6 +21450,10 @@ in danger use the emergency stop.</source>
     <message>
       <source>Rainbow with green band</source>
       <translation>带绿色带的彩虹</translation>
+    </message>
+    <message>
+      <source>Rear</source>
+      <translation>后</translation>
     </message>
     <message>
       <source>Return</source>
@@ -22402,6 +22414,10 @@ Click to see all messages.</source>
     <message>
       <source>Calibrated and stored in the project.</source>
       <translation>已标定并随项目保存。</translation>
+    </message>
+    <message>
+      <source>Change</source>
+      <translation>变化</translation>
     </message>
     <message>
       <source>Check the board</source>

@@ -14,7 +14,7 @@ THIN = "\u2009"
 MINUS = "\u2212"
 SENTENCE_ENDS = ".!?…。！？"
 POINT_REASONS = {  # why a pixel has no point, by the names that documents use
-    "point": "Measured",
+    "point": "Point measured",
     "seen by another": "Measured by another camera",
     "flying": "Flying point",
     "grazing": "Grazing incidence",

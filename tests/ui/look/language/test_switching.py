@@ -15,6 +15,7 @@ from tests.ui.look.language.displayed import chart_texts, displayed_texts, paint
 from ui.controllers.result import Result, ValueRow
 from ui.viewport.backend import missing_graphics
 from ui.widgets.basic import label
+from ui.widgets.data_table import Cell, DataTable, number
 from ui.widgets.empty_rows import EmptyRows
 from ui.widgets.segments import Segments
 from ui.wizards.result_page import ResultPage
@@ -157,6 +158,19 @@ def test_texts_with_one_translation_become_what_they_were(application, window, q
     application.language.retranslation.finish()
     assert {words: one.text() for words, one in made.items()} == {words: words for words in made}
     assert [list_.button(one).text() for one in "df"] == ["Dimensions", "Features"]
+
+
+def test_columns_get_the_width_of_their_words(application, qtbot):
+    table = DataTable(application.look, ["Feature", "Form"], numeric=[1])
+    qtbot.addWidget(table)
+    table.set_rows([[Cell("bore"), number("0.1")]])
+    table.show()
+    english = table.columnWidth(1)
+    application.settings.set_text("language", "zh_CN")
+    needed = table.fontMetrics().horizontalAdvance("形状误差")
+    qtbot.waitUntil(lambda: table.columnWidth(1) >= needed > english, timeout=PATIENCE_MS // 12)
+    application.settings.set_text("language", "en")
+    qtbot.waitUntil(lambda: table.columnWidth(1) == english, timeout=PATIENCE_MS // 12)
 
 
 def test_lists_without_rows_say_how_they_are_filled(window):
