@@ -98,6 +98,6 @@ def test_nothing_waits_behind_the_preparation_which_takes_minutes_at_the_first_s
     controllers.background.run("Comparing with the nominal", lambda _job: "compared", reached.append, quiet=True)
     qtbot.waitUntil(lambda: reached == ["compared"], timeout=10_000)
     assert controllers.preparing.queue.busy
-    qtbot.waitUntil(lambda: len(window.pages.made) == len(window.pages))  # in idle moments, when all packages are imported
+    qtbot.waitUntil(lambda: len(window.pages.made) == len(window.pages), timeout=20_000)  # in idle moments, once all packages are there
     done.set()
     qtbot.waitUntil(lambda: not controllers.preparing.queue.busy, timeout=10_000)
