@@ -6828,6 +6828,10 @@
       <translation>，{v1} 个截面</translation>
     </message>
     <message>
+      <source>1 dimension, chi-square test at a level of {v1}</source>
+      <translation>1 个尺寸，卡方检验，显著性水平 {v1}</translation>
+    </message>
+    <message>
       <source>3-2-1 (plane {v1}, line {v2}, point {v3})</source>
       <translation>3-2-1（平面 {v1}、直线 {v2}、点 {v3}）</translation>
     </message>
@@ -7108,8 +7112,16 @@
       <translation>请指定同一工件的两个以上项目。</translation>
     </message>
     <message>
+      <source>No dimension has both a spread and a stated uncertainty to compare it with.</source>
+      <translation>没有尺寸同时具有离散和可与之比较的给定不确定度。</translation>
+    </message>
+    <message>
       <source>No shape grows from this place.</source>
       <translation>从此处不能生长任何形状。</translation>
+    </message>
+    <message>
+      <source>No spread contradicts the stated uncertainty ({v1}). Systematic errors cause no spread.</source>
+      <translation>没有离散与给定的不确定度矛盾（{v1}）。系统误差不产生离散。</translation>
     </message>
     <message>
       <source>Nothing was measured at a clicked place.</source>
@@ -7208,6 +7220,10 @@
       <translation>CAD 模型中没有其他尺寸和方向相同的孔。</translation>
     </message>
     <message>
+      <source>The alignment of the program does not show whether the part was clamped anew between the measurements.</source>
+      <translation>程序的对齐无法表明各次测量之间工件是否重新装夹。</translation>
+    </message>
+    <message>
       <source>The alignment of the program uses {v1}.</source>
       <translation>程序的对齐使用 {v1}。</translation>
     </message>
@@ -7274,6 +7290,14 @@
     <message>
       <source>The nominal of {v1} differs between {v2}: {v3}.</source>
       <translation>{v1} 的名义值在 {v2} 之间不同：{v3}。</translation>
+    </message>
+    <message>
+      <source>The part was displaced by up to {v1} mm between the measurements: the spread includes clamping (reproducibility).</source>
+      <translation>各次测量之间工件最多移动了 {v1} mm：离散包含装夹（复现性）。</translation>
+    </message>
+    <message>
+      <source>The part was neither displaced nor tilted between the measurements ({v1} mm; a rotation about z is not considered): the spread does not include clamping.</source>
+      <translation>各次测量之间工件既未移动也未倾斜（{v1} mm；不考虑绕 z 的旋转）：离散不包含装夹。</translation>
     </message>
     <message>
       <source>The part's temperature is not stated: its lengths are those at the temperature of the scan.</source>
@@ -7764,6 +7788,10 @@
       <translation>{v1} 个构造特征：{v2} … {v3}</translation>
     </message>
     <message>
+      <source>{v1} dimensions, chi-square test at a level of {v2} in all</source>
+      <translation>{v1} 个尺寸，卡方检验，总显著性水平 {v2}</translation>
+    </message>
+    <message>
       <source>{v1} do not have the same dimensions: only one has {v2}.</source>
       <translation>{v1} 的尺寸不相同：只有一个有 {v2}。</translation>
     </message>
@@ -8024,6 +8052,10 @@
       <translation>{v1}：未找到</translation>
     </message>
     <message>
+      <source>{v1}: not measured in {v2}; evaluated from {v3} of {v4} measurements.</source>
+      <translation>{v1}：在 {v2} 中未测量；由 {v4} 次测量中的 {v3} 次评定。</translation>
+    </message>
+    <message>
       <source>{v1}: only {v2} cells have enough points, {v3} are needed</source>
       <translation>{v1}：只有 {v2} 个单元有足够的点，需要 {v3} 个</translation>
     </message>
@@ -8066,6 +8098,10 @@
     <message>
       <source>{v1}: the points look like {v2}.</source>
       <translation>{v1}：这些点看来像 {v2}。</translation>
+    </message>
+    <message>
+      <source>{v1}: the standard deviation {v2} {v3} contradicts the stated uncertainty U = {v4} {v5} (chi-square test, {v6}): something varies that the uncertainty budget does not contain, for example clamping, temperature or the part itself.</source>
+      <translation>{v1}：标准差 {v2} {v3} 与给定的不确定度 U = {v4} {v5} 矛盾（卡方检验，{v6}）：有不确定度预算未包含的因素在变化，例如装夹、温度或工件本身。</translation>
     </message>
     <message>
       <source>{v1}: the three planes do not meet in one point: two are parallel, or all contain one direction</source>
@@ -8126,6 +8162,29 @@
     <message>
       <source>± {v1} ppm (k = 2)</source>
       <translation>± {v1} ppm (k = 2)</translation>
+    </message>
+  </context>
+  <context>
+    <name>core.language</name>
+    <message>
+      <source>Correct this translation.</source>
+      <translation>请更正此翻译。</translation>
+    </message>
+    <message>
+      <source>Install the program anew.</source>
+      <translation>请重新安装程序。</translation>
+    </message>
+    <message>
+      <source>There is no language {v1}.</source>
+      <translation>没有语言 {v1}。</translation>
+    </message>
+    <message>
+      <source>{v1} is not a file of Qt Linguist: {v2}.</source>
+      <translation>{v1} 不是 Qt Linguist 文件：{v2}。</translation>
+    </message>
+    <message>
+      <source>{v1}: “{v2}” has other placeholders than “{v3}”.</source>
+      <translation>{v1}：“{v2}”的占位符与“{v3}”不同。</translation>
     </message>
   </context>
   <context>
@@ -8196,8 +8255,20 @@
       <translation>相机 {v1} 不支持 {v2} µs 的曝光。</translation>
     </message>
     <message>
+      <source>Check that head and part are fixed, and {v1}</source>
+      <translation>请检查测头和工件是否固定，并{v1}</translation>
+    </message>
+    <message>
+      <source>Check the guide for play, and {v1}</source>
+      <translation>请检查导轨的间隙，并{v1}</translation>
+    </message>
+    <message>
       <source>Check the images; change exposures or viewpoints.</source>
       <translation>请检查图像；更改曝光或视点。</translation>
+    </message>
+    <message>
+      <source>Check the table for play, and {v1}</source>
+      <translation>请检查转台的间隙，并{v1}</translation>
     </message>
     <message>
       <source>Check whether part or head moved between the views and whether the calibration is of this rig; the images are kept.</source>
@@ -8298,6 +8369,10 @@
     <message>
       <source>Keep fewer points: a larger --every.</source>
       <translation>请保留较少的点：增大 --every。</translation>
+    </message>
+    <message>
+      <source>Let it warm up, and {v1}</source>
+      <translation>请让其预热，并{v1}</translation>
     </message>
     <message>
       <source>Measure it first: measureapp process {v1}.</source>
@@ -8488,12 +8563,20 @@
       <translation>请使用测量系统拍摄的图像组。</translation>
     </message>
     <message>
+      <source>all unsaturated exposures, weighted by inverse variance</source>
+      <translation>全部未饱和曝光，按方差倒数加权</translation>
+    </message>
+    <message>
       <source>axes that move otherwise than calibrated, such as run-out of the table, or a part that moved</source>
       <translation>轴的运动与标定不同，如转台跳动，或工件移动过</translation>
     </message>
     <message>
       <source>blur or light that depends on the direction of the surface, such as a part less sharp than the board</source>
       <translation>与表面方向有关的模糊或光照，如工件不如标定板清晰</translation>
+    </message>
+    <message>
+      <source>calibrate the rig again.</source>
+      <translation>重新标定测量系统。</translation>
     </message>
     <message>
       <source>camera pixel</source>
@@ -8524,6 +8607,14 @@
       <translation>正在边接收图像边解码</translation>
     </message>
     <message>
+      <source>differs from one pose of the robot to the next</source>
+      <translation>随机器人的位姿而变化</translation>
+    </message>
+    <message>
+      <source>differs from view to view, whatever the axes read</source>
+      <translation>随视图而变化，与各轴读数无关</translation>
+    </message>
+    <message>
       <source>distances from a nominal</source>
       <translation>到名义模型的距离</translation>
     </message>
@@ -8534,6 +8625,14 @@
     <message>
       <source>error motions of the table, or a part that moved</source>
       <translation>转台的误差运动，或工件移动过</translation>
+    </message>
+    <message>
+      <source>follows the angle of the table</source>
+      <translation>随转台角度变化</translation>
+    </message>
+    <message>
+      <source>follows the position of the guide</source>
+      <translation>随导轨位置变化</translation>
     </message>
     <message>
       <source>for {v1} mm²: {v2}</source>
@@ -8624,6 +8723,10 @@
       <translation>转台角度</translation>
     </message>
     <message>
+      <source>the calibrated robot</source>
+      <translation>标定的机器人</translation>
+    </message>
+    <message>
       <source>the file</source>
       <translation>该文件</translation>
     </message>
@@ -8634,6 +8737,18 @@
     <message>
       <source>the lens model of the cameras, or a camera that moved since the calibration</source>
       <translation>相机的镜头模型，或标定后移动过的相机</translation>
+    </message>
+    <message>
+      <source>the model of the guide's error motions</source>
+      <translation>导轨误差运动的模型</translation>
+    </message>
+    <message>
+      <source>the model of the table's error motions</source>
+      <translation>转台误差运动的模型</translation>
+    </message>
+    <message>
+      <source>the repeatability of the axes</source>
+      <translation>各轴的重复精度</translation>
     </message>
     <message>
       <source>the table's axis</source>
@@ -8778,6 +8893,10 @@
     <message>
       <source>{v1} were compared with different nominals.</source>
       <translation>{v1} 是与不同名义模型比较的。</translation>
+    </message>
+    <message>
+      <source>{v1}: full well {v2} e, read noise {v3} e</source>
+      <translation>{v1}：满阱容量 {v2} e，读出噪声 {v3} e</translation>
     </message>
     <message>
       <source>{v1}: its points lie {v2} mm in front of what other views see there</source>
@@ -12317,12 +12436,104 @@ alignment = "{v2}"
   <context>
     <name>core.report</name>
     <message>
+      <source>95 % interval {low} … {high}</source>
+      <translation>95 % 区间 {low} … {high}</translation>
+    </message>
+    <message>
+      <source>95 % within</source>
+      <translation>95 % 以内</translation>
+    </message>
+    <message>
+      <source>About the alignment</source>
+      <translation>关于对齐</translation>
+    </message>
+    <message>
       <source>Add measured projects: measureapp series add PROJECT.</source>
       <translation>请添加已测项目：measureapp series add PROJECT。</translation>
     </message>
     <message>
+      <source>Adds to a length (k = 2)</source>
+      <translation>对长度的贡献 (k = 2)</translation>
+    </message>
+    <message>
+      <source>Alignment to the nominal</source>
+      <translation>与名义模型的对齐</translation>
+    </message>
+    <message>
+      <source>Alignment: {name}. Positive: outside the nominal. Hatched: not measured within {reach} mm.</source>
+      <translation>对齐：{name}。正值：在名义表面之外。阴影线：{reach} mm 内未测量。</translation>
+    </message>
+    <message>
+      <source>All dimensions</source>
+      <translation>全部尺寸</translation>
+    </message>
+    <message>
+      <source>All dimensions refer to the alignment by {name}.</source>
+      <translation>所有尺寸均以{name}对齐为参考。</translation>
+    </message>
+    <message>
+      <source>All {v1} dimensions pass.</source>
+      <translation>全部 {v1} 个尺寸合格。</translation>
+    </message>
+    <message>
+      <source>All {v1} dimensions with a tolerance pass; {v2} without tolerance.</source>
+      <translation>有公差的 {v1} 个尺寸全部合格；{v2} 个无公差。</translation>
+    </message>
+    <message>
+      <source>Balloon</source>
+      <translation>气泡号</translation>
+    </message>
+    <message>
+      <source>Below, above</source>
+      <translation>低于、高于</translation>
+    </message>
+    <message>
+      <source>Calibration age</source>
+      <translation>标定距测量的时间</translation>
+    </message>
+    <message>
+      <source>Camera drift check</source>
+      <translation>相机漂移检查</translation>
+    </message>
+    <message>
       <source>Check the path of the logo.</source>
       <translation>请检查徽标的路径。</translation>
+    </message>
+    <message>
+      <source>Checked</source>
+      <translation>审核</translation>
+    </message>
+    <message>
+      <source>Checked: name, date, signature</source>
+      <translation>审核：姓名、日期、签名</translation>
+    </message>
+    <message>
+      <source>Checks of the error model</source>
+      <translation>误差模型的检验</translation>
+    </message>
+    <message>
+      <source>Cloud and alignment</source>
+      <translation>点云与对齐</translation>
+    </message>
+    <message>
+      <source>Comparison of nominal and measured dimensions</source>
+      <translation>名义尺寸与实测尺寸的比较</translation>
+    </message>
+    <message>
+      <source>Complete</source>
+      <translation>完整性</translation>
+    </message>
+    <message>
+      <source>Confidence level</source>
+      <translation>置信水平</translation>
+    </message>
+    <message>
+      <source>Contributions to U (k = 2)</source>
+      <translation>对 U 的贡献 (k = 2)</translation>
+    </message>
+    <message>
+      <source>Control frame</source>
+      <translation>公差框格</translation>
     </message>
     <message>
       <source>Correct `layout` in {v1}.</source>
@@ -12337,6 +12548,70 @@ alignment = "{v2}"
       <translation>请更正模板的此条目。</translation>
     </message>
     <message>
+      <source>Cross-sections</source>
+      <translation>截面</translation>
+    </message>
+    <message>
+      <source>Designator</source>
+      <translation>特性标识</translation>
+    </message>
+    <message>
+      <source>Deviation from the nominal in colours</source>
+      <translation>以颜色表示的与名义模型的偏差</translation>
+    </message>
+    <message>
+      <source>Deviation on the nominal, {v1}</source>
+      <translation>名义表面上的偏差，{v1}</translation>
+    </message>
+    <message>
+      <source>Dimensions that do not pass</source>
+      <translation>未合格的尺寸</translation>
+    </message>
+    <message>
+      <source>Dimensions, the worst first</source>
+      <translation>尺寸，最差者在前</translation>
+    </message>
+    <message>
+      <source>Drag to turn, wheel to zoom, Shift and drag to move, double-click to reset. Click a dimension to see its place.</source>
+      <translation>拖动旋转，滚轮缩放，按住 Shift 拖动平移，双击复位。单击尺寸可查看其位置。</translation>
+    </message>
+    <message>
+      <source>Each part counts once, with its last measurement. Values measured with another nominal or other limits are left out. Below each chart: moving ranges.</source>
+      <translation>每个工件只计一次，取其最后一次测量。以其他名义值或其他极限测得的值不计入。各图下方：移动极差。</translation>
+    </message>
+    <message>
+      <source>Error motions</source>
+      <translation>误差运动</translation>
+    </message>
+    <message>
+      <source>Evaluated by another version of MeasureApp than the rest: {v1}. Their U may follow another error model.</source>
+      <translation>由与其余不同的 MeasureApp 版本评定：{v1}。其 U 依据的误差模型可能不同。</translation>
+    </message>
+    <message>
+      <source>Exposure rule</source>
+      <translation>曝光规则</translation>
+    </message>
+    <message>
+      <source>Exposures (µs)</source>
+      <translation>曝光 (µs)</translation>
+    </message>
+    <message>
+      <source>Exposures ms</source>
+      <translation>曝光 ms</translation>
+    </message>
+    <message>
+      <source>Filled, too far</source>
+      <translation>已填补、过远</translation>
+    </message>
+    <message>
+      <source>Flange in base x, y, z mm</source>
+      <translation>法兰在基座系中 x, y, z mm</translation>
+    </message>
+    <message>
+      <source>Further dimensions</source>
+      <translation>其他尺寸</translation>
+    </message>
+    <message>
       <source>Give a PNG, JPEG or SVG file of at most 5 MB.</source>
       <translation>请给出最大 5 MB 的 PNG、JPEG 或 SVG 文件。</translation>
     </message>
@@ -12345,12 +12620,524 @@ alignment = "{v2}"
       <translation>请给出含 template.toml 的文件夹，或 Typst 文件。</translation>
     </message>
     <message>
+      <source>Guide mm</source>
+      <translation>导轨 mm</translation>
+    </message>
+    <message>
+      <source>Head temperature during calibration</source>
+      <translation>标定时的测头温度</translation>
+    </message>
+    <message>
+      <source>Head temperature during scan</source>
+      <translation>扫描时的测头温度</translation>
+    </message>
+    <message>
+      <source>In tolerance</source>
+      <translation>公差带内位置</translation>
+    </message>
+    <message>
+      <source>Interval of s</source>
+      <translation>s 的区间</translation>
+    </message>
+    <message>
+      <source>Length reference</source>
+      <translation>长度基准</translation>
+    </message>
+    <message>
+      <source>Lengths in mm. The bar shows the deviation between lower and upper limit, with ± U; a square lies beyond the bar’s end.</source>
+      <translation>长度单位为 mm。条形图显示偏差在下极限与上极限之间的位置，并带 ± U；方块表示超出条形图末端。</translation>
+    </message>
+    <message>
+      <source>Letters</source>
+      <translation>字母</translation>
+    </message>
+    <message>
+      <source>Limits</source>
+      <translation>极限</translation>
+    </message>
+    <message>
+      <source>Limits of the drift check</source>
+      <translation>漂移检查的限度</translation>
+    </message>
+    <message>
+      <source>Loop closure</source>
+      <translation>闭环</translation>
+    </message>
+    <message>
+      <source>Marks of the board</source>
+      <translation>标定板的标记</translation>
+    </message>
+    <message>
+      <source>Maximum (behind)</source>
+      <translation>最大值（背面）</translation>
+    </message>
+    <message>
+      <source>Maximum at</source>
+      <translation>最大值位置</translation>
+    </message>
+    <message>
+      <source>Maximum, confirmed</source>
+      <translation>最大值，已确认</translation>
+    </message>
+    <message>
+      <source>Mean moving range</source>
+      <translation>平均移动极差</translation>
+    </message>
+    <message>
+      <source>Mean ±</source>
+      <translation>平均值 ±</translation>
+    </message>
+    <message>
+      <source>Measured at</source>
+      <translation>测量时间</translation>
+    </message>
+    <message>
+      <source>Measured points, {v1}</source>
+      <translation>测得的点，{v1}</translation>
+    </message>
+    <message>
+      <source>Measured surface (dark: filled, not measured), {v1}</source>
+      <translation>测量的表面（深色：已填补，未测量），{v1}</translation>
+    </message>
+    <message>
+      <source>Measured surface, rotatable</source>
+      <translation>测量的表面，可旋转</translation>
+    </message>
+    <message>
+      <source>Measured surface, {v1}</source>
+      <translation>测量的表面，{v1}</translation>
+    </message>
+    <message>
+      <source>Measured: name, date, signature</source>
+      <translation>测量：姓名、日期、签名</translation>
+    </message>
+    <message>
+      <source>Merge voxel (mm)</source>
+      <translation>合并体素 (mm)</translation>
+    </message>
+    <message>
+      <source>Minimum (behind)</source>
+      <translation>最小值（背面）</translation>
+    </message>
+    <message>
+      <source>Minimum at</source>
+      <translation>最小值位置</translation>
+    </message>
+    <message>
+      <source>Minimum, confirmed</source>
+      <translation>最小值，已确认</translation>
+    </message>
+    <message>
+      <source>NO VERDICT</source>
+      <translation>不作判定</translation>
+    </message>
+    <message>
+      <source>No deviation from the nominal</source>
+      <translation>没有与名义模型的偏差</translation>
+    </message>
+    <message>
+      <source>No dimension has a tolerance: no verdict.</source>
+      <translation>没有尺寸带公差：不作判定。</translation>
+    </message>
+    <message>
+      <source>No inspection program: no dimensions evaluated.</source>
+      <translation>没有检测程序：未评定尺寸。</translation>
+    </message>
+    <message>
+      <source>No spread: no index.</source>
+      <translation>没有离散：不给出指数。</translation>
+    </message>
+    <message>
+      <source>No tolerance: no index.</source>
+      <translation>没有公差：不给出指数。</translation>
+    </message>
+    <message>
+      <source>No.</source>
+      <translation>序号</translation>
+    </message>
+    <message>
+      <source>No. {number} · nominal {nominal}, tolerance</source>
+      <translation>序号 {number} · 名义值 {nominal}，公差</translation>
+    </message>
+    <message>
+      <source>Noise mm</source>
+      <translation>噪声 mm</translation>
+    </message>
+    <message>
+      <source>Nominal not seen</source>
+      <translation>名义表面未看到</translation>
+    </message>
+    <message>
+      <source>Not determined by the points</source>
+      <translation>点未能确定的运动</translation>
+    </message>
+    <message>
+      <source>Note</source>
+      <translation>说明</translation>
+    </message>
+    <message>
+      <source>Number of runs</source>
+      <translation>测量次数</translation>
+    </message>
+    <message>
+      <source>Of 1 dimension: {v1}.</source>
+      <translation>1 个尺寸：{v1}。</translation>
+    </message>
+    <message>
+      <source>Of all points</source>
+      <translation>全部点</translation>
+    </message>
+    <message>
+      <source>Of {v1} dimensions: {v2}.</source>
+      <translation>{v1} 个尺寸中：{v2}。</translation>
+    </message>
+    <message>
+      <source>Page {page} of {pages}</source>
+      <translation>第 {page} 页，共 {pages} 页</translation>
+    </message>
+    <message>
+      <source>Parts with a value</source>
+      <translation>有测得值的工件</translation>
+    </message>
+    <message>
+      <source>Points within the scale</source>
+      <translation>色标范围内的点</translation>
+    </message>
+    <message>
+      <source>Points within {limits}</source>
+      <translation>{limits} 内的点</translation>
+    </message>
+    <message>
+      <source>Points, filter and criterion</source>
+      <translation>点、滤波与准则</translation>
+    </message>
+    <message>
+      <source>Positions as read back from the axes; exposures of the stored images.</source>
+      <translation>位置为各轴的回读值；曝光为所存图像的曝光。</translation>
+    </message>
+    <message>
+      <source>Preliminary: {v1} parts.</source>
+      <translation>初步：{v1} 个工件。</translation>
+    </message>
+    <message>
+      <source>RMS</source>
+      <translation>均方根</translation>
+    </message>
+    <message>
+      <source>Reason for repeating</source>
+      <translation>重测原因</translation>
+    </message>
+    <message>
+      <source>Released</source>
+      <translation>批准</translation>
+    </message>
+    <message>
+      <source>Released: name, date, signature</source>
+      <translation>批准：姓名、日期、签名</translation>
+    </message>
+    <message>
+      <source>Report written {time}.</source>
+      <translation>报告生成于 {time}。</translation>
+    </message>
+    <message>
+      <source>Residual mm</source>
+      <translation>残差 mm</translation>
+    </message>
+    <message>
+      <source>Residual of the alignment</source>
+      <translation>对齐的残差</translation>
+    </message>
+    <message>
+      <source>Residuals of the alignment</source>
+      <translation>对齐的残差</translation>
+    </message>
+    <message>
+      <source>Rig calibrated</source>
+      <translation>测量系统标定</translation>
+    </message>
+    <message>
+      <source>Rotation axis</source>
+      <translation>旋转轴</translation>
+    </message>
+    <message>
+      <source>Rotation °</source>
+      <translation>旋转 °</translation>
+    </message>
+    <message>
+      <source>Runs</source>
+      <translation>各次测量</translation>
+    </message>
+    <message>
+      <source>Section at {v1} = {v2} mm: nominal in black, deviation enlarged {v3} times</source>
+      <translation>{v1} = {v2} mm 处的截面：黑色为名义轮廓，偏差放大 {v3} 倍</translation>
+    </message>
+    <message>
+      <source>Shift and rotation: correction of the kinematic position by registration. Residual: rms distance from neighbouring views after registration.</source>
+      <translation>平移与旋转：配准对运动学位置的修正。残差：配准后与相邻视图的均方根距离。</translation>
+    </message>
+    <message>
+      <source>Shift mm</source>
+      <translation>平移 mm</translation>
+    </message>
+    <message>
+      <source>Spacing (mm)</source>
+      <translation>点间距 (mm)</translation>
+    </message>
+    <message>
+      <source>Std. dev. s</source>
+      <translation>标准差 s</translation>
+    </message>
+    <message>
+      <source>Stitched points</source>
+      <translation>拼接后的点数</translation>
+    </message>
+    <message>
+      <source>Summary</source>
+      <translation>摘要</translation>
+    </message>
+    <message>
+      <source>Table °</source>
+      <translation>转台 °</translation>
+    </message>
+    <message>
+      <source>Temperature of the part</source>
+      <translation>工件温度</translation>
+    </message>
+    <message>
+      <source>The alignment is a best fit, which belongs to no datum system and spreads defects over the whole part: for comparison only.</source>
+      <translation>对齐采用最佳拟合，它不属于任何基准体系，并会把缺陷分摊到整个工件上：仅供比较。</translation>
+    </message>
+    <message>
       <source>The series of {v1} has no runs.</source>
       <translation>{v1} 的系列没有测量。</translation>
     </message>
     <message>
+      <source>The {count} earlier runs are in the CSV and JSON files.</source>
+      <translation>更早的 {count} 次测量见 CSV 和 JSON 文件。</translation>
+    </message>
+    <message>
+      <source>This part was measured without an inspection program: the report contains views and cloud, but no dimensions.</source>
+      <translation>此工件未用检测程序测量：报告包含视图和点云，但不含尺寸。</translation>
+    </message>
+    <message>
+      <source>To</source>
+      <translation>至</translation>
+    </message>
+    <message>
+      <source>Traceability and uncertainty budget</source>
+      <translation>溯源与不确定度预算</translation>
+    </message>
+    <message>
+      <source>U (k = 2)</source>
+      <translation>U (k = 2)</translation>
+    </message>
+    <message>
+      <source>U of one value (k = 2)</source>
+      <translation>单个值的 U (k = 2)</translation>
+    </message>
+    <message>
+      <source>Valid pixels of the exposures</source>
+      <translation>各曝光的有效像素</translation>
+    </message>
+    <message>
+      <source>Valid: above zero and unsaturated in all images of the exposure; composite: of the longest exposure in which the pixel is unsaturated; decoded: with a phase. Means over the viewpoints.</source>
+      <translation>有效：在该曝光的所有图像中大于零且未饱和；合成：取像素未饱和的最长曝光；已解码：有相位。各视点的平均值。</translation>
+    </message>
+    <message>
+      <source>Viewpoints as measured</source>
+      <translation>实测视点</translation>
+    </message>
+    <message>
+      <source>Warning</source>
+      <translation>警告</translation>
+    </message>
+    <message>
+      <source>Warning.</source>
+      <translation>警告：</translation>
+    </message>
+    <message>
+      <source>Worst {count} of {total} dimensions</source>
+      <translation>{total} 个尺寸中最差的 {count} 个</translation>
+    </message>
+    <message>
+      <source>Written</source>
+      <translation>生成时间</translation>
+    </message>
+    <message>
+      <source>Zone</source>
+      <translation>图区</translation>
+    </message>
+    <message>
+      <source>aligned by {name}</source>
+      <translation>按{name}对齐</translation>
+    </message>
+    <message>
+      <source>at most {v1} mm ({v2})</source>
+      <translation>最多 {v1} mm（{v2}）</translation>
+    </message>
+    <message>
+      <source>blur {v1} px</source>
+      <translation>模糊 {v1} px</translation>
+    </message>
+    <message>
+      <source>calibration board; uncertainty of its lengths and of the part temperature {v1}</source>
+      <translation>标定板；其长度及工件温度的不确定度{v1}</translation>
+    </message>
+    <message>
+      <source>contradicts U</source>
+      <translation>与 U 矛盾</translation>
+    </message>
+    <message>
+      <source>defines the part frame</source>
+      <translation>定义工件坐标系</translation>
+    </message>
+    <message>
+      <source>deviation {v1}</source>
+      <translation>偏差 {v1}</translation>
+    </message>
+    <message>
+      <source>displaced by {v1} mm (rms), estimated with the cameras</source>
+      <translation>位移 {v1} mm（均方根），与相机一并估计</translation>
+    </message>
+    <message>
+      <source>exposure rule</source>
+      <translation>曝光规则</translation>
+    </message>
+    <message>
+      <source>exposure {v1}</source>
+      <translation>曝光 {v1}</translation>
+    </message>
+    <message>
+      <source>from the opposite side, below</source>
+      <translation>从对侧下方</translation>
+    </message>
+    <message>
+      <source>guide: {v1}</source>
+      <translation>导轨：{v1}</translation>
+    </message>
+    <message>
+      <source>in the contribution "scale"</source>
+      <translation>计入“比例”分量</translation>
+    </message>
+    <message>
+      <source>joined by common surface</source>
+      <translation>按公共表面合并</translation>
+    </message>
+    <message>
+      <source>joined by common surface and nominal</source>
+      <translation>按公共表面和名义模型合并</translation>
+    </message>
+    <message>
+      <source>joined by reference spheres</source>
+      <translation>按参考球合并</translation>
+    </message>
+    <message>
+      <source>mean moving range of two parts / 1.128</source>
+      <translation>相邻两工件的平均移动极差 / 1.128</translation>
+    </message>
+    <message>
+      <source>measured {time}, rig calibrated {calibrated}</source>
+      <translation>测量于 {time}，测量系统标定于 {calibrated}</translation>
+    </message>
+    <message>
+      <source>no value</source>
+      <translation>无值</translation>
+    </message>
+    <message>
+      <source>not as planned</source>
+      <translation>与计划不同</translation>
+    </message>
+    <message>
+      <source>not included (taken as exact)</source>
+      <translation>未计入（视为精确）</translation>
+    </message>
+    <message>
+      <source>not reported by the rig</source>
+      <translation>测量系统未报告</translation>
+    </message>
+    <message>
+      <source>not stitched</source>
+      <translation>未拼接</translation>
+    </message>
+    <message>
+      <source>oblique view</source>
+      <translation>斜视图</translation>
+    </message>
+    <message>
+      <source>over {v1} views around the part: {v2}</source>
+      <translation>绕工件 {v1} 个视图：{v2}</translation>
+    </message>
+    <message>
+      <source>rms {v1} px</source>
+      <translation>均方根 {v1} px</translation>
+    </message>
+    <message>
+      <source>scale {v1} ± {v2}, σ {v3}°, straightness {v4} mm</source>
+      <translation>比例 {v1} ± {v2}，σ {v3}°，直线度 {v4} mm</translation>
+    </message>
+    <message>
+      <source>serial {v1}</source>
+      <translation>序列号 {v1}</translation>
+    </message>
+    <message>
+      <source>standard deviation of all parts</source>
+      <translation>所有工件的标准差</translation>
+    </message>
+    <message>
+      <source>table: {v1}</source>
+      <translation>转台：{v1}</translation>
+    </message>
+    <message>
+      <source>template {name}, version {version}</source>
+      <translation>模板 {name}，版本 {version}</translation>
+    </message>
+    <message>
       <source>the template</source>
       <translation>模板</translation>
+    </message>
+    <message>
+      <source>top view</source>
+      <translation>俯视图</translation>
+    </message>
+    <message>
+      <source>within U</source>
+      <translation>在 U 之内</translation>
+    </message>
+    <message>
+      <source>written {time}</source>
+      <translation>生成于 {time}</translation>
+    </message>
+    <message>
+      <source>{count} no tolerance</source>
+      <translation>{count} 个无公差</translation>
+    </message>
+    <message>
+      <source>{role}: name, date, signature</source>
+      <translation>{role}：姓名、日期、签名</translation>
+    </message>
+    <message>
+      <source>{v1} (an earlier one)</source>
+      <translation>{v1}（更早的版本）</translation>
+    </message>
+    <message>
+      <source>{v1} (hidden in this view)</source>
+      <translation>{v1}（在此视图中被遮挡）</translation>
+    </message>
+    <message>
+      <source>{v1} Normal distribution not tested. The spread includes that of the measurement.</source>
+      <translation>{v1} 未检验正态分布。离散包含测量的离散。</translation>
+    </message>
+    <message>
+      <source>{v1} before</source>
+      <translation>测量前 {v1}</translation>
+    </message>
+    <message>
+      <source>{v1} before (see the warning)</source>
+      <translation>测量前 {v1}（见警告）</translation>
+    </message>
+    <message>
+      <source>{v1} days</source>
+      <translation>{v1} 天</translation>
     </message>
     <message>
       <source>{v1} does not exist.</source>
@@ -12361,8 +13148,56 @@ alignment = "{v2}"
       <translation>{v1} 不是报告能显示的徽标。</translation>
     </message>
     <message>
+      <source>{v1} mm and {v2}° (expected: {v3} mm)</source>
+      <translation>{v1} mm 和 {v2}°（预期：{v3} mm）</translation>
+    </message>
+    <message>
+      <source>{v1} mm rms over {v2} of the points</source>
+      <translation>{v1} mm 均方根，占点的 {v2}</translation>
+    </message>
+    <message>
+      <source>{v1} of {v2} used</source>
+      <translation>使用 {v2} 个中的 {v1} 个</translation>
+    </message>
+    <message>
+      <source>{v1} parts.</source>
+      <translation>{v1} 个工件。</translation>
+    </message>
+    <message>
+      <source>{v1} parts: no index below {v2}.</source>
+      <translation>{v1} 个工件：少于 {v2} 个不给出指数。</translation>
+    </message>
+    <message>
+      <source>{v1} triangles</source>
+      <translation>{v1} 个三角形</translation>
+    </message>
+    <message>
+      <source>{v1} triangles, {v2} filled</source>
+      <translation>{v1} 个三角形，{v2} 为填补</translation>
+    </message>
+    <message>
+      <source>{v1}, {v2} common; joint σ {v3} mm and {v4}°, residual {v5} mm</source>
+      <translation>{v1}，{v2} 公共；连接 σ {v3} mm 和 {v4}°，残差 {v5} mm</translation>
+    </message>
+    <message>
       <source>{v1}: the report template has an error: {v2}.</source>
       <translation>{v1}：报告模板有错误：{v2}。</translation>
+    </message>
+    <message>
+      <source>{v1}; composite {v2}; decoded {v3} (least {v4}, {v5})</source>
+      <translation>{v1}；合成 {v2}；已解码 {v3}（最少 {v4}，{v5}）</translation>
+    </message>
+    <message>
+      <source>± and interval: confidence intervals from the spread alone (Student’s t, chi-square). p: probability of this spread or a larger one if the stated uncertainty U is right. Systematic errors cause no spread.</source>
+      <translation>± 和区间：仅由离散得出的置信区间（学生 t 分布、卡方分布）。p：若给定的不确定度 U 正确，出现此离散或更大离散的概率。系统误差不产生离散。</translation>
+    </message>
+    <message>
+      <source>σ {v1} mm and {v2}°, residual {v3} mm</source>
+      <translation>σ {v1} mm 和 {v2}°，残差 {v3} mm</translation>
+    </message>
+    <message>
+      <source>σ {v1} mm and {v2}°, residual {v3} mm ({v4})</source>
+      <translation>σ {v1} mm 和 {v2}°，残差 {v3} mm（{v4}）</translation>
     </message>
   </context>
   <context>
@@ -14992,15 +15827,15 @@ alignment = "{v2}"
     </message>
     <message>
       <source>{count} fail</source>
-      <translation>{count} 不合格</translation>
+      <translation>{count} 个不合格</translation>
     </message>
     <message>
       <source>{count} not measured</source>
-      <translation>{count} 未测量</translation>
+      <translation>{count} 个未测量</translation>
     </message>
     <message>
       <source>{count} not proven</source>
-      <translation>{count} 未证实</translation>
+      <translation>{count} 个未证实</translation>
     </message>
     <message>
       <source>{count} of 6 degrees of freedom fixed</source>
@@ -15008,7 +15843,7 @@ alignment = "{v2}"
     </message>
     <message>
       <source>{count} pass</source>
-      <translation>{count} 合格</translation>
+      <translation>{count} 个合格</translation>
     </message>
     <message>
       <source>{count} stale</source>
@@ -16515,7 +17350,7 @@ alignment = "{v2}"
     </message>
     <message>
       <source>Measured</source>
-      <translation>已测量</translation>
+      <translation>实测</translation>
     </message>
     <message>
       <source>Measured by another camera</source>

@@ -21,13 +21,13 @@ from measureapp.geometry.fits import fit
 from measureapp.inspection.features.found_feature import find_feature
 from measureapp.inspection.measured_points import MeasuredPoints
 from measureapp.inspection.settings import InspectionSettings
+from measureapp.language.catalogue import read_catalogue
+from measureapp.language.translator import Translator
 from measureapp.pipeline.consistency.check import PROPERTIES
 from measureapp.pipeline.sample import SampleScan, sample_request
 from measureapp.register.clouds.quality import assess_cloud
 from measureapp.resources import resource
-from ui.look.language.catalogue import read_catalogue
 from ui.look.language.sources import catalogue_file
-from ui.look.language.words import Translator
 from ui.look.wording import keep_units, sentence, sentence_case
 
 KEPT = re.compile(
