@@ -18,6 +18,7 @@ SURE_LETTERS = 10  # fixed letters of a template by which a message is recognise
 LEAST_LETTERS = 6  # and by which it is recognised if its values are single words, or texts that are known
 FEWEST_LETTERS = 3  # and if it is a whole sentence with values that are known or no words, or if its values are numbers
 ANY = f".{{0,{LONGEST_VALUE}}}?"
+REPEATED_LETTERS = 5  # of a fixed piece by which a value is found to contain its template again
 NUMBER = r"[-+−±]?\d[\d.,]*"
 
 
@@ -126,8 +127,8 @@ def fixed_letters(source: str) -> int:
 
 def _repeated(source: str, match: re.Match[str]) -> bool:
     """Whether a value contains a fixed piece of its template again: the text lists several, which are translated one by one."""
-    piece = max(PLACEHOLDER.split(source)[::2], key=len)
-    return WORD.search(piece) is not None and any(piece in value for value in match.groups())
+    pieces = [piece for piece in PLACEHOLDER.split(source)[::2] if len(LETTER.findall(piece)) >= REPEATED_LETTERS]
+    return any(piece in value for piece in pieces for value in match.groups())
 
 
 @cache

@@ -12,7 +12,7 @@ from measureapp.language.catalogue import LEAST_LETTERS, PLACEHOLDER, SURE_LETTE
 
 KEPT = 20_000  # texts whose origin is remembered, so that they can be translated anew when the language changes
 SEPARATORS = [re.compile(f"({one})") for one in (r"\n", r"(?<=[.!?…]) ", " · ", ": ", "; ", ", ")]  # the coarsest first
-AND = re.compile("( and )")
+AND = re.compile("( and | or )")
 LETTERS = re.compile(r"[A-Za-z]{2}")
 
 

@@ -51,6 +51,7 @@ COUNTED = {
     Verdict.PASS: "{count} pass",
     Verdict.NO_TOLERANCE: "{count} no tolerance",
 }
+PAIR = "Cameras {name}"
 BEST_FIT = "The alignment is a best fit, which belongs to no datum system and spreads defects over the whole part: for comparison only."
 
 
@@ -263,7 +264,7 @@ def _validity_facts(validity: Validity) -> tuple[Fact, ...]:
 def _calibration_facts(calibration: RigCalibration) -> tuple[Fact, ...]:
     cameras = calibration.cameras
     facts = [Fact(f"Camera {name}", _camera_words(cameras.cameras[name])) for name in cameras.names]
-    facts += [Fact(f"Pair {name}", f"rms {number(rms)} px") for name, rms in cameras.pair_rms_px.items()]
+    facts += [Fact(PAIR.format(name=name), f"rms {number(rms)} px") for name, rms in cameras.pair_rms_px.items()]
     if cameras.marks_rms_mm:
         facts.append(Fact("Marks of the board", f"displaced by {number(cameras.marks_rms_mm)} mm (rms), estimated with the cameras"))
     axis, hand_eye, guide = calibration.axis, calibration.hand_eye, calibration.guide

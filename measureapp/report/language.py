@@ -8,7 +8,7 @@ from pathlib import Path
 
 from measureapp.data.dimension import Dimension
 from measureapp.language.languages import ENGLISH, catalogue_of
-from measureapp.language.translator import Translator
+from measureapp.language.translator import Translator, punctuated
 from measureapp.report.model import ReportModel
 from measureapp.report.words import format_name
 
@@ -37,6 +37,10 @@ class Words:
         """Return a lower-case word of a document, which the catalogue may have as a label."""
         there = self.tr(word)
         return there if there != word else self.tr(word.capitalize()) if self.language != ENGLISH else word
+
+    def listed(self, text: str) -> str:
+        """Return a text of translated items with the marks of its language between them."""
+        return text if self.language == ENGLISH else punctuated(text)
 
     @property
     def tag(self) -> str:

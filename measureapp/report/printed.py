@@ -260,7 +260,7 @@ def _about(dimension: Dimension, words: Words) -> str:
         "" if kind.lower() in format_name(dimension.name).lower() else kind_words(dimension.kind, words),
         format_datums(dimension) if dimension.datums else "",
     ]
-    return ", ".join(word for word in stated if word)
+    return words.listed(", ".join(word for word in stated if word))
 
 
 def kind_words(kind: str, words: Words) -> str:
@@ -274,7 +274,7 @@ def _traceability(dimension: Dimension, words: Words) -> dict[str, str]:
         "name": format_name(dimension.name),
         "kind": kind_words(dimension.kind, words),
         "datums": format_datums(dimension),
-        "shares": format_contributions(dimension, words.label),
+        "shares": words.listed(format_contributions(dimension, words.label)),
         "origin": words.said(dimension.traceability),
     }
 

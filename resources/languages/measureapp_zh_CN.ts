@@ -2567,10 +2567,6 @@
       <translation>相机漂移检查：通过；偏差均不超过 {v1}，标定的残差为 {v2} px。</translation>
     </message>
     <message>
-      <source>Camera {v1} has</source>
-      <translation>相机 {v1} 已</translation>
-    </message>
-    <message>
       <source>Camera {v1} has no images yet.</source>
       <translation>相机 {v1} 尚无图像。</translation>
     </message>
@@ -2903,8 +2899,8 @@
       <translation>求解之后观测已更改：请重新求解。</translation>
     </message>
     <message>
-      <source>One of the cameras {v1} has</source>
-      <translation>相机 {v1} 之一已</translation>
+      <source>One of the cameras {v1}</source>
+      <translation>相机 {v1} 之一</translation>
     </message>
     <message>
       <source>Only {v1} corners of the {v2} can be seen; at least {v3} are needed.</source>
@@ -3391,6 +3387,14 @@
       <translation>它们似乎以米为单位：请给出 mm。</translation>
     </message>
     <message>
+      <source>This scan would not show {v1}; a few views of the board would.</source>
+      <translation>本次扫描无法发现：{v1}；几个标定板视图则可以。</translation>
+    </message>
+    <message>
+      <source>This scan would not show {v1}; fringes of both directions, or a few views of the board, would.</source>
+      <translation>本次扫描无法发现：{v1}；两个方向的条纹或几个标定板视图则可以。</translation>
+    </message>
+    <message>
       <source>Tilt it by 20° to 45° to all four sides, and show it nearer and farther.</source>
       <translation>请向四个方向倾斜 20° 至 45°，并在更近和更远处显示。</translation>
     </message>
@@ -3507,6 +3511,10 @@
       <translation>一台相机</translation>
     </message>
     <message>
+      <source>a pitch of {camera} below {limit}°</source>
+      <translation>{camera} 小于 {limit}° 的俯仰</translation>
+    </message>
+    <message>
       <source>a point {v1} mm from the axis, between views half a turn apart,</source>
       <translation>距轴线 {v1} mm 的点（相差半圈的视图之间）</translation>
     </message>
@@ -3521,6 +3529,14 @@
     <message>
       <source>a point, between views {v1} mm of the guide apart,</source>
       <translation>点（导轨上相距 {v1} mm 的视图之间）</translation>
+    </message>
+    <message>
+      <source>a roll of {camera} below {limit}°</source>
+      <translation>{camera} 小于 {limit}° 的滚转</translation>
+    </message>
+    <message>
+      <source>a yaw of {camera} below {limit}°</source>
+      <translation>{camera} 小于 {limit}° 的偏摆</translation>
     </message>
     <message>
       <source>an even and an odd number of corners, such as 14 × 11 or 9 × 6, or a ChArUco board</source>
@@ -3931,6 +3947,10 @@
       <translation>不提供 {v1} 个畸变系数。</translation>
     </message>
     <message>
+      <source>{v1} has turned by {v2}° since the calibration: its image is off by {v3} (the calibration left {v4} px), which moves measured points by {v5} mm; {v6}</source>
+      <translation>{v1}自标定以来转动了 {v2}°：其图像偏移 {v3}（标定的残差为 {v4} px），使测量点移动 {v5} mm；{v6}</translation>
+    </message>
+    <message>
       <source>{v1} has {v2} {v3} of the board; at least {v4} are needed.</source>
       <translation>{v1} 有标定板的 {v2} {v3}；至少需要 {v4} 个。</translation>
     </message>
@@ -3981,10 +4001,6 @@
     <message>
       <source>{v1} table positions with {v2} corners do not determine the axis.</source>
       <translation>{v1} 个转台位置、{v2} 个角点不能确定轴线。</translation>
-    </message>
-    <message>
-      <source>{v1} turned by {v2}° since the calibration: its image is off by {v3} (the calibration left {v4} px), which moves measured points by {v5} mm; {v6}</source>
-      <translation>{v1}自标定以来转动 {v2}°：其图像偏差 {v3}（标定的残差为 {v4} px），使测点移动 {v5} mm；{v6}</translation>
     </message>
     <message>
       <source>{v1} views are too few to hold some back.</source>
@@ -4888,6 +4904,10 @@
   <context>
     <name>core.data</name>
     <message>
+      <source>8 steps at {a} and {b} px</source>
+      <translation>8 步相移，{a} 和 {b} px</translation>
+    </message>
+    <message>
       <source>A cloud in frame {v1} cannot be transformed by {v2}_from_{v3}.</source>
       <translation>坐标系{v1}中的点云不能用从{v3}到{v2}的变换来变换。</translation>
     </message>
@@ -4914,6 +4934,10 @@
     <message>
       <source>Give robot pose, guide position and table angle.</source>
       <translation>请给出机器人位姿、导轨位置和转台角度。</translation>
+    </message>
+    <message>
+      <source>Gray code: 4 steps at {a} px</source>
+      <translation>格雷码：4 步相移，{a} px</translation>
     </message>
     <message>
       <source>ISO 2768-{v1} is defined for sizes from 0.5 to 4000 mm, not {v2} mm: enter the limits as numbers</source>
@@ -5268,6 +5292,14 @@
       <translation>{v1} mm 的圆点过密：此间距下最大为 {v2} mm</translation>
     </message>
     <message>
+      <source>complementary Gray code: 4 steps at {a} px</source>
+      <translation>互补格雷码：4 步相移，{a} px</translation>
+    </message>
+    <message>
+      <source>complementary Gray code: 8 steps at {a} px</source>
+      <translation>互补格雷码：8 步相移，{a} px</translation>
+    </message>
+    <message>
       <source>datum {v1} names feature {v2}, which is not defined</source>
       <translation>基准 {v1} 引用的特征 {v2} 没有定义</translation>
     </message>
@@ -5334,6 +5366,10 @@
     <message>
       <source>has no `distance_mm`</source>
       <translation>没有 `distance_mm`</translation>
+    </message>
+    <message>
+      <source>hierarchical: 4 steps, each pitch half of the one before, from {a} px</source>
+      <translation>分层：4 步相移，每个间距为前一个的一半，从 {a} px 开始</translation>
     </message>
     <message>
       <source>horizontal fringes need projector_rows</source>
@@ -5422,6 +5458,10 @@
     <message>
       <source>of the part, such as steel, or its expansion, such as 11.5±0.6 ppm/K</source>
       <translation>工件的材料，例如 steel，或其热膨胀系数，例如 11.5±0.6 ppm/K</translation>
+    </message>
+    <message>
+      <source>paper: 4 steps at {a} and {b} px</source>
+      <translation>论文：4 步相移，{a} 和 {b} px</translation>
     </message>
     <message>
       <source>radial ± {v1}, axial ± {v2}, tilt ± {v3}″</source>
@@ -5522,6 +5562,26 @@
     <message>
       <source>they move the board by {v1} rms between the views of the calibration; positions are corrected for them</source>
       <translation>在标定的各视图之间它们使标定板移动 {v1} rms；位置已作修正</translation>
+    </message>
+    <message>
+      <source>three close pitches: 3 steps at {a}, {b} and {c} px</source>
+      <translation>三个相近间距：3 步相移，{a}、{b} 和 {c} px</translation>
+    </message>
+    <message>
+      <source>three close pitches: 4 steps at {a}, {b} and {c} px</source>
+      <translation>三个相近间距：4 步相移，{a}、{b} 和 {c} px</translation>
+    </message>
+    <message>
+      <source>three close pitches: 8 steps at {a}, {b} and {c} px</source>
+      <translation>三个相近间距：8 步相移，{a}、{b} 和 {c} px</translation>
+    </message>
+    <message>
+      <source>three wide pitches: 4 steps at {a}, {b} and {c} px</source>
+      <translation>三个宽间距：4 步相移，{a}、{b} 和 {c} px</translation>
+    </message>
+    <message>
+      <source>three wide pitches: 8, 4 and 4 steps at {a}, {b} and {c} px</source>
+      <translation>三个宽间距：8、4 和 4 步相移，{a}、{b} 和 {c} px</translation>
     </message>
     <message>
       <source>turned by {v1}° about x, y and z</source>
@@ -5642,6 +5702,10 @@
     <message>
       <source>{v1} °C is not between {v2} and {v3} °C</source>
       <translation>{v1} °C 不在 {v2} 与 {v3} °C 之间</translation>
+    </message>
+    <message>
+      <source>{v1}, both directions</source>
+      <translation>{v1}，两个方向</translation>
     </message>
     <message>
       <source>{v1}, not corrected</source>
@@ -8567,6 +8631,10 @@
       <translation>全部未饱和曝光，按方差倒数加权</translation>
     </message>
     <message>
+      <source>assumed: full well {full_well} e, read noise {read_noise} e</source>
+      <translation>假定：满阱容量 {full_well} e，读出噪声 {read_noise} e</translation>
+    </message>
+    <message>
       <source>axes that move otherwise than calibrated, such as run-out of the table, or a part that moved</source>
       <translation>轴的运动与标定不同，如转台跳动，或工件移动过</translation>
     </message>
@@ -8665,6 +8733,10 @@
     <message>
       <source>measured samples</source>
       <translation>测得的样本</translation>
+    </message>
+    <message>
+      <source>measured: full well {full_well} e, read noise {read_noise} e</source>
+      <translation>实测：满阱容量 {full_well} e，读出噪声 {read_noise} e</translation>
     </message>
     <message>
       <source>name or alignment</source>
@@ -8893,10 +8965,6 @@
     <message>
       <source>{v1} were compared with different nominals.</source>
       <translation>{v1} 是与不同名义模型比较的。</translation>
-    </message>
-    <message>
-      <source>{v1}: full well {v2} e, read noise {v3} e</source>
-      <translation>{v1}：满阱容量 {v2} e，读出噪声 {v3} e</translation>
     </message>
     <message>
       <source>{v1}: its points lie {v2} mm in front of what other views see there</source>
@@ -12496,6 +12564,10 @@ alignment = "{v2}"
       <translation>相机漂移检查</translation>
     </message>
     <message>
+      <source>Cameras {name}</source>
+      <translation>相机对 {name}</translation>
+    </message>
+    <message>
       <source>Check the path of the logo.</source>
       <translation>请检查徽标的路径。</translation>
     </message>
@@ -13089,7 +13161,7 @@ alignment = "{v2}"
     </message>
     <message>
       <source>template {name}, version {version}</source>
-      <translation>模板 {name}，版本 {version}</translation>
+      <translation>模板：{name}，版本 {version}</translation>
     </message>
     <message>
       <source>the template</source>
@@ -13157,7 +13229,7 @@ alignment = "{v2}"
     </message>
     <message>
       <source>{v1} of {v2} used</source>
-      <translation>使用 {v2} 个中的 {v1} 个</translation>
+      <translation>使用 {v1} 个，共 {v2} 个</translation>
     </message>
     <message>
       <source>{v1} parts.</source>
@@ -15924,6 +15996,10 @@ alignment = "{v2}"
   </context>
   <context>
     <name>look</name>
+    <message>
+      <source> or </source>
+      <translation>或</translation>
+    </message>
     <message>
       <source>-1: counts grow against the rig's positive direction</source>
       <translation>-1：计数沿测量系统的负方向增加</translation>

@@ -70,5 +70,6 @@ PLACES = (later("position"), later("positions"))  # of board, guide or table, co
 COUNTS = (later("one"), later("two"), later("three"), later("four"), later("five"), later("six"))
 LENS = ("Distortion {name}",)  # of a lens, beside those that are several words
 LISTED = ("{n} rejected",)  # after the number of points of each feature of a value
+ALTERNATIVES = (later(" or "),)  # between the last two of a list
 TEMPLATE = later("built-in")  # name of the shipped template of reports
 SUBJECTS = ("the program", "the alignment", "the alignment {name}", "dimension {name}")  # of refused changes
