@@ -212,7 +212,7 @@ def _dimension(row: int, dimension: Dimension, aligned_by: str, words: Words) ->
         "uncertainty": number(dimension.round_uncertainty()),
         "tolerance": format_tolerance(dimension.lower_tolerance, dimension.upper_tolerance),
         "place": None if place is None else max(-WIDEST, min(WIDEST, place)) / WIDEST,
-        "beyond": place is not None and abs(place) > WIDEST,
+        "beyond": place is not None and bool(abs(place) > WIDEST),
         "spread": min(1.0, (dimension.uncertainty or 0.0) / half / WIDEST) if half > 0 else 0.0,
         "limit": 1 / WIDEST,
         "verdict": words.label(dimension.verdict.value),

@@ -12749,7 +12749,7 @@ alignment = "{v2}"
     </message>
     <message>
       <source>Maximum, confirmed</source>
-      <translation>最大值，已确认</translation>
+      <translation>确认的最大值</translation>
     </message>
     <message>
       <source>Mean moving range</source>
@@ -12797,7 +12797,7 @@ alignment = "{v2}"
     </message>
     <message>
       <source>Minimum, confirmed</source>
-      <translation>最小值，已确认</translation>
+      <translation>确认的最小值</translation>
     </message>
     <message>
       <source>NO VERDICT</source>
@@ -12837,7 +12837,7 @@ alignment = "{v2}"
     </message>
     <message>
       <source>Nominal not seen</source>
-      <translation>名义表面未看到</translation>
+      <translation>名义未看到</translation>
     </message>
     <message>
       <source>Not determined by the points</source>
@@ -17431,6 +17431,10 @@ alignment = "{v2}"
     <message>
       <source>Measured by another camera</source>
       <translation>由另一相机测量</translation>
+    </message>
+    <message>
+      <source>Measurement report</source>
+      <translation>测量报告</translation>
     </message>
     <message>
       <source>Mechanical unit</source>

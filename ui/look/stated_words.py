@@ -71,5 +71,6 @@ COUNTS = (later("one"), later("two"), later("three"), later("four"), later("five
 LENS = ("Distortion {name}",)  # of a lens, beside those that are several words
 LISTED = ("{n} rejected",)  # after the number of points of each feature of a value
 ALTERNATIVES = (later(" or "),)  # between the last two of a list
+REPORT_TITLE = "Measurement report"  # of the built-in template
 TEMPLATE = later("built-in")  # name of the shipped template of reports
 SUBJECTS = ("the program", "the alignment", "the alignment {name}", "dimension {name}")  # of refused changes
