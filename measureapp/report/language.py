@@ -35,8 +35,10 @@ class Words:
 
     def label(self, word: str) -> str:
         """Return a lower-case word of a document, which the catalogue may have as a label."""
-        there = self.tr(word)
-        return there if there != word else self.tr(word.capitalize()) if self.language != ENGLISH else word
+        for source in (word, word.capitalize()):
+            if (there := self.tr(source)) != source:
+                return there
+        return word
 
     def listed(self, text: str) -> str:
         """Return a text of translated items with the marks of its language between them."""
@@ -77,6 +79,7 @@ def names_of_dimensions(dimensions: Iterable[Dimension]) -> Iterator[str]:
     for dimension in dimensions:
         for name in (dimension.name, dimension.group, *dimension.features, *dimension.datums):
             yield from (name, format_name(name))
+        yield "|".join(dimension.datums)
 
 
 def _names(model: ReportModel) -> Iterator[str]:

@@ -31,6 +31,23 @@ from measureapp.report.words import (
 SCALE_STOPS = 81
 MOST_WORST = 10
 BASIS = ("Alignment to the nominal", "Residual of the alignment", "Calibration age", "Adds to a length (k = 2)")
+KINDS = {
+    "thickness": "Thickness",
+    "step": "Height of a step",
+    "slot_width": "Slot width",
+    "slot_length": "Slot length",
+    "chord": "Chord",
+    "max_thickness": "Max thickness",
+    "max_thickness_place": "Place of the max thickness",
+    "camber": "Camber",
+    "leading_radius": "Leading radius",
+    "trailing_radius": "Trailing radius",
+    "stagger": "Stagger angle",
+    "twist": "Twist",
+    "pitch": "Pitch of blades",
+    "blade_form": "Blade form",
+    "blade_profile": "Blade profile",
+}  # of dimensions, as they are translated where the English word alone has several meanings, or is no label of the window
 SIGNATURES = {  # of the roles of the built-in template
     "Measured": "Measured: name, date, signature",
     "Checked": "Checked: name, date, signature",
@@ -265,7 +282,9 @@ def _about(dimension: Dimension, words: Words) -> str:
 
 def kind_words(kind: str, words: Words) -> str:
     """Return the kind of a dimension, or the characteristic of a control frame."""
-    return words.label(format_key(kind)) if kind else ""
+    title = KINDS.get(kind) or format_key(kind).capitalize()
+    made = words.tr(title)
+    return format_key(kind) if made == title else made
 
 
 def _traceability(dimension: Dimension, words: Words) -> dict[str, str]:
@@ -275,8 +294,13 @@ def _traceability(dimension: Dimension, words: Words) -> dict[str, str]:
         "kind": kind_words(dimension.kind, words),
         "datums": format_datums(dimension),
         "shares": words.listed(format_contributions(dimension, words.label)),
-        "origin": words.said(dimension.traceability),
+        "origin": origin_words(dimension.traceability, words),
     }
+
+
+def origin_words(traceability: str, words: Words) -> str:
+    """Return the source of a value: points, filter, criterion and datums, each translated by itself."""
+    return words.listed("; ".join(words.said(one) for one in traceability.split("; ")))
 
 
 def _view(view: ViewLine, words: Words) -> dict[str, str]:

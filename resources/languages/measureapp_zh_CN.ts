@@ -7528,10 +7528,6 @@
       <translation>轴线和中心（当基准带有实体条件时）</translation>
     </message>
     <message>
-      <source>axial, {v1} rings</source>
-      <translation>轴向，{v1} 个圆环</translation>
-    </message>
-    <message>
       <source>best fit, {v1} positions about the axis</source>
       <translation>最佳拟合，绕轴 {v1} 个位置</translation>
     </message>
@@ -7570,6 +7566,10 @@
     <message>
       <source>datum system {v1}</source>
       <translation>基准体系 {v1}</translation>
+    </message>
+    <message>
+      <source>datums {v1}</source>
+      <translation>基准 {v1}</translation>
     </message>
     <message>
       <source>deviation from the shape</source>
@@ -7656,8 +7656,16 @@
       <translation>由对齐定位</translation>
     </message>
     <message>
+      <source>max of {count}</source>
+      <translation>{count} 个的最大值</translation>
+    </message>
+    <message>
       <source>maximum material</source>
       <translation>最大实体</translation>
+    </message>
+    <message>
+      <source>mean of {count}</source>
+      <translation>{count} 个的平均值</translation>
     </message>
     <message>
       <source>means of {v1} mm cells</source>
@@ -7666,6 +7674,10 @@
     <message>
       <source>medians over {v1} mm, {v2}</source>
       <translation>{v1} mm 上的中位数，{v2}</translation>
+    </message>
+    <message>
+      <source>min of {count}</source>
+      <translation>{count} 个的最小值</translation>
     </message>
     <message>
       <source>minimum zone</source>
@@ -7714,10 +7726,6 @@
     <message>
       <source>planes, axes and centres</source>
       <translation>平面、轴线和中心</translation>
-    </message>
-    <message>
-      <source>radial, {v1} sections</source>
-      <translation>径向，{v1} 个截面</translation>
     </message>
     <message>
       <source>rotation about x</source>
@@ -8028,6 +8036,10 @@
       <translation>{v1} {v2} 和 {v3} {v4}</translation>
     </message>
     <message>
+      <source>{v1}, axial, {v2} rings</source>
+      <translation>{v1}，轴向，{v2} 个圆环</translation>
+    </message>
+    <message>
       <source>{v1}, face</source>
       <translation>{v1}，面</translation>
     </message>
@@ -8038,6 +8050,10 @@
     <message>
       <source>{v1}, loss</source>
       <translation>{v1}，损失</translation>
+    </message>
+    <message>
+      <source>{v1}, radial, {v2} sections</source>
+      <translation>{v1}，径向，{v2} 个截面</translation>
     </message>
     <message>
       <source>{v1}: `along` is perpendicular to the plane, which has no lines in that direction</source>
@@ -12504,6 +12520,10 @@ alignment = "{v2}"
   <context>
     <name>core.report</name>
     <message>
+      <source>(.*)_(mm|us|deg|rad|px|s)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>95 % interval {low} … {high}</source>
       <translation>95 % 区间 {low} … {high}</translation>
     </message>
@@ -12556,8 +12576,20 @@ alignment = "{v2}"
       <translation>低于、高于</translation>
     </message>
     <message>
+      <source>Blade form</source>
+      <translation>叶型误差</translation>
+    </message>
+    <message>
+      <source>Blade profile</source>
+      <translation>叶片轮廓度</translation>
+    </message>
+    <message>
       <source>Calibration age</source>
       <translation>标定距测量的时间</translation>
+    </message>
+    <message>
+      <source>Camber</source>
+      <translation>弯度</translation>
     </message>
     <message>
       <source>Camera drift check</source>
@@ -12582,6 +12614,10 @@ alignment = "{v2}"
     <message>
       <source>Checks of the error model</source>
       <translation>误差模型的检验</translation>
+    </message>
+    <message>
+      <source>Chord</source>
+      <translation>弦长</translation>
     </message>
     <message>
       <source>Cloud and alignment</source>
@@ -12704,12 +12740,20 @@ alignment = "{v2}"
       <translation>扫描时的测头温度</translation>
     </message>
     <message>
+      <source>Height of a step</source>
+      <translation>台阶高度</translation>
+    </message>
+    <message>
       <source>In tolerance</source>
       <translation>公差带内位置</translation>
     </message>
     <message>
       <source>Interval of s</source>
       <translation>s 的区间</translation>
+    </message>
+    <message>
+      <source>Leading radius</source>
+      <translation>前缘半径</translation>
     </message>
     <message>
       <source>Length reference</source>
@@ -12738,6 +12782,10 @@ alignment = "{v2}"
     <message>
       <source>Marks of the board</source>
       <translation>标定板的标记</translation>
+    </message>
+    <message>
+      <source>Max thickness</source>
+      <translation>最大厚度</translation>
     </message>
     <message>
       <source>Maximum (behind)</source>
@@ -12872,6 +12920,14 @@ alignment = "{v2}"
       <translation>有测得值的工件</translation>
     </message>
     <message>
+      <source>Pitch of blades</source>
+      <translation>叶片节距</translation>
+    </message>
+    <message>
+      <source>Place of the max thickness</source>
+      <translation>最大厚度位置</translation>
+    </message>
+    <message>
       <source>Points within the scale</source>
       <translation>色标范围内的点</translation>
     </message>
@@ -12952,8 +13008,20 @@ alignment = "{v2}"
       <translation>平移 mm</translation>
     </message>
     <message>
+      <source>Slot length</source>
+      <translation>槽长</translation>
+    </message>
+    <message>
+      <source>Slot width</source>
+      <translation>槽宽</translation>
+    </message>
+    <message>
       <source>Spacing (mm)</source>
       <translation>点间距 (mm)</translation>
+    </message>
+    <message>
+      <source>Stagger angle</source>
+      <translation>安装角</translation>
     </message>
     <message>
       <source>Std. dev. s</source>
@@ -12988,6 +13056,10 @@ alignment = "{v2}"
       <translation>更早的 {count} 次测量见 CSV 和 JSON 文件。</translation>
     </message>
     <message>
+      <source>Thickness</source>
+      <translation>厚度</translation>
+    </message>
+    <message>
       <source>This part was measured without an inspection program: the report contains views and cloud, but no dimensions.</source>
       <translation>此工件未用检测程序测量：报告包含视图和点云，但不含尺寸。</translation>
     </message>
@@ -12998,6 +13070,14 @@ alignment = "{v2}"
     <message>
       <source>Traceability and uncertainty budget</source>
       <translation>溯源与不确定度预算</translation>
+    </message>
+    <message>
+      <source>Trailing radius</source>
+      <translation>后缘半径</translation>
+    </message>
+    <message>
+      <source>Twist</source>
+      <translation>扭转角</translation>
     </message>
     <message>
       <source>U (k = 2)</source>

@@ -59,7 +59,13 @@ FORMS = (
     *("measureapp/simulate/options.py", "measureapp/simulate/sensor.py"),  # of the virtual rig
 )
 """Files of models whose fields the window shows as forms, labelled after their names."""
-FIXED = {("report", "printed"), ("report", "repeats"), ("report", "series"), ("report", "xlsx")}  # of which only constants are translated
+FIXED = {
+    ("report", "printed"),
+    ("report", "repeats"),
+    ("report", "series"),
+    ("report", "words"),
+    ("report", "xlsx"),
+}  # of which only constants are translated
 LAYOUTS = ("report/report.typ", "report/series.typ", "report/repeats.typ", "report/report.html")
 UNTRANSLATED = {
     "TypeVar",
