@@ -14,13 +14,12 @@ from measureapp.report.csv import dimension_rows
 from measureapp.report.header import field_words
 from measureapp.report.language import Words, words_of
 from measureapp.report.model import ReportModel
-from measureapp.report.printed import kind_words
+from measureapp.report.printed import kind_words, origin_words
 from measureapp.report.words import COLOURS, NONE, SIGNS, format_time
 
 if TYPE_CHECKING:
     import xlsxwriter  # type: ignore[import-untyped]
 
-SAID = ("reason", "origin")  # columns of sentences
 LENGTH, SHARE = "0.000", "0.000%"
 DIMENSIONS, METADATA = "Dimensions", "Report"
 COLUMNS = (  # title, key, number format, width
@@ -118,7 +117,9 @@ def _printed(key: str, value: Any, words: Words) -> Any:
     if key == "control_frame":
         characteristic, bar, rest = value.partition(" | ")
         return kind_words(characteristic, words) + bar + rest
-    return words.said(value) if key in SAID else value
+    if key == "origin":
+        return origin_words(value, words)
+    return words.said(value) if key == "reason" else value
 
 
 def _write_cell(sheet: Any, line: int, column: int, value: Any, form: Any) -> None:

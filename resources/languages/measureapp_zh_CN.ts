@@ -12520,10 +12520,6 @@ alignment = "{v2}"
   <context>
     <name>core.report</name>
     <message>
-      <source>(.*)_(mm|us|deg|rad|px|s)</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
       <source>95 % interval {low} … {high}</source>
       <translation>95 % 区间 {low} … {high}</translation>
     </message>
@@ -19536,6 +19532,10 @@ The first run of this part counts.</source>
       <translation>其他模板…</translation>
     </message>
     <message>
+      <source>As the window</source>
+      <translation>与窗口相同</translation>
+    </message>
+    <message>
       <source>Assumed modulation</source>
       <translation>假定调制度</translation>
     </message>
@@ -19750,6 +19750,10 @@ The first run of this part counts.</source>
     <message>
       <source>Kept in this project, with a company and a logo of its own.</source>
       <translation>保存在此项目中，带自己的公司和徽标。</translation>
+    </message>
+    <message>
+      <source>Language of the report</source>
+      <translation>报告语言</translation>
     </message>
     <message>
       <source>Linear guide</source>

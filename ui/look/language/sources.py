@@ -63,7 +63,6 @@ FIXED = {
     ("report", "printed"),
     ("report", "repeats"),
     ("report", "series"),
-    ("report", "words"),
     ("report", "xlsx"),
 }  # of which only constants are translated
 LAYOUTS = ("report/report.typ", "report/series.typ", "report/repeats.typ", "report/report.html")

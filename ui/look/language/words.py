@@ -2,9 +2,16 @@
 
 from __future__ import annotations
 
+from measureapp.language.languages import ENGLISH
 from measureapp.language.translator import Translator
 
 TRANSLATOR = Translator()
+
+
+def spoken() -> str:
+    """Return the name of the language that texts are translated into."""
+    catalogue = TRANSLATOR.catalogue
+    return ENGLISH if catalogue is None else catalogue.language
 
 
 def tr(source: str, /, **values: object) -> str:
