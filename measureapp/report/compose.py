@@ -51,6 +51,7 @@ COUNTED = {
     Verdict.PASS: "{count} pass",
     Verdict.NO_TOLERANCE: "{count} no tolerance",
 }
+DEVIATIONS_BY = "Deviations by {name}"
 PAIR = "Cameras {name}"
 BEST_FIT = "The alignment is a best fit, which belongs to no datum system and spreads defects over the whole part: for comparison only."
 
@@ -236,7 +237,7 @@ def _consistency_facts(consistency: Consistency) -> tuple[Fact, ...]:
     if not consistency.checks:
         return ()
     facts = [Fact("Result", consistency.sentence)]
-    return (*facts, *(Fact(f"Deviations by {check.name}", check.sentence) for check in consistency.checks))
+    return (*facts, *(Fact(DEVIATIONS_BY.format(name=check.name), check.sentence) for check in consistency.checks))
 
 
 def _version_facts(dimensions: Sequence[Dimension]) -> tuple[Fact, ...]:

@@ -93,8 +93,8 @@ def _write_dimensions(book: xlsxwriter.Workbook, model: ReportModel, words: Word
     head = book.add_format({"bold": True, "bottom": 1, "text_wrap": True, "valign": "top"})
     formats = {code: book.add_format({"num_format": code} if code else {}) for _, _, code, _ in COLUMNS}
     verdicts = {verdict: book.add_format({"bg_color": COLOURS[verdict], "font_color": "#FFFFFF", "bold": True}) for verdict in Verdict}
-    for column, (title, _, _, width) in enumerate(COLUMNS):
-        sheet.write_string(0, column, words.tr(title), head)
+    for column, (title, key, _, width) in enumerate(COLUMNS):
+        sheet.write_string(0, column, _title(title, key, words), head)
         sheet.set_column(column, column, width)
     for line, row in enumerate(dimension_rows(model), start=1):
         for column, (_, key, code, _) in enumerate(COLUMNS):
@@ -108,6 +108,11 @@ def _write_dimensions(book: xlsxwriter.Workbook, model: ReportModel, words: Word
     sheet.set_landscape()
     sheet.fit_to_pages(1, 0)
     sheet.repeat_rows(0)
+
+
+def _title(title: str, key: str, words: Words) -> str:
+    """Return the title of a column in the language of the report; contributions to U are named after it."""
+    return f"U {words.label(title.removeprefix('U '))}" if key.startswith("uncertainty_") else words.tr(title)
 
 
 def _printed(key: str, value: Any, words: Words) -> Any:

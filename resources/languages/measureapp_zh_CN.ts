@@ -8799,6 +8799,10 @@
       <translation>正在用两台相机重建</translation>
     </message>
     <message>
+      <source>refused by hand: not used</source>
+      <translation>手动拒绝：未使用</translation>
+    </message>
+    <message>
       <source>samples of the nominal</source>
       <translation>名义模型的采样</translation>
     </message>
@@ -12401,6 +12405,10 @@ alignment = "{v2}"
       <translation>联合配准</translation>
     </message>
     <message>
+      <source>no overlap with another view: kinematic position</source>
+      <translation>与其他视图没有重叠：采用运动学位置</translation>
+    </message>
+    <message>
       <source>only {v1} of the surface at the same place fits within {v2} mm</source>
       <translation>同一位置的表面只有 {v1} 在 {v2} mm 以内相符</translation>
     </message>
@@ -12515,6 +12523,14 @@ alignment = "{v2}"
     <message>
       <source>{v1} positions of {v2} relative to {v3} fit equally well: the part is symmetric.</source>
       <translation>{v2} 相对 {v3} 有 {v1} 个同样合适的位置：工件是对称的。</translation>
+    </message>
+    <message>
+      <source>{v1}: accepted by hand</source>
+      <translation>{v1}：手动接受</translation>
+    </message>
+    <message>
+      <source>{v1}: excluded</source>
+      <translation>{v1}：已排除</translation>
     </message>
   </context>
   <context>
@@ -12666,6 +12682,10 @@ alignment = "{v2}"
     <message>
       <source>Deviation on the nominal, {v1}</source>
       <translation>名义表面上的偏差，{v1}</translation>
+    </message>
+    <message>
+      <source>Deviations by {name}</source>
+      <translation>按{name}归类的偏差</translation>
     </message>
     <message>
       <source>Dimensions that do not pass</source>

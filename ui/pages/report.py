@@ -104,6 +104,7 @@ class ReportPage(Page):
     def _choose_language(self, place: int) -> None:
         """Write and draw the report in another language; ``place`` in the list of choices."""
         self.controllers.documents.set_language(self.language.itemData(place))
+        self._drawn_in = self.session.report_language
 
     def open_repeats(self) -> None:
         """Open the window of repeated measurements; it is made when first used."""
