@@ -12728,6 +12728,10 @@ alignment = "{v2}"
       <translation>已填补、过远</translation>
     </message>
     <message>
+      <source>First run</source>
+      <translation>首次测量</translation>
+    </message>
+    <message>
       <source>Flange in base x, y, z mm</source>
       <translation>法兰在基座系中 x, y, z mm</translation>
     </message>
@@ -12766,6 +12770,10 @@ alignment = "{v2}"
     <message>
       <source>Interval of s</source>
       <translation>s 的区间</translation>
+    </message>
+    <message>
+      <source>Last run</source>
+      <translation>末次测量</translation>
     </message>
     <message>
       <source>Leading radius</source>
@@ -13078,10 +13086,6 @@ alignment = "{v2}"
     <message>
       <source>This part was measured without an inspection program: the report contains views and cloud, but no dimensions.</source>
       <translation>此工件未用检测程序测量：报告包含视图和点云，但不含尺寸。</translation>
-    </message>
-    <message>
-      <source>To</source>
-      <translation>至</translation>
     </message>
     <message>
       <source>Traceability and uncertainty budget</source>

@@ -105,8 +105,8 @@ def typst_series(program: str, runs: Sequence[SeriesRun], found: Sequence[Trend]
         "header": [
             {"name": words.tr("Number of runs"), "value": str(len(runs))},
             {"name": words.tr("Parts"), "value": str(len(parts))},
-            {"name": words.tr("From"), "value": format_time(runs[0].measured_at)},
-            {"name": words.tr("To"), "value": format_time(runs[-1].measured_at)},
+            {"name": words.tr("First run"), "value": format_time(runs[0].measured_at)},
+            {"name": words.tr("Last run"), "value": format_time(runs[-1].measured_at)},
         ],
         "trends": [{**_printed(trend, words), "chart": f"chart{n}.svg"} for n, trend in enumerate(found)],
         "runs": [_run(run, words) for run in runs[-MOST_LISTED:]],
