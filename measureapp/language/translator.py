@@ -35,6 +35,8 @@ PUNCTUATION = tuple(  # of sentences that were put together, as Chinese writes i
 BEGINS = {"lower": str.lower, "upper": str.upper}  # how a text begins, as the format of its placeholder
 STOPPED = "stopped"  # a placeholder with the full stop of the script behind it
 UNSTOPPED = "unstopped"  # and without it
+KEPT_UNITS = "kept"  # and with non-breaking spaces between numbers and their units
+UNIT_AFTER_NUMBER = re.compile(r"(?<=\d) (?=(?:mm|µm|px|ppm|ms|µs|s|min|h|K|kB|MB|GB|TB)\b|[%°])")
 NO_WORDS = re.compile(r"""`[^`]*`|'[^']*'|"[^"]*"|\S*[\d/\\._]\S*""")  # names in quotes, files, fields and numbers
 WORD = re.compile(r"\b[a-zµ]{3,}\b")
 WORDS = re.compile(r"\b[a-zµ]{3,}\b.*\s\w|\w\s.*\b[a-zµ]{3,}\b")  # of which a sentence is made, rather than a name
@@ -51,6 +53,8 @@ class WordsFormatter(Formatter):
             return value + full_stop(value)
         if format_spec == UNSTOPPED:
             return value.rstrip(".。")
+        if format_spec == KEPT_UNITS:
+            return UNIT_AFTER_NUMBER.sub("\u00a0", value)
         return BEGINS[format_spec](value[:1]) + value[1:] if format_spec in BEGINS else value
 
 

@@ -1184,8 +1184,8 @@
       <translation>已回到操作模式：一段时间没有输入。</translation>
     </message>
     <message>
-      <source>Order</source>
-      <translation>订单</translation>
+      <source>Order of the viewpoints</source>
+      <translation>视点顺序</translation>
     </message>
     <message>
       <source>Ordering the viewpoints</source>
@@ -14790,8 +14790,8 @@ alignment = "{v2}"
       <translation>证书长度…</translation>
     </message>
     <message>
-      <source>Change</source>
-      <translation>更改</translation>
+      <source>Change distance</source>
+      <translation>更改距离</translation>
     </message>
     <message>
       <source>Change nothing</source>
@@ -15050,10 +15050,6 @@ alignment = "{v2}"
       <translation>逐点</translation>
     </message>
     <message>
-      <source>Edge</source>
-      <translation>棱边</translation>
-    </message>
-    <message>
       <source>Edit the inspection program as text: alignment, features, dimensions</source>
       <translation>以文本编辑检测程序：对齐、特征、尺寸</translation>
     </message>
@@ -15296,6 +15292,10 @@ alignment = "{v2}"
     <message>
       <source>Measure the lengths again, corrected by this one; it can be undone</source>
       <translation>按此长度修正并重新测量各长度；可以撤销</translation>
+    </message>
+    <message>
+      <source>Measured</source>
+      <translation>测得值</translation>
     </message>
     <message>
       <source>Measured minus nominal</source>
@@ -15763,7 +15763,7 @@ alignment = "{v2}"
     </message>
     <message>
       <source>Symmetry</source>
-      <translation>对称度</translation>
+      <translation>对称</translation>
     </message>
     <message>
       <source>Tertiary datum</source>
@@ -15935,7 +15935,7 @@ alignment = "{v2}"
     </message>
     <message>
       <source>form {form}</source>
-      <translation>形状 {form}</translation>
+      <translation>形状误差 {form}</translation>
     </message>
     <message>
       <source>line</source>
@@ -16413,6 +16413,10 @@ alignment = "{v2}"
       <translation>投影仪黑电平与白电平之比</translation>
     </message>
     <message>
+      <source>Blooming</source>
+      <translation>溢出</translation>
+    </message>
+    <message>
       <source>Blue</source>
       <translation>蓝</translation>
     </message>
@@ -16763,6 +16767,10 @@ alignment = "{v2}"
     <message>
       <source>EGM port</source>
       <translation>EGM 端口</translation>
+    </message>
+    <message>
+      <source>Edge</source>
+      <translation>棱边</translation>
     </message>
     <message>
       <source>Edges</source>
@@ -17525,10 +17533,6 @@ alignment = "{v2}"
       <translation>光在表面以下被散射返回的平均深度</translation>
     </message>
     <message>
-      <source>Measured</source>
-      <translation>实测</translation>
-    </message>
-    <message>
       <source>Measured by another camera</source>
       <translation>由另一相机测量</translation>
     </message>
@@ -17745,8 +17749,16 @@ alignment = "{v2}"
       <translation>impeller、gypsum、gear、sphere_plate、flat 之一，或网格文件（STL、PLY、OBJ）</translation>
     </message>
     <message>
+      <source>Order conflict</source>
+      <translation>级次冲突</translation>
+    </message>
+    <message>
       <source>Order of the images</source>
       <translation>图像顺序</translation>
+    </message>
+    <message>
+      <source>Out of range</source>
+      <translation>超出范围</translation>
     </message>
     <message>
       <source>Outlier</source>
@@ -17855,6 +17867,10 @@ alignment = "{v2}"
     <message>
       <source>Play of the table between both directions of turning</source>
       <translation>转台两个旋转方向之间的间隙</translation>
+    </message>
+    <message>
+      <source>Point measured</source>
+      <translation>已测得点</translation>
     </message>
     <message>
       <source>Port</source>
@@ -18049,6 +18065,10 @@ alignment = "{v2}"
       <translation>示例：{name}</translation>
     </message>
     <message>
+      <source>Saturated</source>
+      <translation>饱和</translation>
+    </message>
+    <message>
       <source>Saving</source>
       <translation>保存</translation>
     </message>
@@ -18123,6 +18143,10 @@ alignment = "{v2}"
     <message>
       <source>Settling time</source>
       <translation>稳定时间</translation>
+    </message>
+    <message>
+      <source>Shadow</source>
+      <translation>阴影</translation>
     </message>
     <message>
       <source>Shake</source>
@@ -18623,6 +18647,10 @@ alignment = "{v2}"
     <message>
       <source>Warn</source>
       <translation>警告</translation>
+    </message>
+    <message>
+      <source>Weak modulation</source>
+      <translation>调制度低</translation>
     </message>
     <message>
       <source>Weighted least squares</source>
@@ -19175,6 +19203,10 @@ The first run of this part counts.</source>
     <message>
       <source>Operators are offered released programs only. Whatever changes a program makes it a new one, which is released again.</source>
       <translation>只向操作员提供已发布的程序。程序一经更改即为新程序，须重新发布。</translation>
+    </message>
+    <message>
+      <source>Order</source>
+      <translation>订单</translation>
     </message>
     <message>
       <source>PIN forgotten? Run this command on this computer, then set a new one: measureapp gui --reset-engineer-pin</source>
@@ -21001,7 +21033,7 @@ Its code runs with your rights on this computer. If any of its files changes, yo
     <message>
       <source>Hold a button to move on. Stop is no safety function:
 in danger use the emergency stop.</source>
-      <translation>按住按钮可继续移动。“停止”没有安全功能：
+      <translation>按住按钮可继续移动。“停止”不是安全功能：
 危险时请使用急停。</translation>
     </message>
     <message>
@@ -21585,7 +21617,7 @@ in danger use the emergency stop.</source>
     </message>
     <message>
       <source>Stop (Esc) is no safety function: in danger use the emergency stop.</source>
-      <translation>停止 (Esc) 没有安全功能：危险时请使用急停。</translation>
+      <translation>停止 (Esc) 不是安全功能：危险时请使用急停。</translation>
     </message>
     <message>
       <source>Stored</source>
@@ -22441,6 +22473,10 @@ in danger use the emergency stop.</source>
     <message>
       <source>Rainbow with green band</source>
       <translation>带绿色带的彩虹</translation>
+    </message>
+    <message>
+      <source>Rear</source>
+      <translation>后</translation>
     </message>
     <message>
       <source>Return</source>
@@ -23401,6 +23437,10 @@ Click to see all messages.</source>
     <message>
       <source>Calibrated and stored in the project.</source>
       <translation>已标定并随项目保存。</translation>
+    </message>
+    <message>
+      <source>Change</source>
+      <translation>变化</translation>
     </message>
     <message>
       <source>Check the board</source>

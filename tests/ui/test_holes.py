@@ -80,7 +80,7 @@ def test_the_selected_view_is_explained_with_the_shares_of_all_reasons(qtbot, cl
     assert "view-02" in dialog.title.text()
     assert dialog.kind.value() == "reasons"
     shares = {name: text.replace("\u00a0", " ") for name, text in dialog.table.texts()}
-    assert shares == {"Measured": "74.9 %", "Shadow": "25.0 %", "Saturated": "< 0.1 %", "Contradicted": "< 0.1 %"}
+    assert shares == {"Point measured": "74.9 %", "Shadow": "25.0 %", "Saturated": "< 0.1 %", "Contradicted": "< 0.1 %"}
     assert "left 74.9" in dialog.state.text()
     assert not dialog.progress.isVisible() and not dialog.again.isVisible()
 
@@ -97,7 +97,7 @@ def test_a_click_on_a_pixel_shows_stage_reason_and_numbers(qtbot, clouds):
     assert "at least 10" in dialog.figures.text()
     QTest.keyClick(dialog.picture, Qt.Key.Key_Right)
     assert dialog.place.text() == "Row 20, column 31"
-    assert dialog.stage.text() == "Measured"
+    assert dialog.stage.text() == "Point measured"
     assert "Point σ 0.012 mm" in dialog.figures.text().replace("\u00a0", " ")
 
 

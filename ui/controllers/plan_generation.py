@@ -53,5 +53,5 @@ def order(plan: ScanPlan, rig: RigDescription, arm: ArmModel | None, job: Job) -
     job.report(0, 2, "Times of the moves")
     viewpoints = tuple(plan)
     times = travel_times_s(viewpoints, rig, arm)
-    job.report(1, 2, "Order")
+    job.report(1, 2, "Order of the viewpoints")
     return [viewpoints[place].id for place in shortest_order(viewpoints, times)]

@@ -234,7 +234,7 @@ class PlanningController(QObject):
     def _show_ordered(self, names: list[str]) -> None:
         from measureapp.planning import edit
 
-        self.edit("Order", lambda plan: edit.reorder(plan, names))
+        self.edit("Order of the viewpoints", lambda plan: edit.reorder(plan, names))
 
     # files and the project
 

@@ -49,7 +49,10 @@ STAGES = (
     later("Report"),
     later("Total"),
 )
-REASONS = (later("Unmatched"), later("Ambiguous"), later("Contradicted"), later("Uncertain"), later("Outlier"))  # of pixels without a point
+REASONS = (  # of pixels without a phase, or without a point
+    *(later("Saturated"), "Weak modulation", later("Shadow"), "Order conflict", "Out of range", later("Edge"), later("Blooming")),
+    *(later("Unmatched"), later("Ambiguous"), later("Contradicted"), later("Uncertain"), later("Outlier")),
+)
 CONTRIBUTIONS = (later("Systematic"), later("Set-ups"), later("Unexplained"), later("Certificate"), later("Edges"))
 CHECKS = (later("brightness"), later("time"))  # of the error model, whose other names are several words
 NEEDED = ("one feature", "two features", "is not a blade_section", "is a blade_section", "or nothing for no verdict")

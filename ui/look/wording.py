@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-import re
 from datetime import datetime
 from pathlib import PurePath
 
@@ -14,10 +13,9 @@ from ui.look.language.words import tr, translated
 NOTHING = "–"
 THIN = "\u2009"
 MINUS = "\u2212"
-UNIT_AFTER_NUMBER = re.compile(r"(?<=\d) (?=(?:mm|µm|px|ppm|ms|µs|s|min|h|K|kB|MB|GB|TB)\b|[%°])")
 SENTENCE_ENDS = ".!?…。！？"
 POINT_REASONS = {  # why a pixel has no point, by the names that documents use
-    "point": "Measured",
+    "point": "Point measured",
     "seen by another": "Measured by another camera",
     "flying": "Flying point",
     "grazing": "Grazing incidence",
@@ -65,7 +63,7 @@ def keep_units(words: str) -> str:
     >>> keep_units("adds 0.006 mm to 300 mm") == "adds 0.006\u00a0mm to 300\u00a0mm"
     True
     """
-    return UNIT_AFTER_NUMBER.sub("\u00a0", translated(words))  # with these spaces it would not be recognised
+    return tr("{words:kept}", words=words)  # a template, so that the text follows a later change of language
 
 
 def counted(value: int) -> str:

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 VIEW_WORDS = {
     "front": "Front",
-    "back": "Back",
+    "back": "Rear",
     "left": "Left",
     "right": "Right",
     "top": "Top",

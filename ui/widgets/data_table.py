@@ -167,7 +167,16 @@ class DataTable(QTableView):
         header.setSectionResizeMode(stretch, QHeaderView.ResizeMode.Stretch)
         self.selectionModel().currentRowChanged.connect(lambda now, _before: self.rowSelected.emit(now.row()))
         self.clicked.connect(lambda index: self.cellClicked.emit(index.row(), index.column()))
-        look.changed.connect(self.viewport().update)
+        look.changed.connect(self._follow_look)
+
+    def _follow_look(self) -> None:
+        """Follow a change of theme or language; columns get the width of their words."""
+        self._model.headerDataChanged.emit(Qt.Orientation.Horizontal, 0, self._model.columnCount() - 1)
+        if self._model.rows:
+            self._model.dataChanged.emit(
+                self._model.index(0, 0), self._model.index(len(self._model.rows) - 1, self._model.columnCount() - 1)
+            )
+        self.viewport().update()
 
     def set_rows(self, rows: Sequence[Sequence[Cell]]) -> None:
         """Show these rows; the selected row is kept."""

@@ -63,7 +63,7 @@ class ResultPage(QWidget):
         self.setLayout(column(self.none, self._whole))
         self.show_none("")
         self._result: Result | None = None
-        look.changed.connect(self._show_sign)
+        look.changed.connect(self._follow_look)
 
     def show_none(self, words: str) -> None:
         """Show the reason why there is no result."""
@@ -90,18 +90,20 @@ class ResultPage(QWidget):
         self.table.setColumnHidden(TRUE, not result.has_truth)
         self.table.setColumnHidden(ERROR, not result.has_truth)
         self.table.setColumnHidden(CHANGE, not result.has_previous)
-        clear(self._facts)
-        for name, value in result.facts:
-            words = row(label(name, "soft"), 0, label(value, "body"))
-            self._facts.addLayout(words)
-        for words in result.reasons:
-            self._facts.addWidget(_paragraph(words))
-        for view, reason in result.rejected:
-            self._facts.addWidget(_paragraph(tr("View {view} rejected: {reason}", view=view, reason=reason)))
+        self._show_facts(result)
         self.show_checked(result)
         self.comparison.setText(keep_units(result.comparison))
         self._compared.setVisible(bool(result.comparison))
         self._show_rows()
+
+    def _show_facts(self, result: Result) -> None:
+        clear(self._facts)
+        for name, value in result.facts:
+            self._facts.addLayout(row(label(name, "soft"), 0, label(value, "body")))
+        for words in result.reasons:
+            self._facts.addWidget(_paragraph(words))
+        for view, reason in result.rejected:
+            self._facts.addWidget(_paragraph(tr("View {view} rejected: {reason}", view=view, reason=reason)))
 
     def show_checking(self, share: float) -> None:
         """Show how far the check with views held back is."""
@@ -123,6 +125,12 @@ class ResultPage(QWidget):
         if self._result is not None:
             group = self.groups.value()
             self.table.set_rows([_cells(one) for one in self._result.rows if one.estimate.group == group])
+
+    def _follow_look(self) -> None:
+        """Follow a change of theme or language; paragraphs have the height of their words."""
+        self._show_sign()
+        if self._result is not None:
+            self._show_facts(self._result)
 
     def _show_sign(self) -> None:
         if self._result is not None:

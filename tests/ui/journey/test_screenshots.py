@@ -49,3 +49,8 @@ def test_dialogs(application, filled, qtbot, wall):
         qtbot.wait(50)
         wall.keep(dialog, f"dialog-{type(dialog).__name__}")
         dialog.close()
+    for name in ("rig", "inspection"):
+        filled.help.show_page(name)
+        qtbot.wait(50)
+        wall.keep(filled.help, f"dialog-help-{name}")
+    filled.help.close()

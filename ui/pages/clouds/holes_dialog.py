@@ -28,7 +28,7 @@ HEADINGS = {
     "exposure": "Longest unsaturated exposure",
     "snr": "Modulation over noise",
 }
-STAGES = {"point": "Measured", "decode": "Lost in decoding", "match": "Lost in matching", "clean": "Removed by cleaning"}
+STAGES = {"point": "Point measured", "decode": "Lost in decoding", "match": "Lost in matching", "clean": "Removed by cleaning"}
 NO_LOSS = ("point", "seen by another")
 DIGITS = {"grey level": 0, "phase noise": 4, "projector column": 2, "point σ": 3, "cameras": 0}
 ASK = "Click a pixel in the picture, or a reason in the list, for an explanation."

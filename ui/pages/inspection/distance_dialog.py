@@ -25,7 +25,7 @@ class DistanceDialog(QDialog):
         self.field = distance_field()
         self.field.setValue(distance_mm)
         self.field.selectAll()
-        self.use = Button("Change", look, "", "primary", "What depends on the feature is measured again; it can be undone")
+        self.use = Button("Change distance", look, "", "primary", "What depends on the feature is measured again; it can be undone")
         self.use.setDefault(True)
         self.use.clicked.connect(self._use)
         cancel = Button("Cancel", look, "", "normal", "Change nothing")

@@ -79,7 +79,7 @@ class GrowBar(QWidget):
             return Properties("Feature", note=f"{HINT}.")
         feature = self.last.feature
         angle = () if feature.half_angle_rad is None else (("Cone angle", quantity(float(np.degrees(2 * feature.half_angle_rad)), "°")),)
-        place = Group("Position", tuple((axis, millimetres(float(value))) for axis, value in zip("xyz", feature.point_mm, strict=True)))
+        place = Group("Coordinates", tuple((axis, millimetres(float(value))) for axis, value in zip("xyz", feature.point_mm, strict=True)))
         how = Group("Traceability", (*angle, ("", f"{feature.how[:1].upper()}{feature.how[1:]}.")))
         return Properties(feature.name.capitalize(), (feature_group(feature), place, how), NOTE, COPY, ADD)
 

@@ -81,6 +81,6 @@ def probe_properties(found: ProbeValue) -> Properties:
         ("Points", counted(found.points)),
         ("Radius", millimetres(found.radius_mm, 2)),
     ]
-    place = Group("Position", tuple((axis, millimetres(float(value))) for axis, value in zip("xyz", found.point_mm, strict=True)))
+    place = Group("Coordinates", tuple((axis, millimetres(float(value))) for axis, value in zip("xyz", found.point_mm, strict=True)))
     how = (("", f"{found.assumed[:1].upper()}{found.assumed[1:]}."),) if found.assumed else ()
     return Properties("Deviation", (Group("Plane fit around the clicked place", (*rows, *how)), place))

@@ -29,7 +29,7 @@ class Face:
 
 FACES = (
     Face("front", "Front", (0, -1, 0), (0, 0, 1)),
-    Face("back", "Back", (0, 1, 0), (0, 0, 1)),
+    Face("back", "Rear", (0, 1, 0), (0, 0, 1)),
     Face("left", "Left", (-1, 0, 0), (0, 0, 1)),
     Face("right", "Right", (1, 0, 0), (0, 0, 1)),
     Face("top", "Top", (0, 0, 1), (0, 1, 0)),

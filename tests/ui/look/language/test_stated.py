@@ -14,6 +14,8 @@ from measureapp.data.consistency import Consistency, ConsistencyCheck
 from measureapp.data.dimension import CONTRIBUTION_LABELS, CONTRIBUTIONS
 from measureapp.data.inspection_program import InspectionProgram
 from measureapp.data.model import first_problem
+from measureapp.data.phase import PixelState
+from measureapp.data.point_state import PointState
 from measureapp.data.surroundings import KINDS, SURROUNDINGS_KEPT, Surroundings
 from measureapp.data.tolerance_text import parse_tolerance
 from measureapp.errors import FitError
@@ -28,7 +30,7 @@ from measureapp.pipeline.sample import SampleScan, sample_request
 from measureapp.register.clouds.quality import assess_cloud
 from measureapp.resources import resource
 from ui.look.language.sources import catalogue_file
-from ui.look.wording import keep_units, sentence, sentence_case
+from ui.look.wording import POINT_REASONS, keep_units, sentence, sentence_case
 
 KEPT = re.compile(
     r"`[^`]*`|'[^']*'|\w+_\w+|dimensions\.\d+|\b(?:bore|diameter|position|length|max|ISO)\b"
@@ -168,7 +170,20 @@ def test_the_names_of_demos_and_of_their_programs(chinese, tmp_path):
         assert name is None or not left_in_english(chinese, name), file
 
 
-def test_a_verdict_whose_units_are_kept_is_translated(chinese, monkeypatch):
-    monkeypatch.setattr("ui.look.wording.translated", chinese.renewed)
-    said = keep_units("Adds 0.021 mm (k = 2), at worst 0.131 mm, to a length of 300 mm in this volume: usable.")
+def test_a_verdict_whose_units_are_kept_is_translated_and_follows_the_language(chinese, monkeypatch):
+    monkeypatch.setattr("ui.look.wording.tr", lambda source, **values: chinese.translate(source, values))
+    english = "Adds 0.021 mm (k = 2), at worst 0.131 mm, to a length of 300 mm in this volume: usable."
+    said = keep_units(english)
     assert said.endswith("可用。") and "300\u00a0mm" in said and chinese.renewed("Distortion k1") == "畸变 k1"
+    catalogue = chinese.catalogue
+    chinese.use(None)
+    assert chinese.renewed(said) == english.replace(" mm", "\u00a0mm")
+    chinese.use(catalogue)
+    assert chinese.renewed(english.replace(" mm", "\u00a0mm")) == said
+
+
+@pytest.mark.parametrize("state", [*PixelState, *PointState], ids=lambda state: state.name)
+def test_why_a_pixel_has_no_point(chinese, state):
+    name = state.name.lower().replace("_", " ")
+    words = POINT_REASONS.get(name) or sentence_case(name)
+    assert state is PointState.NO_PHASE or not left_in_english(chinese, words)  # whose reason is that of the phase

@@ -8,12 +8,17 @@ import pytest
 from PySide6.QtCore import QAbstractListModel, QModelIndex
 from PySide6.QtWidgets import QAbstractItemView, QDialog, QWidget
 
+from measureapp.calibrate.draft.estimate import Estimate
+from measureapp.calibrate.draft.verdict import BY_THE_ROBOT
 from measureapp.calibrate.kinds.table import KINDS
 from tests.ui.look.language.displayed import chart_texts, displayed_texts, painted_texts
+from ui.controllers.result import Result, ValueRow
 from ui.viewport.backend import missing_graphics
 from ui.widgets.basic import label
+from ui.widgets.data_table import Cell, DataTable, number
 from ui.widgets.empty_rows import EmptyRows
 from ui.widgets.segments import Segments
+from ui.wizards.result_page import ResultPage
 
 PATIENCE_MS = 60_000
 
@@ -89,6 +94,30 @@ def test_open_wizards_follow_the_language(application, sample, qtbot, tongues):
     assert "\n".join(sorted(tongues.found)) == ""
 
 
+def test_the_result_of_a_wizard_follows_the_language(application, qtbot, tongues):
+    page = ResultPage(application.look)
+    qtbot.addWidget(page)
+    verdict = "Adds 0.021 mm (k = 2), at worst 0.131 mm, to a length of 300 mm in this volume: usable."
+    reasons = (BY_THE_ROBOT, "About 2.0 times as many observations, as different from each other, would make it good.")
+    row = ValueRow(Estimate("left.fx", 2045.3, 0.21, "px", "Camera left", "Focal length x"), 2045.1, 2044.9)
+    page.show_result(
+        Result(
+            *(None, None, None, verdict, "not proven", reasons, (row,)),
+            facts=(("Views used", "7 of 8"), ("Largest residual", "0.012 mm, 01")),
+            rejected=(("01", "There are no images of the board."),),
+            comparison=verdict,
+            has_truth=True,
+            has_previous=True,
+            held_back=verdict,
+        )
+    )
+    page.show()
+    english = {text for _, text in displayed_texts(page)}
+    tongues.listen("result", page)
+    assert "\n".join(sorted(tongues.found)) == ""
+    assert {text for _, text in displayed_texts(page)} == english
+
+
 def dialogs(window) -> dict[str, Callable[[], object]]:
     """Return what opens each dialog of the window."""
     pages = window.pages
@@ -129,6 +158,19 @@ def test_texts_with_one_translation_become_what_they_were(application, window, q
     application.language.retranslation.finish()
     assert {words: one.text() for words, one in made.items()} == {words: words for words in made}
     assert [list_.button(one).text() for one in "df"] == ["Dimensions", "Features"]
+
+
+def test_columns_get_the_width_of_their_words(application, qtbot):
+    table = DataTable(application.look, ["Feature", "Form"], numeric=[1])
+    qtbot.addWidget(table)
+    table.set_rows([[Cell("bore"), number("0.1")]])
+    table.show()
+    english = table.columnWidth(1)
+    application.settings.set_text("language", "zh_CN")
+    needed = table.fontMetrics().horizontalAdvance("形状误差")
+    qtbot.waitUntil(lambda: table.columnWidth(1) >= needed > english, timeout=PATIENCE_MS // 12)
+    application.settings.set_text("language", "en")
+    qtbot.waitUntil(lambda: table.columnWidth(1) == english, timeout=PATIENCE_MS // 12)
 
 
 def test_lists_without_rows_say_how_they_are_filled(window):
