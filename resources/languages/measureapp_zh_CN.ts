@@ -12625,7 +12625,7 @@ alignment = "{v2}"
     </message>
     <message>
       <source>Checks of the error model</source>
-      <translation>误差模型的检验</translation>
+      <translation>误差模型的检查</translation>
     </message>
     <message>
       <source>Chord</source>
