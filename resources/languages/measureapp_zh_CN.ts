@@ -13,7 +13,7 @@
     </message>
     <message>
       <source>Everywhere</source>
-      <translation>全部位置</translation>
+      <translation>所有页面</translation>
     </message>
     <message>
       <source>It cannot be used at the moment.</source>
@@ -45,7 +45,7 @@
     </message>
     <message>
       <source>Where</source>
-      <translation>位置</translation>
+      <translation>适用页面</translation>
     </message>
     <message>
       <source>small</source>
@@ -3889,10 +3889,6 @@
     <message>
       <source>to the right</source>
       <translation>向右</translation>
-    </message>
-    <message>
-      <source>too dark</source>
-      <translation>太暗</translation>
     </message>
     <message>
       <source>upper edge</source>
@@ -15902,6 +15898,10 @@ alignment = "{v2}"
       <translation>用于消息，例如图案集的名称</translation>
     </message>
     <message>
+      <source>For {area} mm²: {cause}.</source>
+      <translation>用于 {area} mm²：{cause}。</translation>
+    </message>
+    <message>
       <source>Framing</source>
       <translation>帧格式</translation>
     </message>
@@ -16740,6 +16740,10 @@ alignment = "{v2}"
     <message>
       <source>Order of the images</source>
       <translation>图像顺序</translation>
+    </message>
+    <message>
+      <source>Other exposures, for {area} mm²: {cause}.</source>
+      <translation>换用其他曝光，用于 {area} mm²：{cause}。</translation>
     </message>
     <message>
       <source>Out of range</source>
@@ -17702,6 +17706,10 @@ alignment = "{v2}"
       <translation>字节</translation>
     </message>
     <message>
+      <source>centimetres</source>
+      <translation>厘米</translation>
+    </message>
+    <message>
       <source>days</source>
       <translation>天</translation>
     </message>
@@ -17766,6 +17774,10 @@ alignment = "{v2}"
       <translation>英寸</translation>
     </message>
     <message>
+      <source>inches</source>
+      <translation>英寸</translation>
+    </message>
+    <message>
       <source>is a blade_section</source>
       <translation>是 blade_section</translation>
     </message>
@@ -17782,8 +17794,24 @@ alignment = "{v2}"
       <translation>位置</translation>
     </message>
     <message>
+      <source>metres</source>
+      <translation>米</translation>
+    </message>
+    <message>
+      <source>micrometres</source>
+      <translation>微米</translation>
+    </message>
+    <message>
+      <source>millimetres</source>
+      <translation>毫米</translation>
+    </message>
+    <message>
       <source>no tolerance</source>
       <translation>无公差</translation>
+    </message>
+    <message>
+      <source>no viewpoint sees it</source>
+      <translation>没有视点能看到</translation>
     </message>
     <message>
       <source>one</source>
@@ -17826,6 +17854,10 @@ alignment = "{v2}"
       <translation>机器人</translation>
     </message>
     <message>
+      <source>saturated</source>
+      <translation>饱和</translation>
+    </message>
+    <message>
       <source>seen by another</source>
       <translation>由另一相机看到</translation>
     </message>
@@ -17836,6 +17868,10 @@ alignment = "{v2}"
     <message>
       <source>sphere_plate</source>
       <translation>球板</translation>
+    </message>
+    <message>
+      <source>standard deviation above the required one</source>
+      <translation>标准差超出要求</translation>
     </message>
     <message>
       <source>table</source>
@@ -17862,6 +17898,14 @@ alignment = "{v2}"
       <translation>时间</translation>
     </message>
     <message>
+      <source>too dark</source>
+      <translation>太暗</translation>
+    </message>
+    <message>
+      <source>touches the support</source>
+      <translation>与支承接触</translation>
+    </message>
+    <message>
       <source>two</source>
       <translation>2</translation>
     </message>
@@ -17876,6 +17920,10 @@ alignment = "{v2}"
     <message>
       <source>usual</source>
       <translation>普通</translation>
+    </message>
+    <message>
+      <source>visible, but its pixels have no point</source>
+      <translation>可见，但其像素没有点</translation>
     </message>
     <message>
       <source>{bits} bit ({name})</source>
@@ -21811,8 +21859,16 @@ There is no page about “{name}”.</source>
       <translation>在文件夹中</translation>
     </message>
     <message>
-      <source>In which unit {words} the {kind}?</source>
-      <translation>{kind}中的{words}以何单位表示？</translation>
+      <source>In which unit are the points?</source>
+      <translation>点的单位是什么？</translation>
+    </message>
+    <message>
+      <source>In which unit is the mesh?</source>
+      <translation>网格的单位是什么？</translation>
+    </message>
+    <message>
+      <source>In which unit is the nominal?</source>
+      <translation>名义模型的单位是什么？</translation>
     </message>
     <message>
       <source>Inner corners across</source>
@@ -21959,6 +22015,10 @@ There is no page about “{name}”.</source>
       <translation>未说明</translation>
     </message>
     <message>
+      <source>Note</source>
+      <translation>说明</translation>
+    </message>
+    <message>
       <source>Nothing but noise and what the program's model describes: what the algorithms reach</source>
       <translation>只有噪声和程序模型所描述的误差：算法本身所能达到的水平</translation>
     </message>
@@ -22001,6 +22061,10 @@ There is no page about “{name}”.</source>
     <message>
       <source>Printed, ± 0.1 mm on 180 mm</source>
       <translation>打印，180 mm 上 ± 0.1 mm</translation>
+    </message>
+    <message>
+      <source>Problem</source>
+      <translation>问题</translation>
     </message>
     <message>
       <source>Processed</source>
@@ -22213,6 +22277,10 @@ There is no page about “{name}”.</source>
     <message>
       <source>Waiting</source>
       <translation>等待中</translation>
+    </message>
+    <message>
+      <source>Warning</source>
+      <translation>警告</translation>
     </message>
     <message>
       <source>What happened</source>
