@@ -15398,6 +15398,14 @@ alignment = "{v2}"
       <translation>投影仪黑电平与白电平之比</translation>
     </message>
     <message>
+      <source>Blade form</source>
+      <translation>叶片形状误差</translation>
+    </message>
+    <message>
+      <source>Blade profile</source>
+      <translation>叶片轮廓度</translation>
+    </message>
+    <message>
       <source>Blooming</source>
       <translation>溢出</translation>
     </message>
@@ -15460,6 +15468,10 @@ alignment = "{v2}"
     <message>
       <source>Calibration images</source>
       <translation>标定图像</translation>
+    </message>
+    <message>
+      <source>Camber</source>
+      <translation>弯度</translation>
     </message>
     <message>
       <source>Camera drift</source>
@@ -15532,6 +15544,10 @@ alignment = "{v2}"
     <message>
       <source>Choose one of: {expected}</source>
       <translation>请选择其一：{expected}</translation>
+    </message>
+    <message>
+      <source>Chord</source>
+      <translation>弦长</translation>
     </message>
     <message>
       <source>Clearance</source>
@@ -16374,6 +16390,10 @@ alignment = "{v2}"
       <translation>延迟</translation>
     </message>
     <message>
+      <source>Leading radius</source>
+      <translation>前缘半径</translation>
+    </message>
+    <message>
       <source>Least distance that moving bodies keep from everything else</source>
       <translation>运动物体与其他一切物体保持的最小距离</translation>
     </message>
@@ -16516,6 +16536,14 @@ alignment = "{v2}"
     <message>
       <source>Material</source>
       <translation>材料</translation>
+    </message>
+    <message>
+      <source>Max thickness</source>
+      <translation>最大厚度</translation>
+    </message>
+    <message>
+      <source>Max thickness place</source>
+      <translation>最大厚度位置</translation>
     </message>
     <message>
       <source>Mean depth at which light is scattered back below the surface</source>
@@ -16820,6 +16848,10 @@ alignment = "{v2}"
     <message>
       <source>Photo response non-uniformity, relative standard deviation (EMVA 1288)</source>
       <translation>光响应非均匀性，相对标准差 (EMVA 1288)</translation>
+    </message>
+    <message>
+      <source>Pitch</source>
+      <translation>叶片间距角</translation>
     </message>
     <message>
       <source>Pitch, yaw and roll of the slide, half their range over the stroke</source>
@@ -17174,6 +17206,14 @@ alignment = "{v2}"
       <translation>像元尺寸</translation>
     </message>
     <message>
+      <source>Slot length</source>
+      <translation>槽长</translation>
+    </message>
+    <message>
+      <source>Slot width</source>
+      <translation>槽宽</translation>
+    </message>
+    <message>
       <source>Smooth deviation of the surface from its nominal, rms along the normal</source>
       <translation>表面相对于名义模型的平滑偏差，沿法向的均方根值</translation>
     </message>
@@ -17220,6 +17260,10 @@ alignment = "{v2}"
     <message>
       <source>Sphere plate: diameters and centre distances</source>
       <translation>球板：直径与球心距</translation>
+    </message>
+    <message>
+      <source>Stagger</source>
+      <translation>安装角</translation>
     </message>
     <message>
       <source>Standard uncertainty of the scale, where the board states no class or certificate; 0: that of its class</source>
@@ -17382,6 +17426,10 @@ alignment = "{v2}"
       <translation>测头框架的热膨胀系数；默认：铝</translation>
     </message>
     <message>
+      <source>Thickness</source>
+      <translation>厚度</translation>
+    </message>
+    <message>
       <source>This text does not have the required form</source>
       <translation>此文本的格式不符合要求</translation>
     </message>
@@ -17486,6 +17534,10 @@ alignment = "{v2}"
       <translation>总计</translation>
     </message>
     <message>
+      <source>Trailing radius</source>
+      <translation>尾缘半径</translation>
+    </message>
+    <message>
       <source>Transfer 10 and 12 bit in packed formats, where the camera has them</source>
       <translation>相机支持时以打包格式传输 10 位和 12 位图像</translation>
     </message>
@@ -17516,6 +17568,10 @@ alignment = "{v2}"
     <message>
       <source>Tuple should have at most {count} items after validation, not {found}</source>
       <translation>数组最多 {count} 项，而非 {found} 项</translation>
+    </message>
+    <message>
+      <source>Twist</source>
+      <translation>扭转角</translation>
     </message>
     <message>
       <source>Two reads this far apart must agree</source>
@@ -17766,6 +17822,10 @@ alignment = "{v2}"
       <translation>二分之一</translation>
     </message>
     <message>
+      <source>horizontal</source>
+      <translation>水平</translation>
+    </message>
+    <message>
       <source>impeller</source>
       <translation>叶轮</translation>
     </message>
@@ -17920,6 +17980,10 @@ alignment = "{v2}"
     <message>
       <source>usual</source>
       <translation>普通</translation>
+    </message>
+    <message>
+      <source>vertical</source>
+      <translation>竖直</translation>
     </message>
     <message>
       <source>visible, but its pixels have no point</source>
