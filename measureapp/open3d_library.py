@@ -18,12 +18,16 @@ def open3d() -> Any:
     """
     if "open3d" not in sys.modules:
         sys.modules.setdefault(VIEWERS, ModuleType(VIEWERS))
-    for left in reversed(range(TRIALS)):
+    for _ in range(TRIALS - 1):
         try:
-            import open3d as library
+            return _imported()
         except RuntimeError as error:
-            if not left or "changed size" not in str(error):
+            if "changed size" not in str(error):
                 raise
-        else:
-            return library
-    return None
+    return _imported()
+
+
+def _imported() -> Any:
+    import open3d as library
+
+    return library

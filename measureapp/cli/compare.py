@@ -23,8 +23,14 @@ if TYPE_CHECKING:
     from measureapp.project.geometry.files import PlainPoints
 
 AMOUNTS = ("rms", "p95")  # figures that have no sign
+LARGEST_MM = 1000.0
 SECTION_FILE = Path("sections.csv")
 SECTION = re.compile(r"\s*([xyzr])\s*=\s*([-+]?\d+(?:\.\d*)?)\s*")
+
+
+def _millimetres(words: str) -> Any:
+    """Return an option that is a distance."""
+    return typer.Option(min=0.001, max=LARGEST_MM, help=words)
 
 
 def register(app: typer.Typer) -> None:
@@ -44,16 +50,14 @@ def register(app: typer.Typer) -> None:
         section: Annotated[
             list[str] | None, typer.Option(help="Section (may be repeated): x=0, y=-5, z=20, or r=100 about the z axis.")
         ] = None,
-        section_width: Annotated[float, typer.Option(min=0.001, help="Width of the strip of points of a section, in mm.")] = 1.0,
+        section_width: Annotated[float, _millimetres("Width of the strip of points of a section, in mm.")] = 1.0,
         section_file: Annotated[Path, typer.Option(help="Output file of the sections: CSV or JSON, by its extension.")] = SECTION_FILE,
         map_file: Annotated[
             Path | None, typer.Option("--map", help="Write the nominal coloured by deviation as PLY; grey where not measured.")
         ] = None,
-        reach: Annotated[
-            float, typer.Option(min=0.001, help="The nominal counts as measured where a point lies closer than this, in mm.")
-        ] = 2.0,
+        reach: Annotated[float, _millimetres("The nominal counts as measured where a point lies closer than this, in mm.")] = 2.0,
         search: Annotated[
-            float, typer.Option(min=0.001, help="Points farther than this from the nominal are counted, not compared (statistics), in mm.")
+            float, _millimetres("Points farther than this from the nominal are counted, not compared (statistics), in mm.")
         ] = 2.0,
         unit: UnitOption = LengthUnit.MM,
         nominal_unit: Annotated[LengthUnit, typer.Option("--nominal-unit", help="Unit of the nominal.")] = LengthUnit.MM,

@@ -41,11 +41,10 @@ def register(app: typer.Typer) -> None:
     ) -> None:
         """Crop and clean a cloud: box, planes, radius, statistical, isolated patches, in this order."""
         from measureapp.errors import InputError
-        from measureapp.project.geometry.files import read_points, write_cloud
+        from measureapp.project.geometry.files import read_points, require_writable_geometry, write_cloud
         from measureapp.register.clouds.filter_chain import Filter, apply_filters
 
-        if out.suffix.lower() not in (".ply", ".xyz"):
-            raise InputError(f"{out}: this is not a format for clouds.", "Use .ply or .xyz.")
+        require_writable_geometry(out)
         if out.exists() and out.samefile(cloud):
             raise InputError(f"{out} is the cloud to be filtered.", "Name another file for the filtered one.")
         requested = [] if box is None else [Filter("box", _numbers("--box", box, 6))]

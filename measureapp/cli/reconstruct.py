@@ -71,8 +71,9 @@ def register(app: typer.Typer) -> None:
         from measureapp.progress import PartOf
         from measureapp.project.calibration.camera_file import read_cameras
         from measureapp.project.fringes.manifest import read_manifest
-        from measureapp.project.geometry.files import write_cloud
+        from measureapp.project.geometry.files import require_writable_geometry, write_cloud
 
+        require_writable_geometry(out)
         calibration = read_cameras(cameras)
         stack = read_manifest(manifest)
         settings = with_limits(decode_settings(stack, rule, per_frequency, noise, response, blooming_px), min_modulation, max_phase_sigma)

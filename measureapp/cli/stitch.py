@@ -82,17 +82,17 @@ def register(app: typer.Typer) -> None:
 
 def _check_outputs(clouds: list[Path], out: Path, mesh: Path | None) -> None:
     from measureapp.errors import InputError
+    from measureapp.project.geometry.files import require_writable_geometry
 
     stems = [path.stem for path in clouds]
     twice = sorted({stem for stem in stems if stems.count(stem) > 1})
     if twice:
         raise InputError(f"Two clouds are named {twice[0]!r}.", "Give each view its own file name: it names the pose.")
-    if out.suffix.lower() not in (".ply", ".xyz"):
-        raise InputError(f"{out}: this is not a format for clouds.", "Use .ply or .xyz.")
+    require_writable_geometry(out)
     if any(out.exists() and out.samefile(path) for path in clouds if path.exists()):
         raise InputError(f"{out} is one of the clouds to be stitched.", "Name another file for the stitched one.")
-    if mesh and mesh.suffix.lower() not in (".ply", ".stl"):
-        raise InputError(f"{mesh}: this is not a format for meshes.", "Use .ply or .stl.")
+    if mesh:
+        require_writable_geometry(mesh, mesh=True)
 
 
 def _check_accepted(accepted: list[str], clouds: list[Path]) -> None:

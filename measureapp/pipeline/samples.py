@@ -20,7 +20,7 @@ from measureapp.errors import InputError, StorageError
 from measureapp.pipeline.events import Event
 from measureapp.pipeline.restitch import restitch
 from measureapp.progress import NoProgress, Progress
-from measureapp.project.atomic import replacing, write_text
+from measureapp.project.atomic import replacing, require_writable, write_text
 from measureapp.project.folder import ProjectFolder
 from measureapp.project.journal import disk
 from measureapp.resources import resource
@@ -101,6 +101,7 @@ def pack_sample(
     measurement = project.measurement()
     if measurement is None:
         raise InputError(f"{source} contains no measurement.", "Scan first, or recompute it: measureapp process PROJECT.")
+    require_writable(archive)
     with tempfile.TemporaryDirectory() as folder:
         made = Path(folder)
         write_text(made / "project.json", project.settings.model_copy(update={"name": title}).model_dump_json(indent=2))

@@ -26,8 +26,7 @@ def replacing(path: Path) -> Iterator[Path]:
         ``path`` is a folder, its folder cannot be written to, or the disk is full (`DiskFull`) or failed (`DiskFailed`).
     """
     path = Path(path)
-    if not path.name or path.is_dir():
-        raise StorageError(f"{path} is a folder.", "Give the path of the file to be written.")
+    _check_is_file(path)
     temporary = publish.part_of(path)
     try:
         with disk.explained(path):
@@ -44,6 +43,24 @@ def replacing(path: Path) -> Iterator[Path]:
         raise
     if project is not None:
         publish.publish(project, Entry(FILE), staged)
+
+
+def require_writable(path: Path) -> None:
+    """Try before a long job whether its file can be written. Raises StorageError, as `replacing`."""
+    path = Path(path)
+    _check_is_file(path)
+    trial = publish.part_of(path)
+    try:
+        with disk.explained(path):
+            path.parent.mkdir(parents=True, exist_ok=True)
+            trial.touch()
+    finally:
+        publish.discard([trial])
+
+
+def _check_is_file(path: Path) -> None:
+    if not path.name or path.is_dir():
+        raise StorageError(f"{path} is a folder.", "Give the path of the file to be written.")
 
 
 @contextmanager

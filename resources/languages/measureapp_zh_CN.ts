@@ -10210,10 +10210,6 @@
       <translation>schema_version 1 的文件</translation>
     </message>
     <message>
-      <source>a file without ending</source>
-      <translation>没有扩展名的文件</translation>
-    </message>
-    <message>
       <source>a list of numbers</source>
       <translation>数值列表</translation>
     </message>
@@ -10970,16 +10966,8 @@ alignment = "{v2}"
       <translation>{v1}：`periods` 需要 `{v2}`，即其延伸的长度。</translation>
     </message>
     <message>
-      <source>{v1}: a cloud cannot be written as {v2}.</source>
-      <translation>{v1}：点云不能写为 {v2}。</translation>
-    </message>
-    <message>
       <source>{v1}: a group of horizontal fringes has projector_px.</source>
       <translation>{v1}：有水平条纹组含 projector_px。</translation>
-    </message>
-    <message>
-      <source>{v1}: a mesh cannot be written as {v2}.</source>
-      <translation>{v1}：网格不能写为 {v2}。</translation>
     </message>
     <message>
       <source>{v1}: a single pitch of {v2} px leaves the period ambiguous.</source>
@@ -11052,6 +11040,14 @@ alignment = "{v2}"
     <message>
       <source>{v1}: the reference camera {v2} is not among the cameras.</source>
       <translation>{v1}：参考相机 {v2} 不在相机中。</translation>
+    </message>
+    <message>
+      <source>{v1}: this is not a format for clouds.</source>
+      <translation>{v1}：这不是点云文件的格式。</translation>
+    </message>
+    <message>
+      <source>{v1}: this is not a format for meshes.</source>
+      <translation>{v1}：这不是网格文件的格式。</translation>
     </message>
     <message>
       <source>{v1}: two exposures have the same exposure_us.</source>
@@ -18164,6 +18160,10 @@ The first run of this part counts.</source>
     <message>
       <source>Folder of the part programs</source>
       <translation>工件程序的文件夹</translation>
+    </message>
+    <message>
+      <source>For the engineer: {remedy}</source>
+      <translation>供工程师参考：{remedy}</translation>
     </message>
     <message>
       <source>Go on</source>

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from measureapp.errors import StorageError
-from measureapp.project.atomic import write_text
+from measureapp.project.atomic import require_writable, write_text
 from measureapp.project.journal.disk import storage_error
 from measureapp.project.journal.publish import part_of
 
@@ -37,3 +37,12 @@ def test_an_error_names_the_file_that_is_written_and_not_its_temporary_name(tmp_
     assert str(storage_error(part, OSError(28, "No space left on device"))).startswith(
         f"{tmp_path / 'calibration' / 'cameras.json'} cannot"
     )
+
+
+def test_before_a_long_job_it_is_tried_whether_its_file_can_be_written_and_nothing_is_left(tmp_path):
+    (tmp_path / "a file").write_text("")
+    for path in (tmp_path / "a file" / "plan.toml", tmp_path):
+        with pytest.raises(StorageError):
+            require_writable(path)
+    require_writable(tmp_path / "new folder" / "plan.toml")
+    assert sorted(one.name for one in tmp_path.rglob("*")) == ["a file", "new folder"]

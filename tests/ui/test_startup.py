@@ -13,6 +13,8 @@ from pathlib import Path
 
 import pytest
 
+from measureapp.errors import MeasureError
+from measureapp.progress import NoProgress
 from ui.app import keep_log
 from ui.controllers import startup
 from ui.workers.job import LOG, unexpected
@@ -64,21 +66,16 @@ def test_errors_of_the_program_are_written_to_the_log_that_the_message_names(tmp
             handler.close()
 
 
-def test_an_import_that_another_thread_disturbed_is_tried_again(monkeypatch):
-    calls = []
-
-    def disturbed(name):
-        calls.append(name)
-        if len(calls) < 3:
-            raise RuntimeError("dictionary changed size during iteration")
-
-    monkeypatch.setattr(startup.importlib, "import_module", disturbed)
-    startup.import_with_retry("open3d")
-    assert calls == ["open3d"] * 3
-    monkeypatch.setattr(startup, "IMPORT_TRIALS", 1)
-    calls.clear()
-    with pytest.raises(RuntimeError, match="changed size"):
-        startup.import_with_retry("open3d")
+def test_open3d_is_imported_without_its_viewers_by_the_one_way_of_the_program(monkeypatch):
+    called = []
+    monkeypatch.setattr(startup, "open3d", lambda: called.append("open3d"))
+    monkeypatch.setattr(startup, "WARM_UP", ("json", startup.OPEN3D))
+    monkeypatch.setattr(startup.importlib, "import_module", called.append)
+    startup.import_all(NoProgress())
+    assert called == ["json", "open3d"]
+    monkeypatch.setattr(startup, "WARM_UP", ("a_package_that_nobody_has",))
+    with pytest.raises(MeasureError, match="a_package_that_nobody_has is missing"):
+        startup.import_all(NoProgress())
 
 
 def test_what_is_imported_meanwhile_is_never_searched_for_garbage():
@@ -101,6 +98,6 @@ def test_nothing_waits_behind_the_preparation_which_takes_minutes_at_the_first_s
     controllers.background.run("Comparing with the nominal", lambda _job: "compared", reached.append, quiet=True)
     qtbot.waitUntil(lambda: reached == ["compared"], timeout=10_000)
     assert controllers.preparing.queue.busy
-    qtbot.waitUntil(lambda: len(window.pages.made) == len(window.pages))  # in idle moments, when all packages are imported
+    qtbot.waitUntil(lambda: len(window.pages.made) == len(window.pages), timeout=20_000)  # in idle moments, once all packages are there
     done.set()
     qtbot.waitUntil(lambda: not controllers.preparing.queue.busy, timeout=10_000)

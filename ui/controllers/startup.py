@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 from PySide6.QtCore import QObject, Signal, Slot
 
 from measureapp.errors import MeasureError
+from measureapp.open3d_library import open3d
 from measureapp.progress import PartOf, Progress
 from ui.controllers.jobs import JobRunner
 from ui.look.language.words import tr
@@ -23,14 +24,14 @@ if TYPE_CHECKING:
     from measureapp.devices.plugin_loader import PluginRow
     from ui.workers.job import Job
 
+OPEN3D = "open3d"
 WARM_UP = (
-    *("scipy.optimize", "scipy.spatial", "numba", "open3d", "trimesh", "measureapp.pipeline.warm_up", "measureapp.pipeline.sample"),
+    *("scipy.optimize", "scipy.spatial", "numba", OPEN3D, "trimesh", "measureapp.pipeline.warm_up", "measureapp.pipeline.sample"),
     *("measureapp.fringe.patterns.check", "measureapp.planning.edit", "measureapp.planning.frusta"),  # the first click on the page Plan
     *("measureapp.pipeline.plan_check", "measureapp.pipeline.plan_coverage", "measureapp.project.calibration.certificate_file"),  # a wizard
     *("measureapp.planning.coverage.head", "measureapp.acquire.control", "measureapp.acquire.time_left", "ui.charts.plotting"),
 )
 IMPORTED_SHARE = 0.3
-IMPORT_TRIALS = 5
 LONGEST_YIELD_S, YIELD_S = 20.0, 0.05
 DEFAULT_RIG = "paper"
 NEVER = 1_000_000
@@ -129,17 +130,6 @@ def made_to_last() -> Iterator[None]:
         gc.set_threshold(*kept)
 
 
-def import_with_retry(name: str) -> None:
-    """Import a module; open3d iterates over the loaded modules and fails if another thread imports at the same time."""
-    for left in reversed(range(IMPORT_TRIALS)):
-        try:
-            importlib.import_module(name)
-            return
-        except RuntimeError:
-            if not left:
-                raise
-
-
 class Yielding:
     """Progress of work in the background that waits, between its steps, for a job that somebody is waiting for."""
 
@@ -168,7 +158,7 @@ def import_all(job: Progress) -> None:
                 raise MeasureError(
                     tr("The package {name} is missing.", name=name), "Run `python3 installer/bootstrap.py run` to repair the installation."
                 )
-            import_with_retry(name)
+            open3d() if name == OPEN3D else importlib.import_module(name)
 
 
 def load_kernels(job: Progress) -> None:

@@ -26,7 +26,7 @@ from ui.widgets.empty_state import EmptyState
 from ui.workers.job import Job
 
 ROOM_FOR_WORDS = 1150  # px
-LEAST_PICTURE, LEAST_SIDE = 556, 400  # px, the page's margins included
+LEAST_PICTURE, LEAST_SIDE = 556, 384  # px, the page's margins included
 LEAST_SPLIT, SPLITTER_PX = 440, 16
 
 

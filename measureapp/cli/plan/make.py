@@ -66,10 +66,12 @@ def register(app: typer.Typer) -> None:
         from measureapp.pipeline.plan_making import PlanContext, make_plan
         from measureapp.pipeline.prediction.light import PartLight
         from measureapp.planning.generate import GeneratorSettings
+        from measureapp.project.atomic import require_writable
         from measureapp.project.plan_file import check_plan_name, write_plan
         from measureapp.project.rig_file import read_rig
 
         check_plan_name(out)
+        require_writable(out)
         description = read_rig(rig)
         settings = GeneratorSettings(
             name=out.stem,

@@ -18,7 +18,7 @@ from measureapp.data.length_unit import LengthUnit
 from measureapp.data.mesh import Mesh
 from measureapp.data.view_errors import ViewErrors
 from measureapp.errors import InputError, UnitQuestion
-from measureapp.project.atomic import replacing
+from measureapp.project.atomic import replacing, require_writable
 from measureapp.project.geometry.mesh_files import read_obj, read_stl, write_stl
 from measureapp.project.geometry.ply import Ply, Ragged, read_ply, write_ply
 from measureapp.project.geometry.point_files import read_pcd, read_text_points
@@ -184,32 +184,42 @@ def read_stitched(path: Path) -> StitchedCloud:
     )
 
 
+def require_writable_geometry(path: Path, *, mesh: bool = False) -> None:
+    """Try before a long job whether a cloud, or a mesh, can be written there; raises StorageError or InputError."""
+    _check_ending(path, mesh=mesh)
+    require_writable(path)
+
+
+def _check_ending(path: Path, *, mesh: bool) -> None:
+    ending = Path(path).suffix.lower()
+    if mesh and ending not in (".ply", ".stl"):
+        raise InputError(f"{path}: this is not a format for meshes.", "Use .ply or .stl.")
+    if not mesh and ending not in (".ply", ".xyz"):
+        raise InputError(f"{path}: this is not a format for clouds.", "Use .ply or .xyz.")
+
+
 def write_cloud(path: Path, cloud: PointCloud | StitchedCloud) -> None:
     """Write a cloud as PLY (binary) or, by the ending of ``path``, as XYZ (x y z nx ny nz); raises StorageError or InputError."""
-    kind = Path(path).suffix.lower()
+    _check_ending(path, mesh=False)
     with replacing(Path(path)) as temporary:
-        if kind == ".xyz":
+        if temporary.suffix.lower() == ".xyz":
             np.savetxt(temporary, np.column_stack([cloud.points_mm, cloud.normals]), "%.6g")
-        elif kind == ".ply":
+        else:
             errors = cloud.errors if isinstance(cloud, StitchedCloud) else None
             write_ply(temporary, _comments(cloud), {"vertex": _cloud_columns(cloud), **error_elements(errors)})
-        else:
-            raise InputError(f"{path}: a cloud cannot be written as {kind or 'a file without ending'}.", "Use .ply or .xyz.")
 
 
 def write_mesh(path: Path, mesh: Mesh) -> None:
     """Write triangles as PLY or STL (binary), by the ending of ``path``; raises StorageError or InputError."""
-    kind = Path(path).suffix.lower()
+    _check_ending(path, mesh=True)
     with replacing(Path(path)) as temporary:
-        if kind == ".stl":
+        if temporary.suffix.lower() == ".stl":
             write_stl(temporary, mesh.vertices_mm, mesh.triangles)
-        elif kind == ".ply":
+        else:
             vertex = _xyz_columns(mesh.vertices_mm)
             if mesh.measured is not None:
                 vertex["measured"] = mesh.measured.astype(np.uint8)
             write_ply(temporary, [f"{LABEL}frame {mesh.frame}"], {"vertex": vertex, "face": {"vertex_indices": mesh.triangles}})
-        else:
-            raise InputError(f"{path}: a mesh cannot be written as {kind or 'a file without ending'}.", "Use .ply or .stl.")
 
 
 def _check_file(path: Path, kinds: tuple[str, ...] = KINDS) -> tuple[Path, str]:

@@ -295,6 +295,6 @@ def test_nothing_half_written_is_left_where_writing_fails(tmp_path: Path, view: 
     (tmp_path / "folder.ply").mkdir()
     with pytest.raises(StorageError):
         write_cloud(tmp_path / "folder.ply", view)
-    with pytest.raises(InputError, match="cannot be written"):
+    with pytest.raises(InputError, match="not a format for meshes"):
         write_mesh(tmp_path / "m.obj", tetrahedron)
     assert [path.name for path in tmp_path.iterdir()] == ["folder.ply"]

@@ -7,10 +7,11 @@ from pathlib import Path
 
 import pytest
 
+from measureapp.progress import NoProgress
 from measureapp.resources import resource
 from tests.ui.heartbeat import slowness
 from tests.ui.journey.test_journey import write_quarter_rig
-from ui.controllers.startup import WARM_UP, import_with_retry
+from ui.controllers.startup import import_all
 
 LIMIT_S = 1.0
 PATIENCE_MS = 300_000
@@ -39,8 +40,7 @@ def _generate(application, folder):
 def test_a_job_ends_within_a_second_after_cancel(application, window, qtbot, tmp_path, begin, later_ms):
     from measureapp.project.rig_file import read_rig
 
-    for name in WARM_UP:
-        import_with_retry(name)
+    import_all(NoProgress())
     planning, queue = application.controllers.planning, application.controllers.jobs.queue
     application.session.set_rig(read_rig(write_quarter_rig(tmp_path / "quarter.toml")))
     planning.part.choose(GYPSUM)

@@ -5,7 +5,8 @@ from __future__ import annotations
 import pytest
 
 from measureapp.calibrate.kinds.table import KINDS
-from ui.controllers.startup import WARM_UP, import_with_retry
+from measureapp.progress import NoProgress
+from ui.controllers.startup import import_all
 
 PATIENCE_MS = 60_000
 
@@ -19,8 +20,7 @@ def _settle(application, qtbot) -> None:
 @pytest.mark.slow
 @pytest.mark.timed
 def test_pages_open_without_a_stall(application, filled, heartbeat, qtbot):
-    for name in WARM_UP:  # in the background of the program's first seconds
-        import_with_retry(name)
+    import_all(NoProgress())  # in the background of the program's first seconds
     filled.make_pages()
     qtbot.waitUntil(lambda: len(filled.pages.made) == len(filled.pages))
     qtbot.wait(100)

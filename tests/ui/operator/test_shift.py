@@ -124,7 +124,7 @@ def test_after_a_fault_it_says_what_is_kept_and_resumes_in_the_same_folder(works
     workshop.fault = DeviceError("The projector does not answer.", "Check its cable.")
     workshop.begin("GC-0007")
     run = workshop.screens.run
-    assert run.cause.text() == "The projector does not answer." and run.remedy.text() == "Check its cable."
+    assert run.cause.text() == "The projector does not answer." and run.remedy.text() == "For the engineer: Check its cable."
     assert run.kept.text() == "1 of 6 viewpoints are stored and kept."
     following = list(workshop.requests[0].plan)[1].id
     assert following in run.press.text()
@@ -168,7 +168,7 @@ def test_stop_is_answered_at_once_and_an_operator_is_not_sent_to_a_page_he_has_n
     session.tell("Cancelled.", "Data stored so far is kept.", "warning")
     session.tell("Everything was stopped.", "Reset the stop on the Rig page before anything moves again.", "warning", cause=STOPPED)
     session.set_run(RunNow("idle"))
-    assert run.cause.text() == "The measurement was stopped." and run.remedy.text() == "The project folder is gone."
+    assert run.cause.text() == "The measurement was stopped." and run.remedy.text() == "For the engineer: The project folder is gone."
 
 
 def test_what_is_gone_with_its_folder_is_not_said_to_be_kept(workshop):

@@ -39,6 +39,7 @@ NOTHING_KEPT = "No viewpoint was stored yet."
 PRESS = "If the part has not been moved, hold Resume: the measurement goes on with {following}. If it has been moved, start again."
 LOST = "The folder of this part is gone, with all that was stored in it."
 PRESS_LOST = "When it is back, hold Resume. Otherwise start again."
+FOR_ENGINEER = "For the engineer: {remedy}"
 PRESS_PROCESS = "All viewpoints are stored. Hold Resume to compute the result, or start again."
 
 
@@ -93,13 +94,13 @@ class RunScreen(QWidget):
         return panel
 
     def _stopped(self, look: Look) -> QWidget:
-        self.cause, self.remedy = big_label("", "error", wrap=True), big_label("", "body", wrap=True)
+        self.cause, self.remedy = big_label("", "error", wrap=True), big_label("", "soft", wrap=True)
         self.kept, self.press = big_label("", "strong", wrap=True), big_label("", "body", wrap=True)
         self.resume = HoldButton(RESUME, look, "run")
         self.again, self.call = BigButton("Start again", look, "again"), BigButton(CALL, look, "person")
         self.home = BigButton("Part programs", look, "home")
         panel = QWidget()
-        words = _readable(self.cause, self.remedy, self.kept, self.press)
+        words = _readable(self.cause, self.kept, self.press, self.remedy)
         layout = column(words, self.resume, row(self.again, self.home, spacing=12), self.call, spacing=12)
         layout.setStretch(0, 1)
         panel.setLayout(layout)
@@ -165,7 +166,7 @@ class RunScreen(QWidget):
 
     def _show_fault(self, fault: Fault) -> None:
         self.cause.setText(translated(fault.cause))
-        self.remedy.setText(translated(fault.remedy))
+        self.remedy.setText(tr(FOR_ENGINEER, remedy=translated(fault.remedy)))
         self.remedy.setVisible(bool(fault.remedy))
         kept, press = _kept_words(fault)
         self.kept.setText(kept)

@@ -33,12 +33,12 @@ class ShiftStrip(QFrame):
         self.counts = {name: big_label("", "count") for name in ("pass", "fail", "not proven")}
         self.yields = big_label("", "soft")
         self._signs = {name: QLabel() for name in self.counts}
-        self._dots = row(spacing=4)
+        self._last, self._dots = big_label("Last", "soft"), row(spacing=4)
         counts = [widget for name, shown in self.counts.items() for widget in (self._signs[name], shown)]
         keyboard = self.keyboard = BigButton("Keyboard", look, "keyboard", "quiet")
         keyboard.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # the field that is typed into keeps it
         keyboard.clicked.connect(self.keyboardClicked)
-        layout = row(self.since, 16, *counts, 16, self.yields, 0, big_label("Last", "soft"), self._dots, 16, keyboard, spacing=8)
+        layout = row(self.since, 16, *counts, 16, self.yields, 0, self._last, self._dots, 16, keyboard, spacing=8)
         layout.setContentsMargins(24, 0, 24, 0)
         self.setLayout(layout)
         look.changed.connect(self._redraw)
@@ -65,7 +65,9 @@ class ShiftStrip(QFrame):
         for name, sign in self._signs.items():
             sign.setPixmap(self._look.icon(name, "verdict_" + name.replace(" ", "_")).pixmap(QSize(COUNT_PX, COUNT_PX)))
         clear(self._dots)
-        for verdict in () if self._shown is None else self._shown[0].last:
+        last = () if self._shown is None else self._shown[0].last
+        self._last.setVisible(bool(last))
+        for verdict in last:
             dot = QLabel()
             dot.setPixmap(self._look.icon(verdict, "verdict_" + verdict.replace(" ", "_")).pixmap(QSize(DOT_PX, DOT_PX)))
             dot.setAccessibleName(translated(verdict))
