@@ -16,9 +16,7 @@ from measureapp.data.length_unit import LengthUnit
 from measureapp.pipeline.closed_loop.causes import CAUSES, Cause
 from measureapp.pipeline.closed_loop.next_views import _reason
 from tests.ui.look.language.displayed import displayed_texts
-from ui.look.language.catalogue import read_catalogue
-from ui.look.language.sources import catalogue_file
-from ui.look.language.words import Translator
+from ui.look.language.words import tr
 from ui.pages.inspection.certificate_dialog import CertificateDialog
 from ui.pages.inspection.distance_dialog import DistanceDialog
 from ui.pages.inspection.rename_dialog import RenameDialog
@@ -91,14 +89,8 @@ def test_what_is_missing_is_said_in_chinese(application, qtbot, cause):
     assert sum("12 mm²" in text.replace("\u00a0", " ") for _, text in displayed_texts(dialog)) >= 2
 
 
-@pytest.fixture(scope="module")
-def chinese() -> Translator:
-    made = Translator()
-    made.use(read_catalogue(catalogue_file("zh_CN")))
-    return made
-
-
 @pytest.mark.parametrize("unit", LengthUnit)
-def test_units_have_names_in_chinese(chinese, unit):
-    said = chinese.translate("{finding}: probably {words}.", {"finding": SPAN, "words": unit.words})
+def test_units_have_names_in_chinese(application, unit):
+    application.settings.set_text("language", "zh_CN")
+    said = tr("{finding}: probably {words}.", finding=SPAN, words=unit.words)
     assert re.findall(r"[A-Za-z]{3,}", said) == []
