@@ -13,7 +13,7 @@
     </message>
     <message>
       <source>Everywhere</source>
-      <translation>全部位置</translation>
+      <translation>所有页面</translation>
     </message>
     <message>
       <source>It cannot be used at the moment.</source>
@@ -45,7 +45,7 @@
     </message>
     <message>
       <source>Where</source>
-      <translation>位置</translation>
+      <translation>适用页面</translation>
     </message>
     <message>
       <source>small</source>
@@ -3905,10 +3905,6 @@
     <message>
       <source>to the right</source>
       <translation>向右</translation>
-    </message>
-    <message>
-      <source>too dark</source>
-      <translation>太暗</translation>
     </message>
     <message>
       <source>upper edge</source>
@@ -16409,6 +16405,14 @@ alignment = "{v2}"
       <translation>投影仪黑电平与白电平之比</translation>
     </message>
     <message>
+      <source>Blade form</source>
+      <translation>叶片形状误差</translation>
+    </message>
+    <message>
+      <source>Blade profile</source>
+      <translation>叶片轮廓度</translation>
+    </message>
+    <message>
       <source>Blooming</source>
       <translation>溢出</translation>
     </message>
@@ -16471,6 +16475,10 @@ alignment = "{v2}"
     <message>
       <source>Calibration images</source>
       <translation>标定图像</translation>
+    </message>
+    <message>
+      <source>Camber</source>
+      <translation>弯度</translation>
     </message>
     <message>
       <source>Camera drift</source>
@@ -16543,6 +16551,10 @@ alignment = "{v2}"
     <message>
       <source>Choose one of: {expected}</source>
       <translation>请选择其一：{expected}</translation>
+    </message>
+    <message>
+      <source>Chord</source>
+      <translation>弦长</translation>
     </message>
     <message>
       <source>Clearance</source>
@@ -16907,6 +16919,10 @@ alignment = "{v2}"
     <message>
       <source>For messages, such as the name of the pattern set</source>
       <translation>用于消息，例如图案集的名称</translation>
+    </message>
+    <message>
+      <source>For {area} mm²: {cause}.</source>
+      <translation>用于 {area} mm²：{cause}。</translation>
     </message>
     <message>
       <source>Framing</source>
@@ -17381,6 +17397,10 @@ alignment = "{v2}"
       <translation>延迟</translation>
     </message>
     <message>
+      <source>Leading radius</source>
+      <translation>前缘半径</translation>
+    </message>
+    <message>
       <source>Least distance that moving bodies keep from everything else</source>
       <translation>运动物体与其他一切物体保持的最小距离</translation>
     </message>
@@ -17523,6 +17543,14 @@ alignment = "{v2}"
     <message>
       <source>Material</source>
       <translation>材料</translation>
+    </message>
+    <message>
+      <source>Max thickness</source>
+      <translation>最大厚度</translation>
+    </message>
+    <message>
+      <source>Max thickness place</source>
+      <translation>最大厚度位置</translation>
     </message>
     <message>
       <source>Mean depth at which light is scattered back below the surface</source>
@@ -17753,6 +17781,10 @@ alignment = "{v2}"
       <translation>图像顺序</translation>
     </message>
     <message>
+      <source>Other exposures, for {area} mm²: {cause}.</source>
+      <translation>换用其他曝光，用于 {area} mm²：{cause}。</translation>
+    </message>
+    <message>
       <source>Out of range</source>
       <translation>超出范围</translation>
     </message>
@@ -17827,6 +17859,10 @@ alignment = "{v2}"
     <message>
       <source>Photo response non-uniformity, relative standard deviation (EMVA 1288)</source>
       <translation>光响应非均匀性，相对标准差 (EMVA 1288)</translation>
+    </message>
+    <message>
+      <source>Pitch</source>
+      <translation>叶片间距角</translation>
     </message>
     <message>
       <source>Pitch, yaw and roll of the slide, half their range over the stroke</source>
@@ -18181,6 +18217,14 @@ alignment = "{v2}"
       <translation>像元尺寸</translation>
     </message>
     <message>
+      <source>Slot length</source>
+      <translation>槽长</translation>
+    </message>
+    <message>
+      <source>Slot width</source>
+      <translation>槽宽</translation>
+    </message>
+    <message>
       <source>Smooth deviation of the surface from its nominal, rms along the normal</source>
       <translation>表面相对于名义模型的平滑偏差，沿法向的均方根值</translation>
     </message>
@@ -18227,6 +18271,10 @@ alignment = "{v2}"
     <message>
       <source>Sphere plate: diameters and centre distances</source>
       <translation>球板：直径与球心距</translation>
+    </message>
+    <message>
+      <source>Stagger</source>
+      <translation>安装角</translation>
     </message>
     <message>
       <source>Standard uncertainty of the scale, where the board states no class or certificate; 0: that of its class</source>
@@ -18389,6 +18437,10 @@ alignment = "{v2}"
       <translation>测头框架的热膨胀系数；默认：铝</translation>
     </message>
     <message>
+      <source>Thickness</source>
+      <translation>厚度</translation>
+    </message>
+    <message>
       <source>This text does not have the required form</source>
       <translation>此文本的格式不符合要求</translation>
     </message>
@@ -18493,6 +18545,10 @@ alignment = "{v2}"
       <translation>总计</translation>
     </message>
     <message>
+      <source>Trailing radius</source>
+      <translation>尾缘半径</translation>
+    </message>
+    <message>
       <source>Transfer 10 and 12 bit in packed formats, where the camera has them</source>
       <translation>相机支持时以打包格式传输 10 位和 12 位图像</translation>
     </message>
@@ -18523,6 +18579,10 @@ alignment = "{v2}"
     <message>
       <source>Tuple should have at most {count} items after validation, not {found}</source>
       <translation>数组最多 {count} 项，而非 {found} 项</translation>
+    </message>
+    <message>
+      <source>Twist</source>
+      <translation>扭转角</translation>
     </message>
     <message>
       <source>Two reads this far apart must agree</source>
@@ -18713,6 +18773,10 @@ alignment = "{v2}"
       <translation>字节</translation>
     </message>
     <message>
+      <source>centimetres</source>
+      <translation>厘米</translation>
+    </message>
+    <message>
       <source>days</source>
       <translation>天</translation>
     </message>
@@ -18769,11 +18833,19 @@ alignment = "{v2}"
       <translation>二分之一</translation>
     </message>
     <message>
+      <source>horizontal</source>
+      <translation>水平</translation>
+    </message>
+    <message>
       <source>impeller</source>
       <translation>叶轮</translation>
     </message>
     <message>
       <source>inch</source>
+      <translation>英寸</translation>
+    </message>
+    <message>
+      <source>inches</source>
       <translation>英寸</translation>
     </message>
     <message>
@@ -18793,8 +18865,24 @@ alignment = "{v2}"
       <translation>位置</translation>
     </message>
     <message>
+      <source>metres</source>
+      <translation>米</translation>
+    </message>
+    <message>
+      <source>micrometres</source>
+      <translation>微米</translation>
+    </message>
+    <message>
+      <source>millimetres</source>
+      <translation>毫米</translation>
+    </message>
+    <message>
       <source>no tolerance</source>
       <translation>无公差</translation>
+    </message>
+    <message>
+      <source>no viewpoint sees it</source>
+      <translation>没有视点能看到</translation>
     </message>
     <message>
       <source>one</source>
@@ -18837,6 +18925,10 @@ alignment = "{v2}"
       <translation>机器人</translation>
     </message>
     <message>
+      <source>saturated</source>
+      <translation>饱和</translation>
+    </message>
+    <message>
       <source>seen by another</source>
       <translation>由另一相机看到</translation>
     </message>
@@ -18847,6 +18939,10 @@ alignment = "{v2}"
     <message>
       <source>sphere_plate</source>
       <translation>球板</translation>
+    </message>
+    <message>
+      <source>standard deviation above the required one</source>
+      <translation>标准差超出要求</translation>
     </message>
     <message>
       <source>table</source>
@@ -18873,6 +18969,14 @@ alignment = "{v2}"
       <translation>时间</translation>
     </message>
     <message>
+      <source>too dark</source>
+      <translation>太暗</translation>
+    </message>
+    <message>
+      <source>touches the support</source>
+      <translation>与支承接触</translation>
+    </message>
+    <message>
       <source>two</source>
       <translation>2</translation>
     </message>
@@ -18887,6 +18991,14 @@ alignment = "{v2}"
     <message>
       <source>usual</source>
       <translation>普通</translation>
+    </message>
+    <message>
+      <source>vertical</source>
+      <translation>竖直</translation>
+    </message>
+    <message>
+      <source>visible, but its pixels have no point</source>
+      <translation>可见，但其像素没有点</translation>
     </message>
     <message>
       <source>{bits} bit ({name})</source>
@@ -22834,8 +22946,16 @@ There is no page about “{name}”.</source>
       <translation>在文件夹中</translation>
     </message>
     <message>
-      <source>In which unit {words} the {kind}?</source>
-      <translation>{kind}中的{words}以何单位表示？</translation>
+      <source>In which unit are the points?</source>
+      <translation>点的单位是什么？</translation>
+    </message>
+    <message>
+      <source>In which unit is the mesh?</source>
+      <translation>网格的单位是什么？</translation>
+    </message>
+    <message>
+      <source>In which unit is the nominal?</source>
+      <translation>名义模型的单位是什么？</translation>
     </message>
     <message>
       <source>Inner corners across</source>
@@ -22982,6 +23102,10 @@ There is no page about “{name}”.</source>
       <translation>未说明</translation>
     </message>
     <message>
+      <source>Note</source>
+      <translation>说明</translation>
+    </message>
+    <message>
       <source>Nothing but noise and what the program's model describes: what the algorithms reach</source>
       <translation>只有噪声和程序模型所描述的误差：算法本身所能达到的水平</translation>
     </message>
@@ -23024,6 +23148,10 @@ There is no page about “{name}”.</source>
     <message>
       <source>Printed, ± 0.1 mm on 180 mm</source>
       <translation>打印，180 mm 上 ± 0.1 mm</translation>
+    </message>
+    <message>
+      <source>Problem</source>
+      <translation>问题</translation>
     </message>
     <message>
       <source>Processed</source>
@@ -23236,6 +23364,10 @@ There is no page about “{name}”.</source>
     <message>
       <source>Waiting</source>
       <translation>等待中</translation>
+    </message>
+    <message>
+      <source>Warning</source>
+      <translation>警告</translation>
     </message>
     <message>
       <source>What happened</source>
