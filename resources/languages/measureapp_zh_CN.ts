@@ -12580,20 +12580,8 @@ alignment = "{v2}"
       <translation>低于、高于</translation>
     </message>
     <message>
-      <source>Blade form</source>
-      <translation>叶型误差</translation>
-    </message>
-    <message>
-      <source>Blade profile</source>
-      <translation>叶片轮廓度</translation>
-    </message>
-    <message>
       <source>Calibration age</source>
       <translation>标定距测量的时间</translation>
-    </message>
-    <message>
-      <source>Camber</source>
-      <translation>弯度</translation>
     </message>
     <message>
       <source>Camera drift check</source>
@@ -12618,10 +12606,6 @@ alignment = "{v2}"
     <message>
       <source>Checks of the error model</source>
       <translation>误差模型的检查</translation>
-    </message>
-    <message>
-      <source>Chord</source>
-      <translation>弦长</translation>
     </message>
     <message>
       <source>Cloud and alignment</source>
@@ -12768,10 +12752,6 @@ alignment = "{v2}"
       <translation>末次测量</translation>
     </message>
     <message>
-      <source>Leading radius</source>
-      <translation>前缘半径</translation>
-    </message>
-    <message>
       <source>Length reference</source>
       <translation>长度基准</translation>
     </message>
@@ -12798,10 +12778,6 @@ alignment = "{v2}"
     <message>
       <source>Marks of the board</source>
       <translation>标定板的标记</translation>
-    </message>
-    <message>
-      <source>Max thickness</source>
-      <translation>最大厚度</translation>
     </message>
     <message>
       <source>Maximum (behind)</source>
@@ -12906,10 +12882,6 @@ alignment = "{v2}"
     <message>
       <source>Not determined by the points</source>
       <translation>点未能确定的运动</translation>
-    </message>
-    <message>
-      <source>Note</source>
-      <translation>说明</translation>
     </message>
     <message>
       <source>Number of runs</source>
@@ -13024,14 +12996,6 @@ alignment = "{v2}"
       <translation>平移 mm</translation>
     </message>
     <message>
-      <source>Slot length</source>
-      <translation>槽长</translation>
-    </message>
-    <message>
-      <source>Slot width</source>
-      <translation>槽宽</translation>
-    </message>
-    <message>
       <source>Spacing (mm)</source>
       <translation>点间距 (mm)</translation>
     </message>
@@ -13072,24 +13036,12 @@ alignment = "{v2}"
       <translation>更早的 {count} 次测量见 CSV 和 JSON 文件。</translation>
     </message>
     <message>
-      <source>Thickness</source>
-      <translation>厚度</translation>
-    </message>
-    <message>
       <source>This part was measured without an inspection program: the report contains views and cloud, but no dimensions.</source>
       <translation>此工件未用检测程序测量：报告包含视图和点云，但不含尺寸。</translation>
     </message>
     <message>
       <source>Traceability and uncertainty budget</source>
       <translation>溯源与不确定度预算</translation>
-    </message>
-    <message>
-      <source>Trailing radius</source>
-      <translation>后缘半径</translation>
-    </message>
-    <message>
-      <source>Twist</source>
-      <translation>扭转角</translation>
     </message>
     <message>
       <source>U (k = 2)</source>
@@ -13110,10 +13062,6 @@ alignment = "{v2}"
     <message>
       <source>Viewpoints as measured</source>
       <translation>实测视点</translation>
-    </message>
-    <message>
-      <source>Warning</source>
-      <translation>警告</translation>
     </message>
     <message>
       <source>Warning.</source>
