@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, Literal
 
 from PySide6.QtCore import QObject, Signal
 
-from ui.look.language.words import tr
+from ui.look.language.words import spoken, tr
 from ui.messages import BUSY, CALIBRATION, CANCEL, DEVICES, PROJECT, STOPPED, Level, Message, Messages
-from ui.settings.settings import Settings
+from ui.settings.settings import AS_WINDOW, Settings
 from ui.workers.mailbox import Mailboxes
 
 if TYPE_CHECKING:
@@ -154,6 +154,12 @@ class Session(QObject):
         from measureapp.pipeline.lengths import length_scale
 
         return length_scale(self.cameras, self.rig).ppm
+
+    @property
+    def report_language(self) -> str:
+        """Language of the reports that people read: the chosen one, else that of the window."""
+        chosen = self.settings.text("report_language")
+        return spoken() if chosen == AS_WINDOW else chosen
 
     def _emit_results_changed(self) -> None:
         """Emit the change signals of everything computed from the images."""

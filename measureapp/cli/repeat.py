@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from measureapp.cli.main import OUT_OF_TOLERANCE
-from measureapp.cli.reply import JsonOption, reply
+from measureapp.cli.reply import JsonOption, LanguageOption, reply
 from measureapp.data.shown_number import shown_number
+from measureapp.language.languages import ENGLISH, known_language
 
 if TYPE_CHECKING:
     from measureapp.data.repeats import RepeatedDimension, RepeatStudy
@@ -25,6 +26,7 @@ def register(app: typer.Typer) -> None:
         one_part: Annotated[
             bool, typer.Option("--one-part", help="The projects are of one part although they name it differently.")
         ] = False,
+        language: LanguageOption = ENGLISH,
         as_json: JsonOption = False,
     ) -> None:
         """Mean and spread of every dimension over several measurements of one part; exit code 1 if a spread contradicts the stated U."""
@@ -32,8 +34,9 @@ def register(app: typer.Typer) -> None:
         from measureapp.report.repeats.documents import write_repeats
         from measureapp.report.repeats.json_document import study_document
 
+        known_language(language)
         study = compare_repeats(projects, one_part=one_part)
-        files = {} if out is None else write_repeats(study, out)
+        files = {} if out is None else write_repeats(study, out, language)
         reply({**study_document(study), "files": files}, "\n".join(_lines(study) + [str(path) for path in files.values()]), as_json)
         if study.contradictions:
             raise typer.Exit(OUT_OF_TOLERANCE)

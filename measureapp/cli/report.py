@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from measureapp.cli.reply import JsonOption, TerminalProgress, reply
+from measureapp.cli.reply import JsonOption, LanguageOption, TerminalProgress, reply
 from measureapp.errors import InputError
+from measureapp.language.languages import ENGLISH, known_language
 
 if TYPE_CHECKING:
     from measureapp.report.documents import DocumentKind
@@ -28,6 +29,7 @@ def register(app: typer.Typer) -> None:
             Path | None, typer.Option("--template", help="Template folder with a template.toml; by default the project's, else your own.")
         ] = None,
         out: Annotated[Path | None, typer.Option("--out", help="Output folder; by default the project's.", file_okay=False)] = None,
+        language: LanguageOption = ENGLISH,
         as_json: JsonOption = False,
     ) -> None:
         """Write the report of the last measurement in the chosen formats (default: PDF, CSV and JSON)."""
@@ -40,9 +42,10 @@ def register(app: typer.Typer) -> None:
             raise InputError(
                 f"--out is a folder, and {out} would be one with the name of a file.", "Name a folder; the files are called report."
             )
+        known_language(language)
         folder = ProjectFolder.open(project)
         chosen = None if template is None else read_template(template)
-        model = compose_project(folder, template=chosen, progress=TerminalProgress())
+        model = compose_project(folder, template=chosen, language=language, progress=TerminalProgress())
         files = write_documents(model, out or folder.report_pdf.parent, _kinds(pdf=pdf, csv=csv, xlsx=xlsx, html=html))
         document = {"files": dict(files), "verdict": None if model.verdict is None else model.verdict.value}
         reply(document, "\n".join([model.summary, *(str(path) for path in files.values())]), as_json)

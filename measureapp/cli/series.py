@@ -7,8 +7,9 @@ from typing import Annotated
 
 import typer
 
-from measureapp.cli.reply import JsonOption, reply
+from measureapp.cli.reply import JsonOption, LanguageOption, reply
 from measureapp.errors import InputError
+from measureapp.language.languages import ENGLISH, known_language
 
 ProgramArgument = Annotated[str, typer.Argument(help="Name of the program, as `series list` shows it.")]
 RootOption = Annotated[Path | None, typer.Option("--results", help="Folder of all series; by default MeasureApp/results in your home.")]
@@ -80,6 +81,7 @@ def _add_report(group: typer.Typer) -> None:
         program: ProgramArgument,
         out: Annotated[Path, typer.Option("--out", help="Folder for series.pdf, .csv and .json.", file_okay=False)],
         since: Annotated[str | None, typer.Option("--since", help="Only runs since this date or time (ISO 8601).")] = None,
+        language: LanguageOption = ENGLISH,
         results: RootOption = None,
         as_json: JsonOption = False,
     ) -> None:
@@ -87,7 +89,7 @@ def _add_report(group: typer.Typer) -> None:
         from measureapp.project.series.store import SeriesStore
         from measureapp.report.series.documents import write_series
 
-        files = write_series(program, SeriesStore(program, results).runs(since=since), out)
+        files = write_series(program, SeriesStore(program, results).runs(since=since), out, known_language(language))
         reply({"files": files}, "\n".join(map(str, files.values())), as_json)
 
 

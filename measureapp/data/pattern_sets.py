@@ -33,17 +33,19 @@ def make_pattern_sets(width_px: int, height_px: int) -> Mapping[str, PatternSet]
 
 def _one_way(words: str, groups: Groups, width_px: int) -> PatternSet:
     made = groups(width_px, "vertical")
-    return PatternSet(name=words.format(*_pitches(made)), projector_px=width_px, groups=made)
+    return PatternSet(name=words.format(**_pitches(made)), projector_px=width_px, groups=made)
 
 
 def _both_ways(words: str, groups: Groups, width_px: int, height_px: int) -> PatternSet:
     upright, lying = groups(width_px, "vertical"), groups(height_px, "horizontal")
-    name = words.format(*_pitches(upright)) + ", both directions"
+    name = f"{words.format(**_pitches(upright))}, both directions"
     return PatternSet(name=name, projector_px=width_px, projector_rows=height_px, groups=upright + lying)
 
 
-def _pitches(groups: tuple[PatternGroup, ...]) -> list[str]:
-    return [f"{group.pitch_px:.4g}" for group in groups if isinstance(group, PhaseShiftGroup)]
+def _pitches(groups: tuple[PatternGroup, ...]) -> dict[str, str]:
+    """Return the pitches by the placeholders of titles."""
+    pitches = [f"{group.pitch_px:.4g}" for group in groups if isinstance(group, PhaseShiftGroup)]
+    return dict(zip("abcdefghijkl", pitches, strict=False))
 
 
 def _sines(pitches_px: tuple[float, ...], steps: tuple[int, ...], direction: Direction) -> tuple[PatternGroup, ...]:
@@ -109,18 +111,18 @@ def _gray(steps: int, complementary: bool) -> Groups:
 
 # name -> title with placeholders for the pitches, and its groups for an extent
 _KINDS: dict[str, tuple[str, Groups]] = {
-    "paper": ("paper: 4 steps at {} and {} px", _two_close(4)),
-    "paper-8-step": ("8 steps at {} and {} px", _two_close(8)),
-    "three-close": ("three close pitches: 4 steps at {}, {} and {} px", _three_close(4)),
-    "three-close-3-step": ("three close pitches: 3 steps at {}, {} and {} px", _three_close(3)),
-    "three-close-8-step": ("three close pitches: 8 steps at {}, {} and {} px", _three_close(8)),
-    "three-wide": ("three wide pitches: 4 steps at {}, {} and {} px", _three_wide(FINE_PX, (4, 4, 4))),
-    "three-wide-8-step": ("three wide pitches: 8, 4 and 4 steps at {}, {} and {} px", _three_wide(FINE_PX, (8, 4, 4))),
-    "three-wide-32": ("three wide pitches: 4 steps at {}, {} and {} px", _three_wide(COARSE_PX, (4, 4, 4))),
-    "hierarchical": ("hierarchical: 4 steps, each pitch half of the one before, from {} px", _halving),
-    "gray": ("Gray code: 4 steps at {} px", _gray(4, complementary=False)),
-    "complementary-gray": ("complementary Gray code: 4 steps at {} px", _gray(4, complementary=True)),
-    "complementary-gray-8-step": ("complementary Gray code: 8 steps at {} px", _gray(8, complementary=True)),
+    "paper": ("paper: 4 steps at {a} and {b} px", _two_close(4)),
+    "paper-8-step": ("8 steps at {a} and {b} px", _two_close(8)),
+    "three-close": ("three close pitches: 4 steps at {a}, {b} and {c} px", _three_close(4)),
+    "three-close-3-step": ("three close pitches: 3 steps at {a}, {b} and {c} px", _three_close(3)),
+    "three-close-8-step": ("three close pitches: 8 steps at {a}, {b} and {c} px", _three_close(8)),
+    "three-wide": ("three wide pitches: 4 steps at {a}, {b} and {c} px", _three_wide(FINE_PX, (4, 4, 4))),
+    "three-wide-8-step": ("three wide pitches: 8, 4 and 4 steps at {a}, {b} and {c} px", _three_wide(FINE_PX, (8, 4, 4))),
+    "three-wide-32": ("three wide pitches: 4 steps at {a}, {b} and {c} px", _three_wide(COARSE_PX, (4, 4, 4))),
+    "hierarchical": ("hierarchical: 4 steps, each pitch half of the one before, from {a} px", _halving),
+    "gray": ("Gray code: 4 steps at {a} px", _gray(4, complementary=False)),
+    "complementary-gray": ("complementary Gray code: 4 steps at {a} px", _gray(4, complementary=True)),
+    "complementary-gray-8-step": ("complementary Gray code: 8 steps at {a} px", _gray(8, complementary=True)),
 }
 _BOTH = ("paper", "three-close", "complementary-gray")
 

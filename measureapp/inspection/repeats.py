@@ -189,5 +189,6 @@ def _spread(dimensions: Sequence[RepeatedDimension]) -> tuple[str, ...]:
         for one in dimensions
         if one.test is not None and one.test.contradicts
     ]
-    tested = f"{len(tests)} dimension{'s' if len(tests) > 1 else ''}, chi-square test at a level of {LEVEL:.0%} in all"
+    many = f"{len(tests)} dimensions, chi-square test at a level of {LEVEL:.0%} in all"
+    tested = many if len(tests) > 1 else f"1 dimension, chi-square test at a level of {LEVEL:.0%}"
     return tuple(wrong) or (f"No spread contradicts the stated uncertainty ({tested}). Systematic errors cause no spread.",)

@@ -10,6 +10,7 @@ from measureapp.data.measurement import Measurement
 from measureapp.data.mesh import Mesh
 from measureapp.inspection.dimensions import inspect
 from measureapp.inspection.surface.units import check_size
+from measureapp.language.languages import ENGLISH
 from measureapp.pipeline.assemble import project_settings
 from measureapp.pipeline.chosen_views import select_views
 from measureapp.pipeline.run import Outcome, finish
@@ -35,6 +36,7 @@ def measure_again(
     *,
     program: str | None = None,
     nominal_file: NominalFile | None = None,
+    language: str = ENGLISH,
 ) -> Outcome:
     """Inspect with another program or nominal, and store program, nominal and results.
 
@@ -45,6 +47,7 @@ def measure_again(
     measurement : the last one of the project
     program : text (TOML); None: that of the project
     nominal_file : None: the nominal of the project
+    language : of the report
 
     Raises
     ------
@@ -71,10 +74,10 @@ def measure_again(
         project.save_program(text)
         measured = replace(measurement, inspection=found)
         project.update_inspection(measured)
-        return finish(project, measured, watch)
+        return finish(project, measured, watch, language)
 
 
-def store_program(project: ProjectFolder, measurement: Measurement, program: str) -> Outcome:
+def store_program(project: ProjectFolder, measurement: Measurement, program: str, language: str = ENGLISH) -> Outcome:
     """Store a program with its inspection in ``measurement``, which was evaluated before, and write the reports.
 
     Raises
@@ -86,7 +89,7 @@ def store_program(project: ProjectFolder, measurement: Measurement, program: str
     with project.lock():
         project.save_program(program)
         project.update_inspection(measurement)
-        return finish(project, measurement, watch)
+        return finish(project, measurement, watch, language)
 
 
 def _nominal(project: ProjectFolder, nominal_file: NominalFile | None) -> Mesh | None:

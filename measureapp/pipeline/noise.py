@@ -12,6 +12,9 @@ from measureapp.progress import NoProgress, Progress
 from measureapp.project.folder import ProjectFolder
 from measureapp.project.fringes.decode_limits_file import read_decode_limits
 
+MEASURED = "measured: full well {full_well} e, read noise {read_noise} e"
+ASSUMED = "assumed: full well {full_well} e, read noise {read_noise} e"
+
 
 def measure_noise(
     rig: Rig, viewpoint: Viewpoint | None = None, repeats: int = 2, progress: Progress | None = None
@@ -52,6 +55,6 @@ def describe_noise(project: ProjectFolder) -> dict[str, str]:
     words = {}
     for camera in project.rig().cameras:
         model = settings.noise_of(camera.name)
-        source = "measured" if camera.name in settings.camera_noise else "assumed"
-        words[camera.name] = f"{source}: full well {model.full_well_e:.0f} e, read noise {model.read_noise_e:.1f} e"
+        said = MEASURED if camera.name in settings.camera_noise else ASSUMED
+        words[camera.name] = said.format(full_well=f"{model.full_well_e:.0f}", read_noise=f"{model.read_noise_e:.1f}")
     return words

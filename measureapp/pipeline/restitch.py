@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 from measureapp.data.view_choices import ViewChoices
 from measureapp.errors import InputError
+from measureapp.language.languages import ENGLISH
 from measureapp.pipeline.assemble import Revision, assemble
 from measureapp.pipeline.chosen_views import check_choices
 from measureapp.pipeline.events import Event
@@ -15,7 +16,9 @@ from measureapp.progress import PartOf, Progress
 from measureapp.project.folder import ProjectFolder
 
 
-def restitch(project: ProjectFolder, choices: ViewChoices, on_event: Callable[[Event], None], progress: Progress) -> Outcome:
+def restitch(
+    project: ProjectFolder, choices: ViewChoices, on_event: Callable[[Event], None], progress: Progress, language: str = ENGLISH
+) -> Outcome:
     """Stitch the existing clouds with other choices of views, inspect again, and store results and choices.
 
     The images are not decoded again. On failure results and choices are unchanged.
@@ -43,4 +46,4 @@ def restitch(project: ProjectFolder, choices: ViewChoices, on_event: Callable[[E
     with project.lock():
         made = assemble(project, measurement.calibration, measurement.views, on_event, rest, watch, revision=Revision(measurement, choices))
         project.save_view_choices(choices)
-        return finish(project, made, watch)
+        return finish(project, made, watch, language)

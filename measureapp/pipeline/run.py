@@ -21,6 +21,7 @@ from measureapp.data.rig import RigDescription
 from measureapp.data.storage_rules import StorageRules
 from measureapp.devices.rig import Rig
 from measureapp.errors import CalibrationError, InputError
+from measureapp.language.languages import ENGLISH
 from measureapp.pipeline.assemble import Revision, assemble
 from measureapp.pipeline.connecting import connected
 from measureapp.pipeline.documents import outcome_document, write_reports
@@ -88,6 +89,7 @@ class ScanRequest:
     created: NewProject | None = None  # an existing project must have been created with the same; None: after the plan, or as it is
     raw: RawPolicy | None = None  # what becomes of raw images; None: as the part program, else the project states
     stated: Identification | None = None  # what is stated about the part with this scan; its empty fields change nothing
+    language: str = ENGLISH  # of the report
     calibrate: bool = False  # calibrate first where there is no calibration; only a rig that places board and part itself can do both
 
     def options(self, control: RunControl | None) -> ScanOptions:
@@ -135,7 +137,7 @@ def scan_into_project(
         if calibration is None:
             return None
         measurement = assemble(project, calibration, views, on_event, PartOf(progress, 0.8, 1.0), watch, registration_cache)
-    return finish(project, measurement, watch)
+    return finish(project, measurement, watch, request.language)
 
 
 def _fill(project: ProjectFolder, request: ScanRequest, calibrated: ProjectFolder, calibration: RigCalibration | None) -> None:
@@ -207,7 +209,9 @@ def _calibrated_for(request: ScanRequest, project: ProjectFolder) -> ProjectFold
     return other
 
 
-def process_project(project: ProjectFolder, on_event: OnEvent, progress: Progress, watch: Stopwatch | None = None) -> Outcome:
+def process_project(
+    project: ProjectFolder, on_event: OnEvent, progress: Progress, watch: Stopwatch | None = None, language: str = ENGLISH
+) -> Outcome:
     """Recompute everything from the stored images: calibration (if its images are stored), clouds, stitching, dimensions, report.
 
     A project that is joined from several set-ups is joined again from their stored clouds. ``watch`` notes the stages; a `Profile` notes
@@ -217,7 +221,7 @@ def process_project(project: ProjectFolder, on_event: OnEvent, progress: Progres
 
     watch = watch or Stopwatch()
     if is_joined(project):
-        return process_joined(project, on_event, progress, watch)
+        return process_joined(project, on_event, progress, watch, language)
     with project.lock():
         threads = detection_threads(project, on_event)
         calibration = calibrate_stored(project, on_event, PartOf(progress, 0.0, 0.2), watch, threads)
@@ -227,7 +231,7 @@ def process_project(project: ProjectFolder, on_event: OnEvent, progress: Progres
         views = compute_clouds(project, calibration, on_event, PartOf(progress, 0.2, 0.7), watch, kept)
         former = None if kept.former is None else Revision(kept.former)
         measurement = assemble(project, calibration, views, on_event, PartOf(progress, 0.7, 1.0), watch, revision=former)
-        return finish(project, measurement, watch)
+        return finish(project, measurement, watch, language)
 
 
 def process(project: ProjectFolder, on_event: OnEvent, progress: Progress) -> Measurement:
@@ -261,9 +265,9 @@ def calibrate_stored(
     return calibration
 
 
-def finish(project: ProjectFolder, measurement: Measurement, watch: Stopwatch) -> Outcome:
-    """Write the reports and the JSON document of a measurement."""
+def finish(project: ProjectFolder, measurement: Measurement, watch: Stopwatch, language: str = ENGLISH) -> Outcome:
+    """Write the reports in a language, and the JSON document of a measurement."""
     with watch.stage("report"):
-        files = {"project": project.path, **write_reports(project, measurement)}
+        files = {"project": project.path, **write_reports(project, measurement, language)}
     document = outcome_document(measurement, files, watch.seconds)
     return Outcome(measurement, document, files, project.filters(measurement.stitched))

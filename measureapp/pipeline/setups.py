@@ -29,6 +29,7 @@ from measureapp.geometry.transform import RigidTransform
 from measureapp.inspection.alignment.best_fit import best_fit
 from measureapp.inspection.measured_points import sample_mesh
 from measureapp.inspection.settings import AlignmentSettings
+from measureapp.language.languages import ENGLISH
 from measureapp.pipeline.assemble import inspect_stitched, project_settings
 from measureapp.pipeline.events import Event, InspectionReady, StitchReady
 from measureapp.pipeline.project_names import unique_names
@@ -119,7 +120,7 @@ def join_projects(folders: Sequence[Path], out: Path, options: JoinOptions, on_e
         return _complete(project, members, joined, on_event, PartOf(progress, 0.5, 1.0), watch)
 
 
-def process_joined(project: ProjectFolder, on_event: OnEvent, progress: Progress, watch: Stopwatch) -> Outcome:
+def process_joined(project: ProjectFolder, on_event: OnEvent, progress: Progress, watch: Stopwatch, language: str = ENGLISH) -> Outcome:
     """Join the set-ups of a project again, from their present results; ``watch`` notes the stages.
 
     Raises
@@ -142,7 +143,7 @@ def process_joined(project: ProjectFolder, on_event: OnEvent, progress: Progress
             joined = _join(described, members, nominal, PartOf(progress, 0.0, 0.5))
         project.save_calibration(members[0].measurement.calibration, members[0].project.rig_uncertainty())
         write_text(project.path / SETUPS, described.model_dump_json(indent=2))
-        return _complete(project, members, joined, on_event, PartOf(progress, 0.5, 1.0), watch)
+        return _complete(project, members, joined, on_event, PartOf(progress, 0.5, 1.0), watch, language)
 
 
 def read_setups(project: ProjectFolder) -> SetUps:
@@ -275,7 +276,13 @@ def _cloud_of(member: _Member) -> SetUpCloud:
 
 
 def _complete(
-    project: ProjectFolder, members: Sequence[_Member], joined: JoinedCloud, on_event: OnEvent, progress: Progress, watch: Stopwatch
+    project: ProjectFolder,
+    members: Sequence[_Member],
+    joined: JoinedCloud,
+    on_event: OnEvent,
+    progress: Progress,
+    watch: Stopwatch,
+    language: str = ENGLISH,
 ) -> Outcome:
     """Compute surface and dimensions of the joined cloud, and store everything."""
     on_event(StitchReady(joined.stitched))
@@ -312,7 +319,7 @@ def _complete(
     with watch.stage("saving"):
         project.save_measurement(measurement, PartOf(progress, 0.8, 1.0))
     progress.report(1.0, 1.0, "joined")
-    return finish(project, measurement, watch)
+    return finish(project, measurement, watch, language)
 
 
 def _view_of(setup: str, view: ViewResult, part_from_setup: RigidTransform) -> ViewResult:

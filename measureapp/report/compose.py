@@ -32,6 +32,27 @@ from measureapp.report.part_pictures import placed_mesh
 from measureapp.report.valid_pixels import valid_pixel_facts, valid_pixels
 from measureapp.report.words import format_key, format_name, format_setting, number, percent
 
+KEYS = {
+    "plan": "Plan",
+    "patterns": "Patterns",
+    "exposures_us": "Exposures (µs)",
+    "exposure rule": "Exposure rule",
+    "noise": "Noise",
+    "surroundings": "Surroundings",
+    "spacing_mm": "Spacing (mm)",
+    "merge_voxel_mm": "Merge voxel (mm)",
+    "views_used": "Views used",
+    "set-ups": "Set-ups",
+}  # of settings and notes of a measurement, as the report names them
+COUNTED = {
+    Verdict.FAIL: "{count} fail",
+    Verdict.NOT_PROVEN: "{count} not proven",
+    Verdict.NOT_MEASURED: "{count} not measured",
+    Verdict.PASS: "{count} pass",
+    Verdict.NO_TOLERANCE: "{count} no tolerance",
+}
+DEVIATIONS_BY = "Deviations by {name}"
+PAIR = "Cameras {name}"
 BEST_FIT = "The alignment is a best fit, which belongs to no datum system and spreads defects over the whole part: for comparison only."
 
 
@@ -125,8 +146,8 @@ def summarise_verdicts(dimensions: tuple[Dimension, ...]) -> tuple[Verdict | Non
         return verdict, f"All {counts[Verdict.PASS]} dimensions with a tolerance pass; {counts[Verdict.NO_TOLERANCE]} without tolerance."
     if verdict is Verdict.PASS:
         return verdict, "The dimension passes." if total == 1 else f"All {total} dimensions pass."
-    words = [f"{counts[kind]} {kind.value}" for kind in SEVERITY if counts[kind]]
-    return verdict, f"Of {total} dimension{'s' if total > 1 else ''}: " + ", ".join(words) + "."
+    listed = ", ".join(COUNTED[kind].format(count=counts[kind]) for kind in SEVERITY if counts[kind])
+    return verdict, f"Of 1 dimension: {listed}." if total == 1 else f"Of {total} dimensions: {listed}."
 
 
 def view_lines(measurement: Measurement) -> tuple[ViewLine, ...]:
@@ -161,18 +182,18 @@ def _cloud_facts(measurement: Measurement, deviation: Deviation | None, why_not:
     mesh, inspection, loop_closure = measurement.mesh, measurement.inspection, measurement.stitched.loop_closure
     facts = [Fact("Stitched points", f"{len(measurement.stitched):,}".replace(",", " "))]
     if loop_closure is not None:
-        facts.append(Fact("Loop closure", loop_closure.sentence.removeprefix("loop closure ")))
+        gap = f"{loop_closure.gap_mm:.3f} mm and {loop_closure.gap_deg:.4f}° (expected: {loop_closure.sigma_mm:.3f} mm)"
+        facts.append(Fact("Loop closure", f"over {len(loop_closure.viewpoints)} views around the part: {gap}"))
     if mesh is not None:
         filled = 0.0 if mesh.measured is None or len(mesh.measured) == 0 else 1.0 - float(mesh.measured.mean())
-        facts.append(
-            Fact("Surface", f"{len(mesh.triangles):,} triangles".replace(",", " ") + (f", {percent(filled)} filled" if filled else ""))
-        )
+        count = f"{len(mesh.triangles):,}".replace(",", " ")
+        facts.append(Fact("Surface", f"{count} triangles, {percent(filled)} filled" if filled else f"{count} triangles"))
     alignment = inspection.alignment if inspection is not None else None if deviation is None else deviation.alignment
     if alignment is not None:
         facts += _alignment_facts(alignment)
     if why_not:
         facts.append(Fact("No deviation from the nominal", why_not))
-    facts += [Fact(format_key(name).capitalize(), f"{value:.4g}") for name, value in measurement.stitched.notes.items()]
+    facts += [Fact(fact_name(name), f"{value:.4g}") for name, value in measurement.stitched.notes.items()]
     return tuple(facts)
 
 
@@ -216,7 +237,7 @@ def _consistency_facts(consistency: Consistency) -> tuple[Fact, ...]:
     if not consistency.checks:
         return ()
     facts = [Fact("Result", consistency.sentence)]
-    return (*facts, *(Fact(f"Deviations by {check.name}", check.sentence) for check in consistency.checks))
+    return (*facts, *(Fact(DEVIATIONS_BY.format(name=check.name), check.sentence) for check in consistency.checks))
 
 
 def _version_facts(dimensions: Sequence[Dimension]) -> tuple[Fact, ...]:
@@ -224,7 +245,7 @@ def _version_facts(dimensions: Sequence[Dimension]) -> tuple[Fact, ...]:
     others = of_other_versions(dimensions, __version__)
     if not others:
         return ()
-    listed = ", ".join(f"{one.name} ({one.version or 'an earlier one'})" for one in others)
+    listed = ", ".join(f"{one.name} ({one.version})" if one.version else f"{one.name} (an earlier one)" for one in others)
     return (
         Fact("Warning", f"Evaluated by another version of MeasureApp than the rest: {listed}. Their U may follow another error model."),
     )
@@ -244,16 +265,15 @@ def _validity_facts(validity: Validity) -> tuple[Fact, ...]:
 def _calibration_facts(calibration: RigCalibration) -> tuple[Fact, ...]:
     cameras = calibration.cameras
     facts = [Fact(f"Camera {name}", _camera_words(cameras.cameras[name])) for name in cameras.names]
-    facts += [Fact(f"Pair {name}", f"rms {number(rms)} px") for name, rms in cameras.pair_rms_px.items()]
+    facts += [Fact(PAIR.format(name=name), f"rms {number(rms)} px") for name, rms in cameras.pair_rms_px.items()]
     if cameras.marks_rms_mm:
         facts.append(Fact("Marks of the board", f"displaced by {number(cameras.marks_rms_mm)} mm (rms), estimated with the cameras"))
     axis, hand_eye, guide = calibration.axis, calibration.hand_eye, calibration.guide
     facts += [
-        Fact("Rotation axis", f"σ {_sigmas(axis.point_sigma_mm, axis.direction_sigma_rad)}, residual {number(axis.residual_mm)} mm"),
+        Fact("Rotation axis", _residual_words(axis.point_sigma_mm, axis.direction_sigma_rad, axis.residual_mm)),
         Fact(
             "Hand–eye",
-            f"σ {_sigmas(hand_eye.translation_sigma_mm, hand_eye.rotation_sigma_rad)}, residual {number(hand_eye.residual_mm)} mm"
-            + (f" ({hand_eye.method})" if hand_eye.method else ""),
+            _residual_words(hand_eye.translation_sigma_mm, hand_eye.rotation_sigma_rad, hand_eye.residual_mm, hand_eye.method),
         ),
         Fact(
             "Linear guide",
@@ -262,9 +282,9 @@ def _calibration_facts(calibration: RigCalibration) -> tuple[Fact, ...]:
         ),
     ]
     if calibration.motions is not None:
-        facts.append(
-            Fact("Error motions", "; ".join(sentence.removeprefix("error motions of the ") for sentence in calibration.motions.sentences))
-        )
+        motions = calibration.motions
+        stated = [f"table: {motions.table_words}", *([f"guide: {motions.guide_words}"] if motions.guide_words else [])]
+        facts.append(Fact("Error motions", "; ".join([*stated, motions.sentences[-1]])))
     provenance = calibration.provenance
     if provenance.temperature_c is not None:
         facts.append(Fact("Head temperature during calibration", f"{number(provenance.temperature_c, 1)} °C"))
@@ -303,19 +323,31 @@ def added_to_lengths(dimensions: Sequence[Dimension]) -> str:
 
 
 def _camera_words(camera: CameraCalibration) -> str:
-    blur = f", blur {number(camera.blur_px, 2)} px" if camera.blur_px else ""
-    return f"rms {number(camera.rms_px)} px{blur}" + (f", serial {camera.serial}" if camera.serial else "")
+    stated = [f"rms {number(camera.rms_px)} px"]
+    if camera.blur_px:
+        stated.append(f"blur {number(camera.blur_px, 2)} px")
+    if camera.serial:
+        stated.append(f"serial {camera.serial}")
+    return ", ".join(stated)
 
 
-def _sigmas(length_mm: float, angle_rad: float) -> str:
-    return f"{number(length_mm)} mm and {number(degrees(angle_rad), 4)}°"
+def _residual_words(sigma_mm: float, sigma_rad: float, residual_mm: float, method: str = "") -> str:
+    sigma, turned, residual = number(sigma_mm), number(degrees(sigma_rad), 4), number(residual_mm)
+    if method:
+        return f"σ {sigma} mm and {turned}°, residual {residual} mm ({method})"
+    return f"σ {sigma} mm and {turned}°, residual {residual} mm"
 
 
 def _settings_facts(settings: Mapping[str, Any]) -> tuple[Fact, ...]:
     facts: list[Fact] = []
     for name, value in settings.items():
         if isinstance(value, Mapping):
-            facts += [Fact(f"{format_key(name)}: {format_key(key)}".capitalize(), format_setting(item)) for key, item in value.items()]
+            facts += [Fact(f"{fact_name(name)}: {format_key(key)}", format_setting(item)) for key, item in value.items()]
         else:
-            facts.append(Fact(format_key(name).capitalize(), format_setting(value)))
+            facts.append(Fact(fact_name(name), format_setting(value)))
     return tuple(facts)
+
+
+def fact_name(key: str) -> str:
+    """Return a key of a document, such as that of a setting, as the name of a fact."""
+    return KEYS.get(key) or format_key(key).capitalize()

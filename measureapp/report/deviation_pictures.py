@@ -114,5 +114,5 @@ def _hatching(pixels: IntArray, width: int) -> FloatArray:
 def _extreme_flag(name: str, extreme: Extreme, seen: Seen, *, hidden: bool) -> Flag:
     """Return the flag of the smallest or largest deviation."""
     (place,), _ = seen.frame.place(extreme.point_mm[None])
-    word = {"min": "Minimum", "max": "Maximum"}[name] + (" (behind)" if hidden else "")
+    word = {"min": ("Minimum", "Minimum (behind)"), "max": ("Maximum", "Maximum (behind)")}[name][hidden]
     return Flag((float(place[0]), float(place[1])), (word, f"{number(extreme.value_mm, signed=True)} mm"), FLAG)

@@ -17,16 +17,15 @@ def header(measurement: Measurement, details: Details) -> tuple[Fact, ...]:
     known = Identification(machine=measurement.rig[:200])
     identification = details.identification.with_defaults(known)
     asked = [Fact(LABELS[name], field_words(identification, name)) for name in details.template.description.fields]
+    age = calibration_age(measurement)
     used = {placement.viewpoint_id for placement in measurement.stitched.placements if placement.used}
     return (
         *(fact for fact in asked if fact.value),
-        Fact("Measured", format_time(measurement.measured_at)),
+        Fact("Measured at", format_time(measurement.measured_at)),
         *((Fact("Part program", details.part_program),) if details.part_program else ()),
         Fact("Inspection program", "none" if inspection is None else inspection.program),
         Fact("Project", measurement.project),
-        Fact(
-            "Rig calibrated", f"{calibration_age(measurement)} before" + (" (see the warning)" if measurement.validity.all_warnings else "")
-        ),
+        Fact("Rig calibrated", f"{age} before (see the warning)" if measurement.validity.all_warnings else f"{age} before"),
         Fact("Views", f"{len(used)} of {len(measurement.views)} used"),
     )
 

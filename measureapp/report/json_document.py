@@ -219,6 +219,7 @@ def report_document(model: ReportModel) -> dict[str, Any]:
     document = {
         **measurement_document(model.measurement),
         "software": model.software,
+        "language": model.details.language,  # of the documents beside it
         "verdict": None if model.verdict is None else model.verdict.value,
         "summary": model.summary,
         "verdict_rule": model.verdict_rule,

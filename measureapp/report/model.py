@@ -13,6 +13,7 @@ from measureapp.data.plan import ScanPlan
 from measureapp.inspection.surface.colour_scale import ColourScale
 from measureapp.inspection.surface.deviation import Deviation
 from measureapp.inspection.surface.statistics import DeviationStatistics
+from measureapp.language.languages import ENGLISH
 from measureapp.report.template import Template
 
 
@@ -124,6 +125,7 @@ class Details:
     created_at: str = ""  # ISO 8601; empty: now
     part_program: str = ""  # name, revision and release; empty: none
     deviation_scale: DeviationScale = field(default_factory=DeviationScale)  # of the inspection program
+    language: str = ENGLISH  # of the documents that people read: PDF, HTML, XLSX
 
 
 @dataclass(frozen=True, slots=True, eq=False)

@@ -46,13 +46,13 @@ def render_part(measurement: Measurement, scene: SurfaceScene | None = None) -> 
     if scene is None:
         return _cloud_pictures(measurement)
     filled = scene.mesh.measured is not None and not scene.mesh.measured.all()
-    what = "Measured surface (dark: filled, not measured)" if filled else "Measured surface"
     drawn, views = scene, (("oblique view", OBLIQUE), ("top view", TOP))
 
     def draw(view: int, _end: int) -> Picture:
         where, direction = views[view]
         seen = drawn.see(direction, *SIZE)
-        return Picture(f"{what}, {where}", png(drawn.picture(seen, _surface_colours(drawn, seen))))
+        caption = f"Measured surface (dark: filled, not measured), {where}" if filled else f"Measured surface, {where}"
+        return Picture(caption, png(drawn.picture(seen, _surface_colours(drawn, seen))))
 
     return tuple(in_bands(draw, len(views), len(views)))
 
@@ -93,8 +93,8 @@ def _dimension_picture(dimension: Dimension, features: Sequence[Feature], scene:
     colours = colours + 0.75 * tint * (_rgb(COLOURS[dimension.verdict]) - colours)
     anchors = [anchor for k in range(len(places)) if (anchor := _anchor(points, visible[best], owners == k, seen)) is not None]
     flags = (Flag(anchors[0], flag_text(dimension), COLOURS[dimension.verdict], tuple(anchors[1:])),) if anchors else ()
-    hidden = "" if anchors else " (hidden in this view)"
-    return Picture(f"{format_name(dimension.name)}{hidden}", png(scene.picture(seen, colours)), flags)
+    name = format_name(dimension.name)
+    return Picture(name if anchors else f"{name} (hidden in this view)", png(scene.picture(seen, colours)), flags)
 
 
 def flag_text(dimension: Dimension) -> tuple[str, ...]:

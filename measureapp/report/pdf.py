@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from measureapp.project.atomic import replacing
+from measureapp.report.language import words_of
 from measureapp.report.model import ReportModel
 from measureapp.report.printed import picture_files, typst_document
 from measureapp.report.typeset import Typeset, typeset
@@ -35,5 +36,5 @@ def page_images(model: ReportModel, ppi: float = 110.0) -> tuple[bytes, ...]:
 
 
 def _document(model: ReportModel) -> Typeset:
-    template = model.details.template
-    return Typeset(template.layout_file, typst_document(model), picture_files(model), model.details.created_at)
+    words = words_of(model)
+    return Typeset(model.details.template.layout_file, typst_document(model, words), picture_files(model), model.details.created_at, words)

@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 from measureapp.data.control_frame import ControlFrame
 from measureapp.data.dimension import SEVERITY, Dimension, Verdict
 from measureapp.data.frame_symbols import symbol_svg
+from measureapp.inspection.surface.statistics import DeviationStatistics
 from measureapp.report.header import field_words
+from measureapp.report.language import Words, words_of
 from measureapp.report.model import DeviationSummary, Fact, Picture, PlanLine, ReportModel, ViewLine
 from measureapp.report.words import (
     COLOURS,
@@ -28,56 +30,87 @@ from measureapp.report.words import (
 
 SCALE_STOPS = 81
 MOST_WORST = 10
+BASIS = ("Alignment to the nominal", "Residual of the alignment", "Calibration age", "Adds to a length (k = 2)")
+KINDS = {
+    "thickness": "Thickness",
+    "step": "Height of a step",
+    "slot_width": "Slot width",
+    "slot_length": "Slot length",
+    "chord": "Chord",
+    "max_thickness": "Max thickness",
+    "max_thickness_place": "Place of the max thickness",
+    "camber": "Camber",
+    "leading_radius": "Leading radius",
+    "trailing_radius": "Trailing radius",
+    "stagger": "Stagger angle",
+    "twist": "Twist",
+    "pitch": "Pitch of blades",
+    "blade_form": "Blade form",
+    "blade_profile": "Blade profile",
+}  # of dimensions, as they are translated where the English word alone has several meanings, or is no label of the window
+SIGNATURES = {  # of the roles of the built-in template
+    "Measured": "Measured: name, date, signature",
+    "Checked": "Checked: name, date, signature",
+    "Released": "Released: name, date, signature",
+}
 WIDEST = 1.3  # of the tolerance's half width: where the bar of a deviation ends
 
 
-def typst_document(model: ReportModel) -> dict[str, Any]:
-    """Return the data of the layout; pictures are named as in `picture_files`."""
+def typst_document(model: ReportModel, words: Words | None = None) -> dict[str, Any]:
+    """Return the data of the layout, in the language of the report; pictures are named as in `picture_files`.
+
+    Parameters
+    ----------
+    words : those of the report, if they are at hand
+    """
+    words = words or words_of(model)
     template, details, aligned = model.details.template, model.details, alignments(model)
     dimensions = [
-        _dimension(number_, one, name) for number_, (one, name) in enumerate(zip(model.dimensions, aligned, strict=True), start=1)
+        _dimension(number_, one, name, words) for number_, (one, name) in enumerate(zip(model.dimensions, aligned, strict=True), start=1)
     ]
-    facts = {fact.name: fact.value for section in model.sections for fact in section.facts}
+    facts = {fact.name: fact for section in model.sections for fact in section.facts}
     return {
         "title": model.title,
-        "heading": template.description.title,
+        "heading": words.said(template.description.title),
         "software": model.software,
-        "footer": " · ".join(word for word in (model.software, model.measurement.project, model.title, _template_words(model)) if word),
+        "footer": " · ".join(
+            word for word in (model.software, model.measurement.project, model.title, template_words(model, words)) if word
+        ),
         "company": template.description.company,
         "address": template.description.address,
         "logo": "" if template.logo is None else f"logo{template.logo[0]}",
         "opening": template.description.opening,
         "closing": template.description.closing,
         "signatures": list(template.description.signatures),
+        "signature_lines": [signature_line(role, words) for role in template.description.signatures],
         "pages": list(template.description.pages),
         "created": format_time(details.created_at),
-        "verdict": _verdict(model.verdict),
-        "counts": _counts(model.dimensions),
-        "summary": model.summary,
-        "rule": model.verdict_rule,
+        "verdict": _verdict(model.verdict, words),
+        "counts": _counts(model.dimensions, words),
+        "summary": words.said(model.summary),
+        "rule": words.tr(model.verdict_rule),
         "remarks": field_words(details.identification, "remarks"),
-        "header": _facts(model.header),
-        "basis": [
-            {"name": name, "value": facts[name]}
-            for name in ("Alignment to the nominal", "Residual of the alignment", "Calibration age", "Adds to a length (k = 2)")
-            if facts.get(name)
-        ],
-        "warnings": [fact.value for section in model.sections for fact in section.facts if fact.name == "Warning"],
-        "pictures": [_picture(f"picture{n}.png", picture) for n, picture in enumerate(model.pictures)],
+        "header": printed_facts(model.header, words),
+        "basis": printed_facts([facts[name] for name in BASIS if name in facts and facts[name].value], words),
+        "warnings": [words.said(fact.value) for section in model.sections for fact in section.facts if fact.name == "Warning"],
+        "pictures": [_picture(f"picture{n}.png", picture, words) for n, picture in enumerate(model.pictures)],
         "dimensions": dimensions,
-        "alignments": alignment_note(aligned),
+        "alignments": alignment_note(aligned, words),
         "worst": [dimensions[index] for index in worst_first(model.dimensions)[:MOST_WORST]],
-        "groups": _groups(model.dimensions, dimensions),
+        "groups": _groups(model.dimensions, dimensions, words),
         "failing": [
-            {**_picture(f"failing{n}.png", one.picture), "row": next(row for row in dimensions if row["key"] == one.name)}
+            {**_picture(f"failing{n}.png", one.picture, words), "row": next(row for row in dimensions if row["key"] == one.name)}
             for n, one in enumerate(model.failing)
         ],
-        "origins": [_traceability(dimension) for dimension in model.dimensions if dimension.traceability],
-        "deviation": None if model.deviation is None else _deviation(model.deviation),
-        "cross_sections": [_picture(f"section{n}.svg", picture) for n, picture in enumerate(model.cross_sections)],
-        "views": [_view(view) for view in model.views],
-        "plan": [_plan_line(line) for line in model.plan_lines],
-        "sections": [{"title": section.title, "facts": _facts(section.facts)} for section in model.sections],
+        "origins": [_traceability(dimension, words) for dimension in model.dimensions if dimension.traceability],
+        "deviation": None if model.deviation is None else _deviation(model.deviation, words),
+        "cross_sections": [_picture(f"section{n}.svg", picture, words) for n, picture in enumerate(model.cross_sections)],
+        "views": [_view(view, words) for view in model.views],
+        "plan": [_plan_line(line, words) for line in model.plan_lines],
+        "sections": [
+            {"key": section.title, "title": words.tr(section.title), "facts": printed_facts(section.facts, words)}
+            for section in model.sections
+        ],
     }
 
 
@@ -117,45 +150,65 @@ def position_in_tolerance(dimension: Dimension) -> float | None:
     return round((2 * dimension.deviation - upper - lower) / (upper - lower), 9)
 
 
-def _template_words(model: ReportModel) -> str:
+def template_words(model: ReportModel, words: Words) -> str:
+    """Return the name and version of the template."""
     description = model.details.template.description
-    return f"template {description.name}, version {description.version}"
+    return words.tr("template {name}, version {version}", name=description.name, version=description.version)
 
 
-def _verdict(verdict: Verdict | None) -> dict[str, str]:
+def signature_line(role: str, words: Words) -> str:
+    """Return what stands below the line of a signature."""
+    return words.tr(SIGNATURES[role]) if role in SIGNATURES else words.tr("{role}: name, date, signature", role=role)
+
+
+def _verdict(verdict: Verdict | None, words: Words) -> dict[str, str]:
     if verdict is None:
-        return {"word": "NO VERDICT", "colour": NEUTRAL, "sign": NONE}
-    return {"word": verdict.value.upper(), "colour": COLOURS[verdict], "sign": SIGNS[verdict]}
+        return {"word": words.tr("NO VERDICT"), "colour": NEUTRAL, "sign": NONE}
+    return {"word": words.label(verdict.value).upper(), "colour": COLOURS[verdict], "sign": SIGNS[verdict]}
 
 
-def _counts(dimensions: Sequence[Dimension]) -> list[dict[str, str]]:
+def _counts(dimensions: Sequence[Dimension], words: Words) -> list[dict[str, str]]:
     counts = Counter(dimension.verdict for dimension in dimensions)
-    return [{"word": kind.value, "count": str(counts[kind]), "colour": COLOURS[kind], "sign": SIGNS[kind]} for kind in SEVERITY]
+    return [
+        {"word": words.label(kind.value), "count": str(counts[kind]), "colour": COLOURS[kind], "sign": SIGNS[kind]} for kind in SEVERITY
+    ]
 
 
-def _facts(facts: Sequence[Fact]) -> list[dict[str, str]]:
-    return [{"name": fact.name, "value": fact.value} for fact in facts]
+def printed_facts(facts: Sequence[Fact], words: Words) -> list[dict[str, str]]:
+    """Return facts in the language of the report."""
+    return [{"name": words.said(fact.name), "value": words.said(fact.value)} for fact in facts]
 
 
-def _picture(name: str, picture: Picture) -> dict[str, Any]:
+def printed_flag(text: Sequence[str], words: Words) -> list[str]:
+    """Return the lines of a flag in the language of the report."""
+    return [words.said(line) for line in text]
+
+
+def _picture(name: str, picture: Picture, words: Words) -> dict[str, Any]:
     flags = [
-        {"x": flag.at[0], "y": flag.at[1], "text": list(flag.text), "colour": flag.colour, "further": [list(at) for at in flag.further]}
+        {
+            "x": flag.at[0],
+            "y": flag.at[1],
+            "text": printed_flag(flag.text, words),
+            "colour": flag.colour,
+            "further": [list(at) for at in flag.further],
+        }
         for flag in picture.flags
     ]
-    return {"file": name, "caption": picture.caption, "flags": flags}
+    return {"file": name, "caption": words.said(picture.caption), "flags": flags}
 
 
-def _groups(dimensions: Sequence[Dimension], rows: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
+def _groups(dimensions: Sequence[Dimension], rows: Sequence[dict[str, Any]], words: Words) -> list[dict[str, Any]]:
     """Return the rows grouped by the feature that they are about, in the program's order."""
     groups: dict[str, list[dict[str, Any]]] = {}
     for dimension, row in zip(dimensions, rows, strict=True):
         names = list(dict.fromkeys(name.split(".")[0] for name in dimension.features))
         title = " – ".join(format_name(name) for name in names[:3]) + (" …" if len(names) > 3 else "")
-        groups.setdefault(title or "Further dimensions", []).append(row)
+        groups.setdefault(title or words.tr("Further dimensions"), []).append(row)
     return [{"title": title, "rows": found} for title, found in groups.items()]
 
 
-def _dimension(row: int, dimension: Dimension, aligned_by: str) -> dict[str, Any]:
+def _dimension(row: int, dimension: Dimension, aligned_by: str, words: Words) -> dict[str, Any]:
     unit = "" if dimension.unit == "mm" else "°" if dimension.unit == "°" else f" {dimension.unit}"
     lower, upper = dimension.lower_tolerance, dimension.upper_tolerance
     half = 0.0 if lower is None or upper is None else (upper - lower) / 2
@@ -164,9 +217,9 @@ def _dimension(row: int, dimension: Dimension, aligned_by: str) -> dict[str, Any
         "number": str(row),
         "key": dimension.name,
         "name": format_name(dimension.name),
-        "about": _about(dimension),
-        "frame": _frame(dimension.frame),
-        "aligned_by": aligned_by,
+        "about": _about(dimension, words),
+        "frame": _frame(dimension.frame, words),
+        "aligned_by": words.said(aligned_by),
         "nominal": number(dimension.nominal) + unit,
         "upper": number(upper, signed=True),
         "lower": number(lower, signed=True),
@@ -176,13 +229,13 @@ def _dimension(row: int, dimension: Dimension, aligned_by: str) -> dict[str, Any
         "uncertainty": number(dimension.round_uncertainty()),
         "tolerance": format_tolerance(dimension.lower_tolerance, dimension.upper_tolerance),
         "place": None if place is None else max(-WIDEST, min(WIDEST, place)) / WIDEST,
-        "beyond": place is not None and abs(place) > WIDEST,
+        "beyond": place is not None and bool(abs(place) > WIDEST),
         "spread": min(1.0, (dimension.uncertainty or 0.0) / half / WIDEST) if half > 0 else 0.0,
         "limit": 1 / WIDEST,
-        "verdict": dimension.verdict.value,
+        "verdict": words.label(dimension.verdict.value),
         "sign": SIGNS[dimension.verdict],
         "colour": COLOURS[dimension.verdict],
-        "reason": dimension.reason,
+        "reason": words.said(dimension.reason),
     }
 
 
@@ -193,10 +246,10 @@ def alignments(model: ReportModel) -> tuple[str, ...]:
     return tuple(dimension.alignment or common for dimension in model.dimensions)
 
 
-def alignment_note(aligned: Sequence[str]) -> str:
+def alignment_note(aligned: Sequence[str], words: Words) -> str:
     """Return which alignment dimensions refer to, if it is the same for all; of several, each dimension states its own."""
     names = set(aligned)
-    return f"All dimensions refer to the alignment by {names.pop()}." if len(names) == 1 and "" not in names else ""
+    return words.tr("All dimensions refer to the alignment by {name}.", name=names.pop()) if len(names) == 1 and "" not in names else ""
 
 
 def symbol_file(characteristic: str) -> str:
@@ -204,7 +257,7 @@ def symbol_file(characteristic: str) -> str:
     return f"symbol_{characteristic}.svg"
 
 
-def _frame(frame: ControlFrame | None) -> dict[str, Any] | None:
+def _frame(frame: ControlFrame | None, words: Words) -> dict[str, Any] | None:
     """Return the cells of a feature control frame, and the picture of its symbol."""
     if frame is None:
         return None
@@ -212,33 +265,45 @@ def _frame(frame: ControlFrame | None) -> dict[str, Any] | None:
     return {
         "file": symbol_file(frame.characteristic),
         "svg": symbol,
-        "name": format_key(frame.characteristic),
+        "name": kind_words(frame.characteristic, words),
         "cells": list(frame.words()),
     }
 
 
-def _about(dimension: Dimension) -> str:
+def _about(dimension: Dimension, words: Words) -> str:
     """Return kind and datums, as far as the name does not say them already."""
     kind = format_key(dimension.kind)
-    words = [
-        "" if kind.lower() in format_name(dimension.name).lower() else kind,
+    stated = [
+        "" if kind.lower() in format_name(dimension.name).lower() else kind_words(dimension.kind, words),
         format_datums(dimension) if dimension.datums else "",
     ]
-    return ", ".join(word for word in words if word)
+    return words.listed(", ".join(word for word in stated if word))
 
 
-def _traceability(dimension: Dimension) -> dict[str, str]:
+def kind_words(kind: str, words: Words) -> str:
+    """Return the kind of a dimension, or the characteristic of a control frame."""
+    title = KINDS.get(kind) or format_key(kind).capitalize()
+    made = words.tr(title)
+    return format_key(kind) if made == title else made
+
+
+def _traceability(dimension: Dimension, words: Words) -> dict[str, str]:
     """Return the traceability of a value: kind, datums, source, and uncertainty budget."""
     return {
         "name": format_name(dimension.name),
-        "kind": format_key(dimension.kind),
+        "kind": kind_words(dimension.kind, words),
         "datums": format_datums(dimension),
-        "shares": format_contributions(dimension),
-        "origin": dimension.traceability,
+        "shares": words.listed(format_contributions(dimension, words.label)),
+        "origin": origin_words(dimension.traceability, words),
     }
 
 
-def _view(view: ViewLine) -> dict[str, str]:
+def origin_words(traceability: str, words: Words) -> str:
+    """Return the source of a value: points, filter, criterion and datums, each translated by itself."""
+    return words.listed("; ".join(words.said(one) for one in traceability.split("; ")))
+
+
+def _view(view: ViewLine, words: Words) -> dict[str, str]:
     verdict = Verdict.PASS if view.used and view.verdict == "good" else Verdict.NOT_PROVEN if view.used else Verdict.FAIL
     return {
         "name": view.viewpoint_id,
@@ -248,13 +313,13 @@ def _view(view: ViewLine) -> dict[str, str]:
         "moved": number(view.correction_mm),
         "turned": number(view.correction_deg),
         "residual": number(view.residual_mm),
-        "verdict": view.verdict,
+        "verdict": words.said(view.verdict),
         "sign": SIGNS[verdict],
         "colour": COLOURS[verdict],
     }
 
 
-def _plan_line(line: PlanLine) -> dict[str, str]:
+def _plan_line(line: PlanLine, words: Words) -> dict[str, str]:
     times = " · ".join(number(exposure / 1000, 1) for exposure in line.exposures_us)
     return {
         "name": line.viewpoint_id,
@@ -262,36 +327,43 @@ def _plan_line(line: PlanLine) -> dict[str, str]:
         "guide": number(line.guide_mm, 2),
         "flange": ", ".join(number(value, 1) for value in line.flange_mm),
         "exposures": times or NONE,
-        "planned": "" if line.as_planned is None or line.as_planned else "not as planned",
+        "planned": "" if line.as_planned is None or line.as_planned else words.tr("not as planned"),
     }
 
 
-def _deviation(deviation: DeviationSummary) -> dict[str, Any]:
+def _deviation(deviation: DeviationSummary, words: Words) -> dict[str, Any]:
     found = deviation.statistics
-    facts = [
-        ("Mean", f"{number(found.mean_mm, signed=True)} mm"),
-        ("RMS", f"{number(found.rms_mm)} mm"),
-        ("95 % within", f"{number(found.p95_mm)} mm"),
-    ]
-    for name, extreme in (("Minimum", found.minimum), ("Maximum", found.maximum)):
-        if extreme is not None:
-            place = ", ".join(number(float(value), 1) for value in extreme.point_mm)
-            facts += [(f"{name}, confirmed", f"{number(extreme.value_mm, signed=True)} mm"), (f"{name} at", place)]
-    if found.all_points_mm is not None:
-        facts.append(("Of all points", " … ".join(f"{number(value, signed=True)}" for value in found.all_points_mm) + " mm"))
-    limits = "the scale" if found.tolerance_mm is None else format_tolerance(*found.tolerance_mm)
-    facts += [
-        (f"Points within {limits}", percent(found.inside)),
-        ("Below, above", f"{percent(found.below)}, {percent(found.above)}"),
-        ("Nominal not seen", percent(found.no_data.not_seen)),
-        ("Filled, too far", f"{percent(found.no_data.filled)}, {percent(found.no_data.too_far)}"),
-    ]
     return {
-        "pictures": [_picture(f"deviation{n}.png", picture) for n, picture in enumerate(deviation.pictures)],
+        "pictures": [_picture(f"deviation{n}.png", picture, words) for n, picture in enumerate(deviation.pictures)],
         "low": f"{number(deviation.scale.low, signed=deviation.scale.low > 0)} mm",
         "high": f"{number(deviation.scale.high, signed=True)} mm",
         "stops": deviation.scale.stops(SCALE_STOPS),
         "histogram": list(deviation.histogram),
-        "facts": [{"name": name, "value": value} for name, value in facts],
-        "note": f"Alignment: {deviation.alignment}. Positive: outside the nominal. Hatched: not measured within {number(found.search_mm, 0)} mm.",
+        "facts": [{"name": name, "value": value} for name, value in _deviation_facts(found, words)],
+        "note": words.tr(
+            "Alignment: {name}. Positive: outside the nominal. Hatched: not measured within {reach} mm.",
+            name=deviation.alignment,
+            reach=number(found.search_mm, 0),
+        ),
     }
+
+
+def _deviation_facts(found: DeviationStatistics, words: Words) -> Iterator[tuple[str, str]]:
+    """Yield name and value of the statistics of a deviation."""
+    yield words.tr("Mean"), f"{number(found.mean_mm, signed=True)} mm"
+    yield words.tr("RMS"), f"{number(found.rms_mm)} mm"
+    yield words.tr("95 % within"), f"{number(found.p95_mm)} mm"
+    extremes = (("Minimum, confirmed", "Minimum at", found.minimum), ("Maximum, confirmed", "Maximum at", found.maximum))
+    for confirmed, at, extreme in extremes:
+        if extreme is not None:
+            yield words.tr(confirmed), f"{number(extreme.value_mm, signed=True)} mm"
+            yield words.tr(at), ", ".join(number(float(value), 1) for value in extreme.point_mm)
+    if found.all_points_mm is not None:
+        yield words.tr("Of all points"), " … ".join(number(value, signed=True) for value in found.all_points_mm) + " mm"
+    if found.tolerance_mm is None:
+        yield words.tr("Points within the scale"), percent(found.inside)
+    else:
+        yield words.tr("Points within {limits}", limits=format_tolerance(*found.tolerance_mm)), percent(found.inside)
+    yield words.tr("Below, above"), f"{percent(found.below)}, {percent(found.above)}"
+    yield words.tr("Nominal not seen"), percent(found.no_data.not_seen)
+    yield words.tr("Filled, too far"), f"{percent(found.no_data.filled)}, {percent(found.no_data.too_far)}"

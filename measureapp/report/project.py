@@ -8,6 +8,7 @@ from measureapp.data.control_frame import with_frames
 from measureapp.data.deviation_scale import DeviationScale
 from measureapp.data.measurement import Measurement
 from measureapp.errors import StorageError
+from measureapp.language.languages import ENGLISH
 from measureapp.progress import NoProgress, Progress
 from measureapp.project.folder import ProjectFolder
 from measureapp.project.geometry.files import read_mesh
@@ -26,6 +27,7 @@ def compose_project(
     *,
     template: Template | None = None,
     created_at: str = "",
+    language: str = ENGLISH,
     progress: Progress = NoProgress(),  # noqa: B008 - stateless
 ) -> ReportModel:
     """Compose the report of a project.
@@ -35,6 +37,7 @@ def compose_project(
     measurement : that of the project, if it is loaded already
     template : None: the project's own, else this user's, else the built-in one
     created_at : ISO 8601; empty: now
+    language : of the documents that people read, see `measureapp.language.languages`
 
     Raises
     ------
@@ -51,11 +54,11 @@ def compose_project(
         dimensions = with_frames(inspection.dimensions, read_program(project.program), inspection.features)
         measurement = replace(measurement, inspection=replace(inspection, dimensions=dimensions))
     nominal = None if project.nominal is None else read_mesh(project.nominal, "nominal")
-    details = project_details(project, template, created_at)
+    details = project_details(project, template, created_at, language)
     return compose(measurement, nominal, details=details, parts=KeptIn(project), progress=progress)
 
 
-def project_details(project: ProjectFolder, template: Template | None = None, created_at: str = "") -> Details:
+def project_details(project: ProjectFolder, template: Template | None = None, created_at: str = "", language: str = ENGLISH) -> Details:
     """Return what a report states besides the measurement. Raises StorageError, InputError as `compose_project`."""
     own = project.report_template
     return Details(
@@ -66,4 +69,5 @@ def project_details(project: ProjectFolder, template: Template | None = None, cr
         created_at,
         program_words(project.path),
         DeviationScale() if project.program is None else read_program(project.program).deviation_scale,
+        language,
     )

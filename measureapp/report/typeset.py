@@ -5,15 +5,18 @@ from __future__ import annotations
 import json
 import tempfile
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, Literal
 
 from measureapp.errors import StorageError
 from measureapp.project.series.database import seconds
 from measureapp.report.fonts import FAMILIES, every_text, font_folder, is_invisible, missing_letters, spell_out
+from measureapp.report.language import Words, read_layout
+from measureapp.resources import resource
 
 MAIN, DATA = "main.typ", "report.json"
+WORDS = "words.typ"  # the function of layouts that translates their texts
 ARCHIVE = "a-2b"  # PDF/A-2b, for long-term archiving
 NO_GLYPH = "could not be displayed"
 
@@ -26,6 +29,18 @@ class Typeset:
     data: Mapping[str, Any]
     pictures: Mapping[str, bytes]
     created_at: str  # ISO 8601; equal documents at equal times are equal byte by byte
+    words: Words = field(default_factory=Words)  # in the language of the document
+
+    def with_words(self) -> dict[str, Any]:
+        """Return the data with what is the same for every layout: its texts, its language and its fonts."""
+        language, _, region = self.words.tag.partition("-")
+        return {
+            **self.data,
+            "words": self.words.of_layout(read_layout(self.layout)),
+            "lang": language,
+            "region": region or None,
+            "fonts": list(FAMILIES),
+        }
 
 
 def typeset(document: Typeset, form: Literal["pdf", "png"] = "pdf", ppi: float = 110.0) -> tuple[bytes, ...]:
@@ -41,20 +56,25 @@ def typeset(document: Typeset, form: Literal["pdf", "png"] = "pdf", ppi: float =
     import typst
 
     compiled: Any = typst.compile
-    letters = missing_letters(every_text(document.data))
+    data = document.with_words()
+    letters = missing_letters(every_text(data))
     hidden = frozenset(letter for letter in letters if is_invisible(letter))
     try:
         with tempfile.TemporaryDirectory(prefix="measureapp-report-") as folder:
             place = Path(folder)
-            for name, data in {MAIN: document.layout.read_bytes(), **document.pictures}.items():
-                (place / name).write_bytes(data)
+            for name, content in {
+                MAIN: document.layout.read_bytes(),
+                WORDS: resource(f"report/{WORDS}").read_bytes(),
+                **document.pictures,
+            }.items():
+                (place / name).write_bytes(content)
             options: dict[str, Any] = {"root": folder, "font_paths": [str(font_folder())], "timestamp": int(seconds(document.created_at))}
             options["ignore_system_fonts"] = letters == hidden
-            pdf = _with_letters(document.data, hidden, letters, place, options) if form == "pdf" or letters != hidden else b""
+            pdf = _with_letters(data, hidden, letters, place, options) if form == "pdf" or letters != hidden else b""
             if form == "pdf":
                 return (pdf,)
             if not (place / DATA).exists():
-                _write(place, document.data, hidden)
+                _write(place, data, hidden)
             made = compiled(str(place / MAIN), format="png", ppi=ppi, **options)
     except (typst.TypstError, RuntimeError) as error:
         hint = "Correct the template, or use the built-in one."
@@ -91,5 +111,4 @@ def _archived(place: Path, options: Mapping[str, Any]) -> bytes:
 
 
 def _write(place: Path, data: Mapping[str, Any], spelt: frozenset[str]) -> None:
-    document = {**spell_out(data, spelt), "fonts": list(FAMILIES)}
-    (place / DATA).write_text(json.dumps(document), encoding="utf-8")
+    (place / DATA).write_text(json.dumps(spell_out(data, spelt)), encoding="utf-8")

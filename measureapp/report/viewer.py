@@ -17,8 +17,10 @@ from measureapp.inspection.surface.colour_scale import BEYOND_SHADE, GO, NO_GO, 
 from measureapp.inspection.surface.deviation import Deviation
 from measureapp.open3d_library import open3d
 from measureapp.report.deviation_pictures import NEAR_MM
+from measureapp.report.language import Words
 from measureapp.report.model import ReportModel
 from measureapp.report.part_pictures import flag_text, on_feature, placed_mesh
+from measureapp.report.printed import printed_flag
 from measureapp.report.words import COLOURS
 
 MOST_TRIANGLES = 200_000
@@ -32,8 +34,8 @@ def scene_text(document: dict[str, Any] | None) -> str:
     return json.dumps(document).replace("<", "\\u003c").replace(">", "\\u003e").replace("&", "\\u0026")
 
 
-def scene_document(model: ReportModel) -> dict[str, Any] | None:
-    """Return points (16 bit), triangles, deviations (16 bit) and flags; None where there is no surface."""
+def scene_document(model: ReportModel, words: Words | None = None) -> dict[str, Any] | None:
+    """Return points (16 bit), triangles, deviations (16 bit) and flags; None where there is no surface. Without ``words`` in English."""
     mesh = placed_mesh(model.measurement)
     if mesh is None or not len(mesh.triangles):
         return None
@@ -56,7 +58,7 @@ def scene_document(model: ReportModel) -> dict[str, Any] | None:
         "unit_mm": unit,
         "scale": _scale(scale),
         "coloured": model.compared is not None,
-        "flags": _flags(model, mesh, centre, radius),
+        "flags": _flags(model, mesh, centre, radius, words or Words()),
     }
 
 
@@ -99,7 +101,7 @@ def deviation_at(mesh: Mesh, compared: Deviation) -> FloatArray:
     return found if mesh.measured is None else np.where(mesh.measured, found, np.nan)
 
 
-def _flags(model: ReportModel, mesh: Mesh, centre: FloatArray, radius: float) -> list[dict[str, Any]]:
+def _flags(model: ReportModel, mesh: Mesh, centre: FloatArray, radius: float, words: Words) -> list[dict[str, Any]]:
     """Return one flag per dimension whose features are on the surface or in space; those that do not pass are always shown."""
     inspection = model.measurement.inspection
     features = {} if inspection is None else {feature.name: feature for feature in inspection.features}
@@ -109,7 +111,7 @@ def _flags(model: ReportModel, mesh: Mesh, centre: FloatArray, radius: float) ->
         if own:
             at = (_place(mesh, own[0]) - centre) / radius
             always = dimension.verdict not in (Verdict.PASS, Verdict.NO_TOLERANCE)
-            text, colour = list(flag_text(dimension)), COLOURS[dimension.verdict]
+            text, colour = printed_flag(flag_text(dimension), words), COLOURS[dimension.verdict]
             flags.append({"row": row, "at": at.tolist(), "text": text, "colour": colour, "always": always})
     return flags
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from typing import Any
 
 from measureapp.data.dimension import CONTRIBUTION_DIGITS, Dimension, Verdict
@@ -76,15 +77,15 @@ def format_datums(dimension: Dimension) -> str:
     return ", ".join(f"{letter} {name}" for letter, name in zip(dimension.datum_letters, dimension.datums, strict=True))
 
 
-def format_contributions(dimension: Dimension) -> str:
-    """Return the uncertainty budget: contributions with k = 2, largest first, without those that round to zero.
+def format_contributions(dimension: Dimension, label: Callable[[str], str] = str) -> str:
+    """Return the uncertainty budget: contributions with k = 2, largest first, without those that round to zero; ``label`` names them.
 
     >>> format_contributions(Dimension("a", 10, 10, 0.05, -0.1, 0.1, Verdict.PASS, budget={"noise": 0.03, "stitching": 0.04})).replace(TOGETHER, " ")
     'stitching 0.0400, noise 0.0300 mm'
     >>> format_contributions(Dimension("a", 10, 10, 0.05, -0.1, 0.1, Verdict.PASS, budget={"noise": 0.03, "form": 0.00002})).replace(TOGETHER, " ")
     'noise 0.0300 mm'
     """
-    named = ", ".join(f"{name}{TOGETHER}{number(size, CONTRIBUTION_DIGITS)}" for name, size in dimension.rank_contributions())
+    named = ", ".join(f"{label(name)}{TOGETHER}{number(size, CONTRIBUTION_DIGITS)}" for name, size in dimension.rank_contributions())
     return f"{named}{'' if dimension.unit == '°' else TOGETHER}{dimension.unit}" if named else NONE
 
 

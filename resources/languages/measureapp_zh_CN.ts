@@ -13,7 +13,7 @@
     </message>
     <message>
       <source>Everywhere</source>
-      <translation>全部位置</translation>
+      <translation>所有页面</translation>
     </message>
     <message>
       <source>It cannot be used at the moment.</source>
@@ -45,7 +45,7 @@
     </message>
     <message>
       <source>Where</source>
-      <translation>位置</translation>
+      <translation>适用页面</translation>
     </message>
     <message>
       <source>small</source>
@@ -2567,10 +2567,6 @@
       <translation>相机漂移检查：通过；偏差均不超过 {v1}，标定的残差为 {v2} px。</translation>
     </message>
     <message>
-      <source>Camera {v1} has</source>
-      <translation>相机 {v1} 已</translation>
-    </message>
-    <message>
       <source>Camera {v1} has no images yet.</source>
       <translation>相机 {v1} 尚无图像。</translation>
     </message>
@@ -2903,8 +2899,8 @@
       <translation>求解之后观测已更改：请重新求解。</translation>
     </message>
     <message>
-      <source>One of the cameras {v1} has</source>
-      <translation>相机 {v1} 之一已</translation>
+      <source>One of the cameras {v1}</source>
+      <translation>相机 {v1} 之一</translation>
     </message>
     <message>
       <source>Only {v1} corners of the {v2} can be seen; at least {v3} are needed.</source>
@@ -3391,6 +3387,14 @@
       <translation>它们似乎以米为单位：请给出 mm。</translation>
     </message>
     <message>
+      <source>This scan would not show {v1}; a few views of the board would.</source>
+      <translation>本次扫描无法发现：{v1}；几个标定板视图则可以。</translation>
+    </message>
+    <message>
+      <source>This scan would not show {v1}; fringes of both directions, or a few views of the board, would.</source>
+      <translation>本次扫描无法发现：{v1}；两个方向的条纹或几个标定板视图则可以。</translation>
+    </message>
+    <message>
       <source>Tilt it by 20° to 45° to all four sides, and show it nearer and farther.</source>
       <translation>请向四个方向倾斜 20° 至 45°，并在更近和更远处显示。</translation>
     </message>
@@ -3507,6 +3511,10 @@
       <translation>一台相机</translation>
     </message>
     <message>
+      <source>a pitch of {camera} below {limit}°</source>
+      <translation>{camera} 小于 {limit}° 的俯仰</translation>
+    </message>
+    <message>
       <source>a point {v1} mm from the axis, between views half a turn apart,</source>
       <translation>距轴线 {v1} mm 的点（相差半圈的视图之间）</translation>
     </message>
@@ -3521,6 +3529,14 @@
     <message>
       <source>a point, between views {v1} mm of the guide apart,</source>
       <translation>点（导轨上相距 {v1} mm 的视图之间）</translation>
+    </message>
+    <message>
+      <source>a roll of {camera} below {limit}°</source>
+      <translation>{camera} 小于 {limit}° 的滚转</translation>
+    </message>
+    <message>
+      <source>a yaw of {camera} below {limit}°</source>
+      <translation>{camera} 小于 {limit}° 的偏摆</translation>
     </message>
     <message>
       <source>an even and an odd number of corners, such as 14 × 11 or 9 × 6, or a ChArUco board</source>
@@ -3891,10 +3907,6 @@
       <translation>向右</translation>
     </message>
     <message>
-      <source>too dark</source>
-      <translation>太暗</translation>
-    </message>
-    <message>
       <source>upper edge</source>
       <translation>上边缘</translation>
     </message>
@@ -3929,6 +3941,10 @@
     <message>
       <source>{v1} distortion coefficients are not offered.</source>
       <translation>不提供 {v1} 个畸变系数。</translation>
+    </message>
+    <message>
+      <source>{v1} has turned by {v2}° since the calibration: its image is off by {v3} (the calibration left {v4} px), which moves measured points by {v5} mm; {v6}</source>
+      <translation>{v1}自标定以来转动了 {v2}°：其图像偏移 {v3}（标定的残差为 {v4} px），使测量点移动 {v5} mm；{v6}</translation>
     </message>
     <message>
       <source>{v1} has {v2} {v3} of the board; at least {v4} are needed.</source>
@@ -3981,10 +3997,6 @@
     <message>
       <source>{v1} table positions with {v2} corners do not determine the axis.</source>
       <translation>{v1} 个转台位置、{v2} 个角点不能确定轴线。</translation>
-    </message>
-    <message>
-      <source>{v1} turned by {v2}° since the calibration: its image is off by {v3} (the calibration left {v4} px), which moves measured points by {v5} mm; {v6}</source>
-      <translation>{v1}自标定以来转动 {v2}°：其图像偏差 {v3}（标定的残差为 {v4} px），使测点移动 {v5} mm；{v6}</translation>
     </message>
     <message>
       <source>{v1} views are too few to hold some back.</source>
@@ -4888,6 +4900,10 @@
   <context>
     <name>core.data</name>
     <message>
+      <source>8 steps at {a} and {b} px</source>
+      <translation>8 步相移，{a} 和 {b} px</translation>
+    </message>
+    <message>
       <source>A cloud in frame {v1} cannot be transformed by {v2}_from_{v3}.</source>
       <translation>坐标系{v1}中的点云不能用从{v3}到{v2}的变换来变换。</translation>
     </message>
@@ -4914,6 +4930,10 @@
     <message>
       <source>Give robot pose, guide position and table angle.</source>
       <translation>请给出机器人位姿、导轨位置和转台角度。</translation>
+    </message>
+    <message>
+      <source>Gray code: 4 steps at {a} px</source>
+      <translation>格雷码：4 步相移，{a} px</translation>
     </message>
     <message>
       <source>ISO 2768-{v1} is defined for sizes from 0.5 to 4000 mm, not {v2} mm: enter the limits as numbers</source>
@@ -5268,6 +5288,14 @@
       <translation>{v1} mm 的圆点过密：此间距下最大为 {v2} mm</translation>
     </message>
     <message>
+      <source>complementary Gray code: 4 steps at {a} px</source>
+      <translation>互补格雷码：4 步相移，{a} px</translation>
+    </message>
+    <message>
+      <source>complementary Gray code: 8 steps at {a} px</source>
+      <translation>互补格雷码：8 步相移，{a} px</translation>
+    </message>
+    <message>
       <source>datum {v1} names feature {v2}, which is not defined</source>
       <translation>基准 {v1} 引用的特征 {v2} 没有定义</translation>
     </message>
@@ -5334,6 +5362,10 @@
     <message>
       <source>has no `distance_mm`</source>
       <translation>没有 `distance_mm`</translation>
+    </message>
+    <message>
+      <source>hierarchical: 4 steps, each pitch half of the one before, from {a} px</source>
+      <translation>分层：4 步相移，每个间距为前一个的一半，从 {a} px 开始</translation>
     </message>
     <message>
       <source>horizontal fringes need projector_rows</source>
@@ -5422,6 +5454,10 @@
     <message>
       <source>of the part, such as steel, or its expansion, such as 11.5±0.6 ppm/K</source>
       <translation>工件的材料，例如 steel，或其热膨胀系数，例如 11.5±0.6 ppm/K</translation>
+    </message>
+    <message>
+      <source>paper: 4 steps at {a} and {b} px</source>
+      <translation>论文：4 步相移，{a} 和 {b} px</translation>
     </message>
     <message>
       <source>radial ± {v1}, axial ± {v2}, tilt ± {v3}″</source>
@@ -5522,6 +5558,26 @@
     <message>
       <source>they move the board by {v1} rms between the views of the calibration; positions are corrected for them</source>
       <translation>在标定的各视图之间它们使标定板移动 {v1} rms；位置已作修正</translation>
+    </message>
+    <message>
+      <source>three close pitches: 3 steps at {a}, {b} and {c} px</source>
+      <translation>三个相近间距：3 步相移，{a}、{b} 和 {c} px</translation>
+    </message>
+    <message>
+      <source>three close pitches: 4 steps at {a}, {b} and {c} px</source>
+      <translation>三个相近间距：4 步相移，{a}、{b} 和 {c} px</translation>
+    </message>
+    <message>
+      <source>three close pitches: 8 steps at {a}, {b} and {c} px</source>
+      <translation>三个相近间距：8 步相移，{a}、{b} 和 {c} px</translation>
+    </message>
+    <message>
+      <source>three wide pitches: 4 steps at {a}, {b} and {c} px</source>
+      <translation>三个宽间距：4 步相移，{a}、{b} 和 {c} px</translation>
+    </message>
+    <message>
+      <source>three wide pitches: 8, 4 and 4 steps at {a}, {b} and {c} px</source>
+      <translation>三个宽间距：8、4 和 4 步相移，{a}、{b} 和 {c} px</translation>
     </message>
     <message>
       <source>turned by {v1}° about x, y and z</source>
@@ -5642,6 +5698,10 @@
     <message>
       <source>{v1} °C is not between {v2} and {v3} °C</source>
       <translation>{v1} °C 不在 {v2} 与 {v3} °C 之间</translation>
+    </message>
+    <message>
+      <source>{v1}, both directions</source>
+      <translation>{v1}，两个方向</translation>
     </message>
     <message>
       <source>{v1}, not corrected</source>
@@ -6828,6 +6888,10 @@
       <translation>，{v1} 个截面</translation>
     </message>
     <message>
+      <source>1 dimension, chi-square test at a level of {v1}</source>
+      <translation>1 个尺寸，卡方检验，显著性水平 {v1}</translation>
+    </message>
+    <message>
       <source>3-2-1 (plane {v1}, line {v2}, point {v3})</source>
       <translation>3-2-1（平面 {v1}、直线 {v2}、点 {v3}）</translation>
     </message>
@@ -7108,8 +7172,16 @@
       <translation>请指定同一工件的两个以上项目。</translation>
     </message>
     <message>
+      <source>No dimension has both a spread and a stated uncertainty to compare it with.</source>
+      <translation>没有尺寸同时具有离散和可与之比较的给定不确定度。</translation>
+    </message>
+    <message>
       <source>No shape grows from this place.</source>
       <translation>从此处不能生长任何形状。</translation>
+    </message>
+    <message>
+      <source>No spread contradicts the stated uncertainty ({v1}). Systematic errors cause no spread.</source>
+      <translation>没有离散与给定的不确定度矛盾（{v1}）。系统误差不产生离散。</translation>
     </message>
     <message>
       <source>Nothing was measured at a clicked place.</source>
@@ -7208,6 +7280,10 @@
       <translation>CAD 模型中没有其他尺寸和方向相同的孔。</translation>
     </message>
     <message>
+      <source>The alignment of the program does not show whether the part was clamped anew between the measurements.</source>
+      <translation>程序的对齐无法表明各次测量之间工件是否重新装夹。</translation>
+    </message>
+    <message>
       <source>The alignment of the program uses {v1}.</source>
       <translation>程序的对齐使用 {v1}。</translation>
     </message>
@@ -7274,6 +7350,14 @@
     <message>
       <source>The nominal of {v1} differs between {v2}: {v3}.</source>
       <translation>{v1} 的名义值在 {v2} 之间不同：{v3}。</translation>
+    </message>
+    <message>
+      <source>The part was displaced by up to {v1} mm between the measurements: the spread includes clamping (reproducibility).</source>
+      <translation>各次测量之间工件最多移动了 {v1} mm：离散包含装夹（复现性）。</translation>
+    </message>
+    <message>
+      <source>The part was neither displaced nor tilted between the measurements ({v1} mm; a rotation about z is not considered): the spread does not include clamping.</source>
+      <translation>各次测量之间工件既未移动也未倾斜（{v1} mm；不考虑绕 z 的旋转）：离散不包含装夹。</translation>
     </message>
     <message>
       <source>The part's temperature is not stated: its lengths are those at the temperature of the scan.</source>
@@ -7440,10 +7524,6 @@
       <translation>轴线和中心（当基准带有实体条件时）</translation>
     </message>
     <message>
-      <source>axial, {v1} rings</source>
-      <translation>轴向，{v1} 个圆环</translation>
-    </message>
-    <message>
       <source>best fit, {v1} positions about the axis</source>
       <translation>最佳拟合，绕轴 {v1} 个位置</translation>
     </message>
@@ -7482,6 +7562,10 @@
     <message>
       <source>datum system {v1}</source>
       <translation>基准体系 {v1}</translation>
+    </message>
+    <message>
+      <source>datums {v1}</source>
+      <translation>基准 {v1}</translation>
     </message>
     <message>
       <source>deviation from the shape</source>
@@ -7568,8 +7652,16 @@
       <translation>由对齐定位</translation>
     </message>
     <message>
+      <source>max of {count}</source>
+      <translation>{count} 个的最大值</translation>
+    </message>
+    <message>
       <source>maximum material</source>
       <translation>最大实体</translation>
+    </message>
+    <message>
+      <source>mean of {count}</source>
+      <translation>{count} 个的平均值</translation>
     </message>
     <message>
       <source>means of {v1} mm cells</source>
@@ -7578,6 +7670,10 @@
     <message>
       <source>medians over {v1} mm, {v2}</source>
       <translation>{v1} mm 上的中位数，{v2}</translation>
+    </message>
+    <message>
+      <source>min of {count}</source>
+      <translation>{count} 个的最小值</translation>
     </message>
     <message>
       <source>minimum zone</source>
@@ -7626,10 +7722,6 @@
     <message>
       <source>planes, axes and centres</source>
       <translation>平面、轴线和中心</translation>
-    </message>
-    <message>
-      <source>radial, {v1} sections</source>
-      <translation>径向，{v1} 个截面</translation>
     </message>
     <message>
       <source>rotation about x</source>
@@ -7762,6 +7854,10 @@
     <message>
       <source>{v1} constructed features: {v2} … {v3}</source>
       <translation>{v1} 个构造特征：{v2} … {v3}</translation>
+    </message>
+    <message>
+      <source>{v1} dimensions, chi-square test at a level of {v2} in all</source>
+      <translation>{v1} 个尺寸，卡方检验，总显著性水平 {v2}</translation>
     </message>
     <message>
       <source>{v1} do not have the same dimensions: only one has {v2}.</source>
@@ -7936,6 +8032,10 @@
       <translation>{v1} {v2} 和 {v3} {v4}</translation>
     </message>
     <message>
+      <source>{v1}, axial, {v2} rings</source>
+      <translation>{v1}，轴向，{v2} 个圆环</translation>
+    </message>
+    <message>
       <source>{v1}, face</source>
       <translation>{v1}，面</translation>
     </message>
@@ -7946,6 +8046,10 @@
     <message>
       <source>{v1}, loss</source>
       <translation>{v1}，损失</translation>
+    </message>
+    <message>
+      <source>{v1}, radial, {v2} sections</source>
+      <translation>{v1}，径向，{v2} 个截面</translation>
     </message>
     <message>
       <source>{v1}: `along` is perpendicular to the plane, which has no lines in that direction</source>
@@ -8024,6 +8128,10 @@
       <translation>{v1}：未找到</translation>
     </message>
     <message>
+      <source>{v1}: not measured in {v2}; evaluated from {v3} of {v4} measurements.</source>
+      <translation>{v1}：在 {v2} 中未测量；由 {v4} 次测量中的 {v3} 次评定。</translation>
+    </message>
+    <message>
       <source>{v1}: only {v2} cells have enough points, {v3} are needed</source>
       <translation>{v1}：只有 {v2} 个单元有足够的点，需要 {v3} 个</translation>
     </message>
@@ -8066,6 +8174,10 @@
     <message>
       <source>{v1}: the points look like {v2}.</source>
       <translation>{v1}：这些点看来像 {v2}。</translation>
+    </message>
+    <message>
+      <source>{v1}: the standard deviation {v2} {v3} contradicts the stated uncertainty U = {v4} {v5} (chi-square test, {v6}): something varies that the uncertainty budget does not contain, for example clamping, temperature or the part itself.</source>
+      <translation>{v1}：标准差 {v2} {v3} 与给定的不确定度 U = {v4} {v5} 矛盾（卡方检验，{v6}）：有不确定度预算未包含的因素在变化，例如装夹、温度或工件本身。</translation>
     </message>
     <message>
       <source>{v1}: the three planes do not meet in one point: two are parallel, or all contain one direction</source>
@@ -8126,6 +8238,29 @@
     <message>
       <source>± {v1} ppm (k = 2)</source>
       <translation>± {v1} ppm (k = 2)</translation>
+    </message>
+  </context>
+  <context>
+    <name>core.language</name>
+    <message>
+      <source>Correct this translation.</source>
+      <translation>请更正此翻译。</translation>
+    </message>
+    <message>
+      <source>Install the program anew.</source>
+      <translation>请重新安装程序。</translation>
+    </message>
+    <message>
+      <source>There is no language {v1}.</source>
+      <translation>没有语言 {v1}。</translation>
+    </message>
+    <message>
+      <source>{v1} is not a file of Qt Linguist: {v2}.</source>
+      <translation>{v1} 不是 Qt Linguist 文件：{v2}。</translation>
+    </message>
+    <message>
+      <source>{v1}: “{v2}” has other placeholders than “{v3}”.</source>
+      <translation>{v1}：“{v2}”的占位符与“{v3}”不同。</translation>
     </message>
   </context>
   <context>
@@ -8196,8 +8331,20 @@
       <translation>相机 {v1} 不支持 {v2} µs 的曝光。</translation>
     </message>
     <message>
+      <source>Check that head and part are fixed, and {v1}</source>
+      <translation>请检查测头和工件是否固定，并{v1}</translation>
+    </message>
+    <message>
+      <source>Check the guide for play, and {v1}</source>
+      <translation>请检查导轨的间隙，并{v1}</translation>
+    </message>
+    <message>
       <source>Check the images; change exposures or viewpoints.</source>
       <translation>请检查图像；更改曝光或视点。</translation>
+    </message>
+    <message>
+      <source>Check the table for play, and {v1}</source>
+      <translation>请检查转台的间隙，并{v1}</translation>
     </message>
     <message>
       <source>Check whether part or head moved between the views and whether the calibration is of this rig; the images are kept.</source>
@@ -8298,6 +8445,10 @@
     <message>
       <source>Keep fewer points: a larger --every.</source>
       <translation>请保留较少的点：增大 --every。</translation>
+    </message>
+    <message>
+      <source>Let it warm up, and {v1}</source>
+      <translation>请让其预热，并{v1}</translation>
     </message>
     <message>
       <source>Measure it first: measureapp process {v1}.</source>
@@ -8488,12 +8639,24 @@
       <translation>请使用测量系统拍摄的图像组。</translation>
     </message>
     <message>
+      <source>all unsaturated exposures, weighted by inverse variance</source>
+      <translation>全部未饱和曝光，按方差倒数加权</translation>
+    </message>
+    <message>
+      <source>assumed: full well {full_well} e, read noise {read_noise} e</source>
+      <translation>假定：满阱容量 {full_well} e，读出噪声 {read_noise} e</translation>
+    </message>
+    <message>
       <source>axes that move otherwise than calibrated, such as run-out of the table, or a part that moved</source>
       <translation>轴的运动与标定不同，如转台跳动，或工件移动过</translation>
     </message>
     <message>
       <source>blur or light that depends on the direction of the surface, such as a part less sharp than the board</source>
       <translation>与表面方向有关的模糊或光照，如工件不如标定板清晰</translation>
+    </message>
+    <message>
+      <source>calibrate the rig again.</source>
+      <translation>重新标定测量系统。</translation>
     </message>
     <message>
       <source>camera pixel</source>
@@ -8524,6 +8687,14 @@
       <translation>正在边接收图像边解码</translation>
     </message>
     <message>
+      <source>differs from one pose of the robot to the next</source>
+      <translation>随机器人的位姿而变化</translation>
+    </message>
+    <message>
+      <source>differs from view to view, whatever the axes read</source>
+      <translation>随视图而变化，与各轴读数无关</translation>
+    </message>
+    <message>
       <source>distances from a nominal</source>
       <translation>到名义模型的距离</translation>
     </message>
@@ -8534,6 +8705,14 @@
     <message>
       <source>error motions of the table, or a part that moved</source>
       <translation>转台的误差运动，或工件移动过</translation>
+    </message>
+    <message>
+      <source>follows the angle of the table</source>
+      <translation>随转台角度变化</translation>
+    </message>
+    <message>
+      <source>follows the position of the guide</source>
+      <translation>随导轨位置变化</translation>
     </message>
     <message>
       <source>for {v1} mm²: {v2}</source>
@@ -8566,6 +8745,10 @@
     <message>
       <source>measured samples</source>
       <translation>测得的样本</translation>
+    </message>
+    <message>
+      <source>measured: full well {full_well} e, read noise {read_noise} e</source>
+      <translation>实测：满阱容量 {full_well} e，读出噪声 {read_noise} e</translation>
     </message>
     <message>
       <source>name or alignment</source>
@@ -8612,6 +8795,10 @@
       <translation>正在用两台相机重建</translation>
     </message>
     <message>
+      <source>refused by hand: not used</source>
+      <translation>手动拒绝：未使用</translation>
+    </message>
+    <message>
       <source>samples of the nominal</source>
       <translation>名义模型的采样</translation>
     </message>
@@ -8624,6 +8811,10 @@
       <translation>转台角度</translation>
     </message>
     <message>
+      <source>the calibrated robot</source>
+      <translation>标定的机器人</translation>
+    </message>
+    <message>
       <source>the file</source>
       <translation>该文件</translation>
     </message>
@@ -8634,6 +8825,18 @@
     <message>
       <source>the lens model of the cameras, or a camera that moved since the calibration</source>
       <translation>相机的镜头模型，或标定后移动过的相机</translation>
+    </message>
+    <message>
+      <source>the model of the guide's error motions</source>
+      <translation>导轨误差运动的模型</translation>
+    </message>
+    <message>
+      <source>the model of the table's error motions</source>
+      <translation>转台误差运动的模型</translation>
+    </message>
+    <message>
+      <source>the repeatability of the axes</source>
+      <translation>各轴的重复精度</translation>
     </message>
     <message>
       <source>the table's axis</source>
@@ -12194,6 +12397,10 @@ alignment = "{v2}"
       <translation>联合配准</translation>
     </message>
     <message>
+      <source>no overlap with another view: kinematic position</source>
+      <translation>与其他视图没有重叠：采用运动学位置</translation>
+    </message>
+    <message>
       <source>only {v1} of the surface at the same place fits within {v2} mm</source>
       <translation>同一位置的表面只有 {v1} 在 {v2} mm 以内相符</translation>
     </message>
@@ -12309,16 +12516,120 @@ alignment = "{v2}"
       <source>{v1} positions of {v2} relative to {v3} fit equally well: the part is symmetric.</source>
       <translation>{v2} 相对 {v3} 有 {v1} 个同样合适的位置：工件是对称的。</translation>
     </message>
+    <message>
+      <source>{v1}: accepted by hand</source>
+      <translation>{v1}：手动接受</translation>
+    </message>
+    <message>
+      <source>{v1}: excluded</source>
+      <translation>{v1}：已排除</translation>
+    </message>
   </context>
   <context>
     <name>core.report</name>
+    <message>
+      <source>95 % interval {low} … {high}</source>
+      <translation>95 % 区间 {low} … {high}</translation>
+    </message>
+    <message>
+      <source>95 % within</source>
+      <translation>95 % 以内</translation>
+    </message>
+    <message>
+      <source>About the alignment</source>
+      <translation>关于对齐</translation>
+    </message>
     <message>
       <source>Add measured projects: measureapp series add PROJECT.</source>
       <translation>请添加已测项目：measureapp series add PROJECT。</translation>
     </message>
     <message>
+      <source>Adds to a length (k = 2)</source>
+      <translation>对长度的贡献 (k = 2)</translation>
+    </message>
+    <message>
+      <source>Alignment to the nominal</source>
+      <translation>与名义模型的对齐</translation>
+    </message>
+    <message>
+      <source>Alignment: {name}. Positive: outside the nominal. Hatched: not measured within {reach} mm.</source>
+      <translation>对齐：{name}。正值：在名义表面之外。阴影线：{reach} mm 内未测量。</translation>
+    </message>
+    <message>
+      <source>All dimensions</source>
+      <translation>全部尺寸</translation>
+    </message>
+    <message>
+      <source>All dimensions refer to the alignment by {name}.</source>
+      <translation>所有尺寸均以{name}对齐为参考。</translation>
+    </message>
+    <message>
+      <source>All {v1} dimensions pass.</source>
+      <translation>全部 {v1} 个尺寸合格。</translation>
+    </message>
+    <message>
+      <source>All {v1} dimensions with a tolerance pass; {v2} without tolerance.</source>
+      <translation>有公差的 {v1} 个尺寸全部合格；{v2} 个无公差。</translation>
+    </message>
+    <message>
+      <source>Balloon</source>
+      <translation>气泡号</translation>
+    </message>
+    <message>
+      <source>Below, above</source>
+      <translation>低于、高于</translation>
+    </message>
+    <message>
+      <source>Calibration age</source>
+      <translation>标定距测量的时间</translation>
+    </message>
+    <message>
+      <source>Camera drift check</source>
+      <translation>相机漂移检查</translation>
+    </message>
+    <message>
+      <source>Cameras {name}</source>
+      <translation>相机对 {name}</translation>
+    </message>
+    <message>
       <source>Check the path of the logo.</source>
       <translation>请检查徽标的路径。</translation>
+    </message>
+    <message>
+      <source>Checked</source>
+      <translation>审核</translation>
+    </message>
+    <message>
+      <source>Checked: name, date, signature</source>
+      <translation>审核：姓名、日期、签名</translation>
+    </message>
+    <message>
+      <source>Checks of the error model</source>
+      <translation>误差模型的检查</translation>
+    </message>
+    <message>
+      <source>Cloud and alignment</source>
+      <translation>点云与对齐</translation>
+    </message>
+    <message>
+      <source>Comparison of nominal and measured dimensions</source>
+      <translation>名义尺寸与实测尺寸的比较</translation>
+    </message>
+    <message>
+      <source>Complete</source>
+      <translation>完整性</translation>
+    </message>
+    <message>
+      <source>Confidence level</source>
+      <translation>置信水平</translation>
+    </message>
+    <message>
+      <source>Contributions to U (k = 2)</source>
+      <translation>对 U 的贡献 (k = 2)</translation>
+    </message>
+    <message>
+      <source>Control frame</source>
+      <translation>公差框格</translation>
     </message>
     <message>
       <source>Correct `layout` in {v1}.</source>
@@ -12333,6 +12644,78 @@ alignment = "{v2}"
       <translation>请更正模板的此条目。</translation>
     </message>
     <message>
+      <source>Cross-sections</source>
+      <translation>截面</translation>
+    </message>
+    <message>
+      <source>Designator</source>
+      <translation>特性标识</translation>
+    </message>
+    <message>
+      <source>Deviation from the nominal in colours</source>
+      <translation>以颜色表示的与名义模型的偏差</translation>
+    </message>
+    <message>
+      <source>Deviation on the nominal, {v1}</source>
+      <translation>名义表面上的偏差，{v1}</translation>
+    </message>
+    <message>
+      <source>Deviations by {name}</source>
+      <translation>按{name}归类的偏差</translation>
+    </message>
+    <message>
+      <source>Dimensions that do not pass</source>
+      <translation>未合格的尺寸</translation>
+    </message>
+    <message>
+      <source>Dimensions, the worst first</source>
+      <translation>尺寸，最差者在前</translation>
+    </message>
+    <message>
+      <source>Drag to turn, wheel to zoom, Shift and drag to move, double-click to reset. Click a dimension to see its place.</source>
+      <translation>拖动旋转，滚轮缩放，按住 Shift 拖动平移，双击复位。单击尺寸可查看其位置。</translation>
+    </message>
+    <message>
+      <source>Each part counts once, with its last measurement. Values measured with another nominal or other limits are left out. Below each chart: moving ranges.</source>
+      <translation>每个工件只计一次，取其最后一次测量。以其他名义值或其他极限测得的值不计入。各图下方：移动极差。</translation>
+    </message>
+    <message>
+      <source>Error motions</source>
+      <translation>误差运动</translation>
+    </message>
+    <message>
+      <source>Evaluated by another version of MeasureApp than the rest: {v1}. Their U may follow another error model.</source>
+      <translation>由与其余不同的 MeasureApp 版本评定：{v1}。其 U 依据的误差模型可能不同。</translation>
+    </message>
+    <message>
+      <source>Exposure rule</source>
+      <translation>曝光规则</translation>
+    </message>
+    <message>
+      <source>Exposures (µs)</source>
+      <translation>曝光 (µs)</translation>
+    </message>
+    <message>
+      <source>Exposures ms</source>
+      <translation>曝光 ms</translation>
+    </message>
+    <message>
+      <source>Filled, too far</source>
+      <translation>已填补、过远</translation>
+    </message>
+    <message>
+      <source>First run</source>
+      <translation>首次测量</translation>
+    </message>
+    <message>
+      <source>Flange in base x, y, z mm</source>
+      <translation>法兰在基座系中 x, y, z mm</translation>
+    </message>
+    <message>
+      <source>Further dimensions</source>
+      <translation>其他尺寸</translation>
+    </message>
+    <message>
       <source>Give a PNG, JPEG or SVG file of at most 5 MB.</source>
       <translation>请给出最大 5 MB 的 PNG、JPEG 或 SVG 文件。</translation>
     </message>
@@ -12341,12 +12724,532 @@ alignment = "{v2}"
       <translation>请给出含 template.toml 的文件夹，或 Typst 文件。</translation>
     </message>
     <message>
+      <source>Guide mm</source>
+      <translation>导轨 mm</translation>
+    </message>
+    <message>
+      <source>Head temperature during calibration</source>
+      <translation>标定时的测头温度</translation>
+    </message>
+    <message>
+      <source>Head temperature during scan</source>
+      <translation>扫描时的测头温度</translation>
+    </message>
+    <message>
+      <source>Height of a step</source>
+      <translation>台阶高度</translation>
+    </message>
+    <message>
+      <source>In tolerance</source>
+      <translation>公差带内位置</translation>
+    </message>
+    <message>
+      <source>Interval of s</source>
+      <translation>s 的区间</translation>
+    </message>
+    <message>
+      <source>Last run</source>
+      <translation>末次测量</translation>
+    </message>
+    <message>
+      <source>Length reference</source>
+      <translation>长度基准</translation>
+    </message>
+    <message>
+      <source>Lengths in mm. The bar shows the deviation between lower and upper limit, with ± U; a square lies beyond the bar’s end.</source>
+      <translation>长度单位为 mm。条形图显示偏差在下极限与上极限之间的位置，并带 ± U；方块表示超出条形图末端。</translation>
+    </message>
+    <message>
+      <source>Letters</source>
+      <translation>字母</translation>
+    </message>
+    <message>
+      <source>Limits</source>
+      <translation>极限</translation>
+    </message>
+    <message>
+      <source>Limits of the drift check</source>
+      <translation>漂移检查的限度</translation>
+    </message>
+    <message>
+      <source>Loop closure</source>
+      <translation>闭环</translation>
+    </message>
+    <message>
+      <source>Marks of the board</source>
+      <translation>标定板的标记</translation>
+    </message>
+    <message>
+      <source>Maximum (behind)</source>
+      <translation>最大值（背面）</translation>
+    </message>
+    <message>
+      <source>Maximum at</source>
+      <translation>最大值位置</translation>
+    </message>
+    <message>
+      <source>Maximum, confirmed</source>
+      <translation>确认的最大值</translation>
+    </message>
+    <message>
+      <source>Mean moving range</source>
+      <translation>平均移动极差</translation>
+    </message>
+    <message>
+      <source>Mean ±</source>
+      <translation>平均值 ±</translation>
+    </message>
+    <message>
+      <source>Measured at</source>
+      <translation>测量时间</translation>
+    </message>
+    <message>
+      <source>Measured points, {v1}</source>
+      <translation>测得的点，{v1}</translation>
+    </message>
+    <message>
+      <source>Measured surface (dark: filled, not measured), {v1}</source>
+      <translation>测量的表面（深色：已填补，未测量），{v1}</translation>
+    </message>
+    <message>
+      <source>Measured surface, rotatable</source>
+      <translation>测量的表面，可旋转</translation>
+    </message>
+    <message>
+      <source>Measured surface, {v1}</source>
+      <translation>测量的表面，{v1}</translation>
+    </message>
+    <message>
+      <source>Measured: name, date, signature</source>
+      <translation>测量：姓名、日期、签名</translation>
+    </message>
+    <message>
+      <source>Merge voxel (mm)</source>
+      <translation>合并体素 (mm)</translation>
+    </message>
+    <message>
+      <source>Minimum (behind)</source>
+      <translation>最小值（背面）</translation>
+    </message>
+    <message>
+      <source>Minimum at</source>
+      <translation>最小值位置</translation>
+    </message>
+    <message>
+      <source>Minimum, confirmed</source>
+      <translation>确认的最小值</translation>
+    </message>
+    <message>
+      <source>NO VERDICT</source>
+      <translation>不作判定</translation>
+    </message>
+    <message>
+      <source>No deviation from the nominal</source>
+      <translation>没有与名义模型的偏差</translation>
+    </message>
+    <message>
+      <source>No dimension has a tolerance: no verdict.</source>
+      <translation>没有尺寸带公差：不作判定。</translation>
+    </message>
+    <message>
+      <source>No inspection program: no dimensions evaluated.</source>
+      <translation>没有检测程序：未评定尺寸。</translation>
+    </message>
+    <message>
+      <source>No spread: no index.</source>
+      <translation>没有离散：不给出指数。</translation>
+    </message>
+    <message>
+      <source>No tolerance: no index.</source>
+      <translation>没有公差：不给出指数。</translation>
+    </message>
+    <message>
+      <source>No.</source>
+      <translation>序号</translation>
+    </message>
+    <message>
+      <source>No. {number} · nominal {nominal}, tolerance</source>
+      <translation>序号 {number} · 名义值 {nominal}，公差</translation>
+    </message>
+    <message>
+      <source>Noise mm</source>
+      <translation>噪声 mm</translation>
+    </message>
+    <message>
+      <source>Nominal not seen</source>
+      <translation>名义未看到</translation>
+    </message>
+    <message>
+      <source>Not determined by the points</source>
+      <translation>点未能确定的运动</translation>
+    </message>
+    <message>
+      <source>Number of runs</source>
+      <translation>测量次数</translation>
+    </message>
+    <message>
+      <source>Of 1 dimension: {v1}.</source>
+      <translation>1 个尺寸：{v1}。</translation>
+    </message>
+    <message>
+      <source>Of all points</source>
+      <translation>全部点</translation>
+    </message>
+    <message>
+      <source>Of {v1} dimensions: {v2}.</source>
+      <translation>{v1} 个尺寸中：{v2}。</translation>
+    </message>
+    <message>
+      <source>Page {page} of {pages}</source>
+      <translation>第 {page} 页，共 {pages} 页</translation>
+    </message>
+    <message>
+      <source>Parts with a value</source>
+      <translation>有测得值的工件</translation>
+    </message>
+    <message>
+      <source>Pitch of blades</source>
+      <translation>叶片节距</translation>
+    </message>
+    <message>
+      <source>Place of the max thickness</source>
+      <translation>最大厚度位置</translation>
+    </message>
+    <message>
+      <source>Points within the scale</source>
+      <translation>色标范围内的点</translation>
+    </message>
+    <message>
+      <source>Points within {limits}</source>
+      <translation>{limits} 内的点</translation>
+    </message>
+    <message>
+      <source>Points, filter and criterion</source>
+      <translation>点、滤波与准则</translation>
+    </message>
+    <message>
+      <source>Positions as read back from the axes; exposures of the stored images.</source>
+      <translation>位置为各轴的回读值；曝光为所存图像的曝光。</translation>
+    </message>
+    <message>
+      <source>Preliminary: {v1} parts.</source>
+      <translation>初步：{v1} 个工件。</translation>
+    </message>
+    <message>
+      <source>RMS</source>
+      <translation>均方根</translation>
+    </message>
+    <message>
+      <source>Reason for repeating</source>
+      <translation>重测原因</translation>
+    </message>
+    <message>
+      <source>Released</source>
+      <translation>批准</translation>
+    </message>
+    <message>
+      <source>Released: name, date, signature</source>
+      <translation>批准：姓名、日期、签名</translation>
+    </message>
+    <message>
+      <source>Report written {time}.</source>
+      <translation>报告生成于 {time}。</translation>
+    </message>
+    <message>
+      <source>Residual mm</source>
+      <translation>残差 mm</translation>
+    </message>
+    <message>
+      <source>Residual of the alignment</source>
+      <translation>对齐的残差</translation>
+    </message>
+    <message>
+      <source>Residuals of the alignment</source>
+      <translation>对齐的残差</translation>
+    </message>
+    <message>
+      <source>Rig calibrated</source>
+      <translation>测量系统标定</translation>
+    </message>
+    <message>
+      <source>Rotation axis</source>
+      <translation>旋转轴</translation>
+    </message>
+    <message>
+      <source>Rotation °</source>
+      <translation>旋转 °</translation>
+    </message>
+    <message>
+      <source>Runs</source>
+      <translation>各次测量</translation>
+    </message>
+    <message>
+      <source>Section at {v1} = {v2} mm: nominal in black, deviation enlarged {v3} times</source>
+      <translation>{v1} = {v2} mm 处的截面：黑色为名义轮廓，偏差放大 {v3} 倍</translation>
+    </message>
+    <message>
+      <source>Shift and rotation: correction of the kinematic position by registration. Residual: rms distance from neighbouring views after registration.</source>
+      <translation>平移与旋转：配准对运动学位置的修正。残差：配准后与相邻视图的均方根距离。</translation>
+    </message>
+    <message>
+      <source>Shift mm</source>
+      <translation>平移 mm</translation>
+    </message>
+    <message>
+      <source>Spacing (mm)</source>
+      <translation>点间距 (mm)</translation>
+    </message>
+    <message>
+      <source>Stagger angle</source>
+      <translation>安装角</translation>
+    </message>
+    <message>
+      <source>Std. dev. s</source>
+      <translation>标准差 s</translation>
+    </message>
+    <message>
+      <source>Stitched points</source>
+      <translation>拼接后的点数</translation>
+    </message>
+    <message>
+      <source>Summary</source>
+      <translation>摘要</translation>
+    </message>
+    <message>
+      <source>Table °</source>
+      <translation>转台 °</translation>
+    </message>
+    <message>
+      <source>Temperature of the part</source>
+      <translation>工件温度</translation>
+    </message>
+    <message>
+      <source>The alignment is a best fit, which belongs to no datum system and spreads defects over the whole part: for comparison only.</source>
+      <translation>对齐采用最佳拟合，它不属于任何基准体系，并会把缺陷分摊到整个工件上：仅供比较。</translation>
+    </message>
+    <message>
       <source>The series of {v1} has no runs.</source>
       <translation>{v1} 的系列没有测量。</translation>
     </message>
     <message>
+      <source>The {count} earlier runs are in the CSV and JSON files.</source>
+      <translation>更早的 {count} 次测量见 CSV 和 JSON 文件。</translation>
+    </message>
+    <message>
+      <source>This part was measured without an inspection program: the report contains views and cloud, but no dimensions.</source>
+      <translation>此工件未用检测程序测量：报告包含视图和点云，但不含尺寸。</translation>
+    </message>
+    <message>
+      <source>Traceability and uncertainty budget</source>
+      <translation>溯源与不确定度预算</translation>
+    </message>
+    <message>
+      <source>U (k = 2)</source>
+      <translation>U (k = 2)</translation>
+    </message>
+    <message>
+      <source>U of one value (k = 2)</source>
+      <translation>单个值的 U (k = 2)</translation>
+    </message>
+    <message>
+      <source>Valid pixels of the exposures</source>
+      <translation>各曝光的有效像素</translation>
+    </message>
+    <message>
+      <source>Valid: above zero and unsaturated in all images of the exposure; composite: of the longest exposure in which the pixel is unsaturated; decoded: with a phase. Means over the viewpoints.</source>
+      <translation>有效：在该曝光的所有图像中大于零且未饱和；合成：取像素未饱和的最长曝光；已解码：有相位。各视点的平均值。</translation>
+    </message>
+    <message>
+      <source>Viewpoints as measured</source>
+      <translation>实测视点</translation>
+    </message>
+    <message>
+      <source>Warning.</source>
+      <translation>警告：</translation>
+    </message>
+    <message>
+      <source>Worst {count} of {total} dimensions</source>
+      <translation>{total} 个尺寸中最差的 {count} 个</translation>
+    </message>
+    <message>
+      <source>Written</source>
+      <translation>生成时间</translation>
+    </message>
+    <message>
+      <source>Zone</source>
+      <translation>图区</translation>
+    </message>
+    <message>
+      <source>aligned by {name}</source>
+      <translation>按{name}对齐</translation>
+    </message>
+    <message>
+      <source>at most {v1} mm ({v2})</source>
+      <translation>最多 {v1} mm（{v2}）</translation>
+    </message>
+    <message>
+      <source>blur {v1} px</source>
+      <translation>模糊 {v1} px</translation>
+    </message>
+    <message>
+      <source>calibration board; uncertainty of its lengths and of the part temperature {v1}</source>
+      <translation>标定板；其长度及工件温度的不确定度{v1}</translation>
+    </message>
+    <message>
+      <source>contradicts U</source>
+      <translation>与 U 矛盾</translation>
+    </message>
+    <message>
+      <source>defines the part frame</source>
+      <translation>定义工件坐标系</translation>
+    </message>
+    <message>
+      <source>deviation {v1}</source>
+      <translation>偏差 {v1}</translation>
+    </message>
+    <message>
+      <source>displaced by {v1} mm (rms), estimated with the cameras</source>
+      <translation>位移 {v1} mm（均方根），与相机一并估计</translation>
+    </message>
+    <message>
+      <source>exposure rule</source>
+      <translation>曝光规则</translation>
+    </message>
+    <message>
+      <source>exposure {v1}</source>
+      <translation>曝光 {v1}</translation>
+    </message>
+    <message>
+      <source>from the opposite side, below</source>
+      <translation>从对侧下方</translation>
+    </message>
+    <message>
+      <source>guide: {v1}</source>
+      <translation>导轨：{v1}</translation>
+    </message>
+    <message>
+      <source>in the contribution "scale"</source>
+      <translation>计入“比例”分量</translation>
+    </message>
+    <message>
+      <source>joined by common surface</source>
+      <translation>按公共表面合并</translation>
+    </message>
+    <message>
+      <source>joined by common surface and nominal</source>
+      <translation>按公共表面和名义模型合并</translation>
+    </message>
+    <message>
+      <source>joined by reference spheres</source>
+      <translation>按参考球合并</translation>
+    </message>
+    <message>
+      <source>mean moving range of two parts / 1.128</source>
+      <translation>相邻两工件的平均移动极差 / 1.128</translation>
+    </message>
+    <message>
+      <source>measured {time}, rig calibrated {calibrated}</source>
+      <translation>测量于 {time}，测量系统标定于 {calibrated}</translation>
+    </message>
+    <message>
+      <source>no value</source>
+      <translation>无值</translation>
+    </message>
+    <message>
+      <source>not as planned</source>
+      <translation>与计划不同</translation>
+    </message>
+    <message>
+      <source>not included (taken as exact)</source>
+      <translation>未计入（视为精确）</translation>
+    </message>
+    <message>
+      <source>not reported by the rig</source>
+      <translation>测量系统未报告</translation>
+    </message>
+    <message>
+      <source>not stitched</source>
+      <translation>未拼接</translation>
+    </message>
+    <message>
+      <source>oblique view</source>
+      <translation>斜视图</translation>
+    </message>
+    <message>
+      <source>over {v1} views around the part: {v2}</source>
+      <translation>绕工件 {v1} 个视图：{v2}</translation>
+    </message>
+    <message>
+      <source>rms {v1} px</source>
+      <translation>均方根 {v1} px</translation>
+    </message>
+    <message>
+      <source>scale {v1} ± {v2}, σ {v3}°, straightness {v4} mm</source>
+      <translation>比例 {v1} ± {v2}，σ {v3}°，直线度 {v4} mm</translation>
+    </message>
+    <message>
+      <source>serial {v1}</source>
+      <translation>序列号 {v1}</translation>
+    </message>
+    <message>
+      <source>standard deviation of all parts</source>
+      <translation>所有工件的标准差</translation>
+    </message>
+    <message>
+      <source>table: {v1}</source>
+      <translation>转台：{v1}</translation>
+    </message>
+    <message>
+      <source>template {name}, version {version}</source>
+      <translation>模板：{name}，版本 {version}</translation>
+    </message>
+    <message>
       <source>the template</source>
       <translation>模板</translation>
+    </message>
+    <message>
+      <source>top view</source>
+      <translation>俯视图</translation>
+    </message>
+    <message>
+      <source>within U</source>
+      <translation>在 U 之内</translation>
+    </message>
+    <message>
+      <source>written {time}</source>
+      <translation>生成于 {time}</translation>
+    </message>
+    <message>
+      <source>{count} no tolerance</source>
+      <translation>{count} 个无公差</translation>
+    </message>
+    <message>
+      <source>{role}: name, date, signature</source>
+      <translation>{role}：姓名、日期、签名</translation>
+    </message>
+    <message>
+      <source>{v1} (an earlier one)</source>
+      <translation>{v1}（更早的版本）</translation>
+    </message>
+    <message>
+      <source>{v1} (hidden in this view)</source>
+      <translation>{v1}（在此视图中被遮挡）</translation>
+    </message>
+    <message>
+      <source>{v1} Normal distribution not tested. The spread includes that of the measurement.</source>
+      <translation>{v1} 未检验正态分布。离散包含测量的离散。</translation>
+    </message>
+    <message>
+      <source>{v1} before</source>
+      <translation>测量前 {v1}</translation>
+    </message>
+    <message>
+      <source>{v1} before (see the warning)</source>
+      <translation>测量前 {v1}（见警告）</translation>
+    </message>
+    <message>
+      <source>{v1} days</source>
+      <translation>{v1} 天</translation>
     </message>
     <message>
       <source>{v1} does not exist.</source>
@@ -12357,8 +13260,56 @@ alignment = "{v2}"
       <translation>{v1} 不是报告能显示的徽标。</translation>
     </message>
     <message>
+      <source>{v1} mm and {v2}° (expected: {v3} mm)</source>
+      <translation>{v1} mm 和 {v2}°（预期：{v3} mm）</translation>
+    </message>
+    <message>
+      <source>{v1} mm rms over {v2} of the points</source>
+      <translation>{v1} mm 均方根，占点的 {v2}</translation>
+    </message>
+    <message>
+      <source>{v1} of {v2} used</source>
+      <translation>使用 {v1} 个，共 {v2} 个</translation>
+    </message>
+    <message>
+      <source>{v1} parts.</source>
+      <translation>{v1} 个工件。</translation>
+    </message>
+    <message>
+      <source>{v1} parts: no index below {v2}.</source>
+      <translation>{v1} 个工件：少于 {v2} 个不给出指数。</translation>
+    </message>
+    <message>
+      <source>{v1} triangles</source>
+      <translation>{v1} 个三角形</translation>
+    </message>
+    <message>
+      <source>{v1} triangles, {v2} filled</source>
+      <translation>{v1} 个三角形，{v2} 为填补</translation>
+    </message>
+    <message>
+      <source>{v1}, {v2} common; joint σ {v3} mm and {v4}°, residual {v5} mm</source>
+      <translation>{v1}，{v2} 公共；连接 σ {v3} mm 和 {v4}°，残差 {v5} mm</translation>
+    </message>
+    <message>
       <source>{v1}: the report template has an error: {v2}.</source>
       <translation>{v1}：报告模板有错误：{v2}。</translation>
+    </message>
+    <message>
+      <source>{v1}; composite {v2}; decoded {v3} (least {v4}, {v5})</source>
+      <translation>{v1}；合成 {v2}；已解码 {v3}（最少 {v4}，{v5}）</translation>
+    </message>
+    <message>
+      <source>± and interval: confidence intervals from the spread alone (Student’s t, chi-square). p: probability of this spread or a larger one if the stated uncertainty U is right. Systematic errors cause no spread.</source>
+      <translation>± 和区间：仅由离散得出的置信区间（学生 t 分布、卡方分布）。p：若给定的不确定度 U 正确，出现此离散或更大离散的概率。系统误差不产生离散。</translation>
+    </message>
+    <message>
+      <source>σ {v1} mm and {v2}°, residual {v3} mm</source>
+      <translation>σ {v1} mm 和 {v2}°，残差 {v3} mm</translation>
+    </message>
+    <message>
+      <source>σ {v1} mm and {v2}°, residual {v3} mm ({v4})</source>
+      <translation>σ {v1} mm 和 {v2}°，残差 {v3} mm（{v4}）</translation>
     </message>
   </context>
   <context>
@@ -14988,15 +15939,15 @@ alignment = "{v2}"
     </message>
     <message>
       <source>{count} fail</source>
-      <translation>{count} 不合格</translation>
+      <translation>{count} 个不合格</translation>
     </message>
     <message>
       <source>{count} not measured</source>
-      <translation>{count} 未测量</translation>
+      <translation>{count} 个未测量</translation>
     </message>
     <message>
       <source>{count} not proven</source>
-      <translation>{count} 未证实</translation>
+      <translation>{count} 个未证实</translation>
     </message>
     <message>
       <source>{count} of 6 degrees of freedom fixed</source>
@@ -15004,7 +15955,7 @@ alignment = "{v2}"
     </message>
     <message>
       <source>{count} pass</source>
-      <translation>{count} 合格</translation>
+      <translation>{count} 个合格</translation>
     </message>
     <message>
       <source>{count} stale</source>
@@ -15085,6 +16036,10 @@ alignment = "{v2}"
   </context>
   <context>
     <name>look</name>
+    <message>
+      <source> or </source>
+      <translation>或</translation>
+    </message>
     <message>
       <source>-1: counts grow against the rig's positive direction</source>
       <translation>-1：计数沿测量系统的负方向增加</translation>
@@ -15398,6 +16353,14 @@ alignment = "{v2}"
       <translation>投影仪黑电平与白电平之比</translation>
     </message>
     <message>
+      <source>Blade form</source>
+      <translation>叶片形状误差</translation>
+    </message>
+    <message>
+      <source>Blade profile</source>
+      <translation>叶片轮廓度</translation>
+    </message>
+    <message>
       <source>Blooming</source>
       <translation>溢出</translation>
     </message>
@@ -15460,6 +16423,10 @@ alignment = "{v2}"
     <message>
       <source>Calibration images</source>
       <translation>标定图像</translation>
+    </message>
+    <message>
+      <source>Camber</source>
+      <translation>弯度</translation>
     </message>
     <message>
       <source>Camera drift</source>
@@ -15532,6 +16499,10 @@ alignment = "{v2}"
     <message>
       <source>Choose one of: {expected}</source>
       <translation>请选择其一：{expected}</translation>
+    </message>
+    <message>
+      <source>Chord</source>
+      <translation>弦长</translation>
     </message>
     <message>
       <source>Clearance</source>
@@ -15896,6 +16867,10 @@ alignment = "{v2}"
     <message>
       <source>For messages, such as the name of the pattern set</source>
       <translation>用于消息，例如图案集的名称</translation>
+    </message>
+    <message>
+      <source>For {area} mm²: {cause}.</source>
+      <translation>用于 {area} mm²：{cause}。</translation>
     </message>
     <message>
       <source>Framing</source>
@@ -16370,6 +17345,10 @@ alignment = "{v2}"
       <translation>延迟</translation>
     </message>
     <message>
+      <source>Leading radius</source>
+      <translation>前缘半径</translation>
+    </message>
+    <message>
       <source>Least distance that moving bodies keep from everything else</source>
       <translation>运动物体与其他一切物体保持的最小距离</translation>
     </message>
@@ -16514,12 +17493,24 @@ alignment = "{v2}"
       <translation>材料</translation>
     </message>
     <message>
+      <source>Max thickness</source>
+      <translation>最大厚度</translation>
+    </message>
+    <message>
+      <source>Max thickness place</source>
+      <translation>最大厚度位置</translation>
+    </message>
+    <message>
       <source>Mean depth at which light is scattered back below the surface</source>
       <translation>光在表面以下被散射返回的平均深度</translation>
     </message>
     <message>
       <source>Measured by another camera</source>
       <translation>由另一相机测量</translation>
+    </message>
+    <message>
+      <source>Measurement report</source>
+      <translation>测量报告</translation>
     </message>
     <message>
       <source>Mechanical unit</source>
@@ -16738,6 +17729,10 @@ alignment = "{v2}"
       <translation>图像顺序</translation>
     </message>
     <message>
+      <source>Other exposures, for {area} mm²: {cause}.</source>
+      <translation>换用其他曝光，用于 {area} mm²：{cause}。</translation>
+    </message>
+    <message>
       <source>Out of range</source>
       <translation>超出范围</translation>
     </message>
@@ -16812,6 +17807,10 @@ alignment = "{v2}"
     <message>
       <source>Photo response non-uniformity, relative standard deviation (EMVA 1288)</source>
       <translation>光响应非均匀性，相对标准差 (EMVA 1288)</translation>
+    </message>
+    <message>
+      <source>Pitch</source>
+      <translation>叶片间距角</translation>
     </message>
     <message>
       <source>Pitch, yaw and roll of the slide, half their range over the stroke</source>
@@ -17166,6 +18165,14 @@ alignment = "{v2}"
       <translation>像元尺寸</translation>
     </message>
     <message>
+      <source>Slot length</source>
+      <translation>槽长</translation>
+    </message>
+    <message>
+      <source>Slot width</source>
+      <translation>槽宽</translation>
+    </message>
+    <message>
       <source>Smooth deviation of the surface from its nominal, rms along the normal</source>
       <translation>表面相对于名义模型的平滑偏差，沿法向的均方根值</translation>
     </message>
@@ -17212,6 +18219,10 @@ alignment = "{v2}"
     <message>
       <source>Sphere plate: diameters and centre distances</source>
       <translation>球板：直径与球心距</translation>
+    </message>
+    <message>
+      <source>Stagger</source>
+      <translation>安装角</translation>
     </message>
     <message>
       <source>Standard uncertainty of the scale, where the board states no class or certificate; 0: that of its class</source>
@@ -17374,6 +18385,10 @@ alignment = "{v2}"
       <translation>测头框架的热膨胀系数；默认：铝</translation>
     </message>
     <message>
+      <source>Thickness</source>
+      <translation>厚度</translation>
+    </message>
+    <message>
       <source>This text does not have the required form</source>
       <translation>此文本的格式不符合要求</translation>
     </message>
@@ -17478,6 +18493,10 @@ alignment = "{v2}"
       <translation>总计</translation>
     </message>
     <message>
+      <source>Trailing radius</source>
+      <translation>尾缘半径</translation>
+    </message>
+    <message>
       <source>Transfer 10 and 12 bit in packed formats, where the camera has them</source>
       <translation>相机支持时以打包格式传输 10 位和 12 位图像</translation>
     </message>
@@ -17508,6 +18527,10 @@ alignment = "{v2}"
     <message>
       <source>Tuple should have at most {count} items after validation, not {found}</source>
       <translation>数组最多 {count} 项，而非 {found} 项</translation>
+    </message>
+    <message>
+      <source>Twist</source>
+      <translation>扭转角</translation>
     </message>
     <message>
       <source>Two reads this far apart must agree</source>
@@ -17698,6 +18721,10 @@ alignment = "{v2}"
       <translation>字节</translation>
     </message>
     <message>
+      <source>centimetres</source>
+      <translation>厘米</translation>
+    </message>
+    <message>
       <source>days</source>
       <translation>天</translation>
     </message>
@@ -17754,11 +18781,19 @@ alignment = "{v2}"
       <translation>二分之一</translation>
     </message>
     <message>
+      <source>horizontal</source>
+      <translation>水平</translation>
+    </message>
+    <message>
       <source>impeller</source>
       <translation>叶轮</translation>
     </message>
     <message>
       <source>inch</source>
+      <translation>英寸</translation>
+    </message>
+    <message>
+      <source>inches</source>
       <translation>英寸</translation>
     </message>
     <message>
@@ -17778,8 +18813,24 @@ alignment = "{v2}"
       <translation>位置</translation>
     </message>
     <message>
+      <source>metres</source>
+      <translation>米</translation>
+    </message>
+    <message>
+      <source>micrometres</source>
+      <translation>微米</translation>
+    </message>
+    <message>
+      <source>millimetres</source>
+      <translation>毫米</translation>
+    </message>
+    <message>
       <source>no tolerance</source>
       <translation>无公差</translation>
+    </message>
+    <message>
+      <source>no viewpoint sees it</source>
+      <translation>没有视点能看到</translation>
     </message>
     <message>
       <source>one</source>
@@ -17822,6 +18873,10 @@ alignment = "{v2}"
       <translation>机器人</translation>
     </message>
     <message>
+      <source>saturated</source>
+      <translation>饱和</translation>
+    </message>
+    <message>
       <source>seen by another</source>
       <translation>由另一相机看到</translation>
     </message>
@@ -17832,6 +18887,10 @@ alignment = "{v2}"
     <message>
       <source>sphere_plate</source>
       <translation>球板</translation>
+    </message>
+    <message>
+      <source>standard deviation above the required one</source>
+      <translation>标准差超出要求</translation>
     </message>
     <message>
       <source>table</source>
@@ -17858,6 +18917,14 @@ alignment = "{v2}"
       <translation>时间</translation>
     </message>
     <message>
+      <source>too dark</source>
+      <translation>太暗</translation>
+    </message>
+    <message>
+      <source>touches the support</source>
+      <translation>与支承接触</translation>
+    </message>
+    <message>
       <source>two</source>
       <translation>2</translation>
     </message>
@@ -17872,6 +18939,14 @@ alignment = "{v2}"
     <message>
       <source>usual</source>
       <translation>普通</translation>
+    </message>
+    <message>
+      <source>vertical</source>
+      <translation>竖直</translation>
+    </message>
+    <message>
+      <source>visible, but its pixels have no point</source>
+      <translation>可见，但其像素没有点</translation>
     </message>
     <message>
       <source>{bits} bit ({name})</source>
@@ -18573,6 +19648,10 @@ The first run of this part counts.</source>
       <translation>其他模板…</translation>
     </message>
     <message>
+      <source>As the window</source>
+      <translation>与窗口相同</translation>
+    </message>
+    <message>
       <source>Assumed modulation</source>
       <translation>假定调制度</translation>
     </message>
@@ -18787,6 +19866,10 @@ The first run of this part counts.</source>
     <message>
       <source>Kept in this project, with a company and a logo of its own.</source>
       <translation>保存在此项目中，带自己的公司和徽标。</translation>
+    </message>
+    <message>
+      <source>Language of the report</source>
+      <translation>报告语言</translation>
     </message>
     <message>
       <source>Linear guide</source>
@@ -21811,8 +22894,16 @@ There is no page about “{name}”.</source>
       <translation>在文件夹中</translation>
     </message>
     <message>
-      <source>In which unit {words} the {kind}?</source>
-      <translation>{kind}中的{words}以何单位表示？</translation>
+      <source>In which unit are the points?</source>
+      <translation>点的单位是什么？</translation>
+    </message>
+    <message>
+      <source>In which unit is the mesh?</source>
+      <translation>网格的单位是什么？</translation>
+    </message>
+    <message>
+      <source>In which unit is the nominal?</source>
+      <translation>名义模型的单位是什么？</translation>
     </message>
     <message>
       <source>Inner corners across</source>
@@ -21959,6 +23050,10 @@ There is no page about “{name}”.</source>
       <translation>未说明</translation>
     </message>
     <message>
+      <source>Note</source>
+      <translation>说明</translation>
+    </message>
+    <message>
       <source>Nothing but noise and what the program's model describes: what the algorithms reach</source>
       <translation>只有噪声和程序模型所描述的误差：算法本身所能达到的水平</translation>
     </message>
@@ -22001,6 +23096,10 @@ There is no page about “{name}”.</source>
     <message>
       <source>Printed, ± 0.1 mm on 180 mm</source>
       <translation>打印，180 mm 上 ± 0.1 mm</translation>
+    </message>
+    <message>
+      <source>Problem</source>
+      <translation>问题</translation>
     </message>
     <message>
       <source>Processed</source>
@@ -22213,6 +23312,10 @@ There is no page about “{name}”.</source>
     <message>
       <source>Waiting</source>
       <translation>等待中</translation>
+    </message>
+    <message>
+      <source>Warning</source>
+      <translation>警告</translation>
     </message>
     <message>
       <source>What happened</source>

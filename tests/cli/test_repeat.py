@@ -95,6 +95,17 @@ def test_projects_with_different_programs_or_nominals_are_refused(three, tmp_pat
     assert "different nominals" in refused(capsys, ["repeat", *three])
 
 
+def test_the_report_of_repeats_is_written_in_a_language_and_tables_stay(three, tmp_path, capsys) -> None:
+    for language in ("en", "zh_CN"):
+        assert main(["repeat", *three, "--out", str(tmp_path / language), "--language", language]) == 0
+    names = ("repeats.pdf", "repeats.csv", "repeats.json")
+    english, chinese = ({name: (tmp_path / language / name).read_bytes() for name in names} for language in ("en", "zh_CN"))
+    assert english["repeats.csv"] == chinese["repeats.csv"] and english["repeats.json"] == chinese["repeats.json"]
+    assert english["repeats.pdf"] != chinese["repeats.pdf"]
+    capsys.readouterr()
+    assert "no language 'fr'" in refused(capsys, ["repeat", *three, "--language", "fr"])
+
+
 def test_one_project_given_twice_or_copied_is_refused(three, tmp_path, capsys) -> None:
     assert "named twice" in refused(capsys, ["repeat", three[0], three[1], three[0]])
     shutil.copytree(three[0], tmp_path / "copy")

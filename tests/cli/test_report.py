@@ -79,6 +79,22 @@ def test_without_a_choice_pdf_csv_and_json_go_into_the_project(project: Path, ca
     assert {path.name for path in (project / "report").iterdir()} == {"report.pdf", "report.csv", "report.json"}
 
 
+def test_the_language_is_chosen_and_numbers_and_names_stay(project: Path, tmp_path: Path, capsys) -> None:
+    for language in ("en", "zh_CN"):
+        assert main(["report", str(project), "--html", "--csv", "--language", language, "--out", str(tmp_path / language)]) == 0
+    pages = {language: (tmp_path / language / "report.html").read_text(encoding="utf-8") for language in ("en", "zh_CN")}
+    assert '<html lang="en">' in pages["en"] and '<html lang="zh-CN">' in pages["zh_CN"]
+    assert "<th>Verdict</th>" in pages["en"] and "<th>判定</th>" in pages["zh_CN"] and "全部 4 个尺寸合格。" in pages["zh_CN"]
+    assert (tmp_path / "en" / "report.csv").read_bytes() == (tmp_path / "zh_CN" / "report.csv").read_bytes()
+    assert "All 4 dimensions pass." in capsys.readouterr().out  # the command line speaks English
+
+
+def test_an_unknown_language_is_one_sentence_with_those_there_are(project: Path, tmp_path: Path, capsys) -> None:
+    assert main(["report", str(project), "--language", "klingon", "--out", str(tmp_path / "out")]) == 2
+    said = capsys.readouterr().err
+    assert said.count("\n") == 1 and "'klingon'" in said and "en, zh_CN" in said and not (tmp_path / "out").exists()
+
+
 def test_a_folder_is_not_given_the_name_of_a_document(project: Path, tmp_path: Path, capsys) -> None:
     assert main(["report", str(project), "--out", str(tmp_path / "mine.pdf")]) == 2
     assert "--out is a folder" in capsys.readouterr().err and not (tmp_path / "mine.pdf").exists()

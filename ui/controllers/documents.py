@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -9,6 +10,7 @@ from PySide6.QtCore import QObject, QUrl, Signal, Slot
 from PySide6.QtGui import QDesktopServices, QImage
 
 from measureapp.errors import InputError
+from measureapp.language.languages import ENGLISH
 from ui.controllers.jobs import JobRunner
 from ui.controllers.report_header import ReportHeader, read_header, save_header
 from ui.look.language.words import tr
@@ -104,11 +106,27 @@ class DocumentsController(QObject):
     def _header_saved(self, _nothing: object) -> None:
         self.preview()
 
+    @Slot(str)
+    def set_language(self, name: str) -> None:
+        """Choose the language of reports, write the project's documents in it, and draw the pages again."""
+        session = self._session
+        session.settings.set_text("report_language", name)
+        folder, measurement = session.folder, session.measurement
+        if measurement is not None and folder is not None and self._is_stored:
+            self._runner.run("Writing the report", lambda job: save_documents(folder, measurement, job), self._language_changed)
+        else:
+            self.preview()
+
+    @Slot(object)
+    def _language_changed(self, files: dict[str, Path]) -> None:
+        self._session.files = {**self._session.files, **files}
+        self.preview()
+
     @Slot()
     def open_pdf(self) -> None:
         """Open the PDF in the default viewer."""
         path, folder, measurement = self._session.files.get("report_pdf"), self._session.folder, self._session.measurement
-        if measurement is not None and folder is not None and self._is_stored and (path is None or not path.exists()):
+        if measurement is not None and folder is not None and self._is_stored and not _is_current(path, self._session.report_language):
             self._runner.run("Writing the report", lambda job: save_documents(folder, measurement, job), self._open_written)
         elif path is None or not path.exists():
             self._session.tell("There is no PDF report yet.", "Run the demo, or recompute the project.", "warning")
@@ -154,26 +172,37 @@ class DocumentsController(QObject):
         self._session.tell(tr("{name} saved to {parent}.", name=target.name, parent=target.parent), "", "done")
 
 
+def _is_current(pdf: Path | None, language: str) -> bool:
+    """Whether the PDF of a project is there, in this language; the JSON document beside it tells."""
+    if pdf is None or not pdf.exists():
+        return False
+    try:
+        return json.loads(pdf.with_suffix(".json").read_text(encoding="utf-8")).get("language", ENGLISH) == language
+    except (OSError, ValueError):
+        return False
+
+
 def page_images(measurement: Measurement, folder: Path | None, job: Job) -> tuple[QImage, ...]:
     """Return the report's pages; runs on a job's thread, also what unpacks them, which takes 20 ms a page."""
     job.report(0, 2, "Rendering the pages")
     from measureapp.report.pdf import page_images as pages_of
 
-    model = _model(folder, measurement, None)
+    model = _model(folder, measurement, job.language)
     job.report(1, 2, "Rendering the pages")
     return tuple(QImage.fromData(page) for page in pages_of(model))
 
 
-def _model(folder: Path | None, measurement: Measurement, job: Job | None) -> ReportModel:
+def _model(folder: Path | None, measurement: Measurement, language: str, progress: Job | None = None) -> ReportModel:
     """Return the report as it is now, of the measurement alone where its project is not stored, or gone."""
     from measureapp.progress import NoProgress
     from measureapp.project.folder import ProjectFolder
     from measureapp.report.compose import compose
+    from measureapp.report.model import Details
     from measureapp.report.project import compose_project
 
     if folder is None or not (folder / "project.json").exists():
-        return compose(measurement)
-    return compose_project(ProjectFolder.open(folder), measurement, progress=job or NoProgress())
+        return compose(measurement, details=Details(language=language))
+    return compose_project(ProjectFolder.open(folder), measurement, language=language, progress=progress or NoProgress())
 
 
 def export_document(kind: str, folder: Path | None, measurement: Measurement, target: Path, job: Job) -> Path:
@@ -181,7 +210,7 @@ def export_document(kind: str, folder: Path | None, measurement: Measurement, ta
     job.report(0, 1, target.name)
     from measureapp.report.documents import write_document
 
-    return write_document(_model(folder, measurement, job), kind, target)  # type: ignore[arg-type]
+    return write_document(_model(folder, measurement, job.language, job), kind, target)  # type: ignore[arg-type]
 
 
 def save_documents(folder: Path, measurement: Measurement, job: Job) -> dict[str, Path]:
@@ -190,7 +219,7 @@ def save_documents(folder: Path, measurement: Measurement, job: Job) -> dict[str
     from measureapp.pipeline.documents import write_reports
     from measureapp.project.folder import ProjectFolder
 
-    return write_reports(ProjectFolder.open(folder), measurement)
+    return write_reports(ProjectFolder.open(folder), measurement, job.language)
 
 
 def export(kind: str, measurement: Measurement, target: Path, job: Job) -> Path:

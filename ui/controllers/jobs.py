@@ -48,7 +48,7 @@ class JobRunner(QObject):
         Connecting to the returned job may be too late if it fails immediately; cancelling always comes later.
         """
         job = Job(title, work)
-        job.quiet, job.moves = quiet, moves
+        job.quiet, job.moves, job.language = quiet, moves, self._session.report_language
         if on_event is not None:
             job.happened.connect(on_event)
         job.succeeded.connect(on_done)

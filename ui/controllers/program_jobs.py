@@ -98,7 +98,7 @@ def save_state(folder: Path, measurement: Measurement, state: ProgramState, *, i
     project = ProjectFolder.open(folder)
     job.report(0, 1, "Saving the program")
     if is_measured:
-        return store_program(project, measurement, state.text())
+        return store_program(project, measurement, state.text(), job.language)
     with project.lock():
         project.save_program(state.text())
     return None
@@ -124,7 +124,7 @@ def measure_with_nominal(
     had_one = project.nominal is not None
     text = project.program_text(has_nominal=True) if not project.program else state.text()
     try:
-        outcome = measure_again(project, measurement, job, program=text, nominal_file=NominalFile(path, unit))
+        outcome = measure_again(project, measurement, job, program=text, nominal_file=NominalFile(path, unit), language=job.language)
     except UnitQuestion as question:
         if question.what == "nominal" and unit is LengthUnit.MM:
             return NominalQuestion(path, question)

@@ -176,7 +176,7 @@ class ProjectController(QObject):
             from measureapp.pipeline.run import process_project
             from measureapp.project.folder import ProjectFolder
 
-            return process_project(ProjectFolder.open(folder), events.sink(job), job)
+            return process_project(ProjectFolder.open(folder), events.sink(job), job, language=job.language)
 
         return work
 

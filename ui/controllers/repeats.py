@@ -89,7 +89,7 @@ class RepeatsController(QObject):
             from measureapp.report.repeats.documents import write_repeats
 
             job.report(0, 1, "Writing the report of repeats")
-            return write_repeats(study, folder)["pdf"]
+            return write_repeats(study, folder, job.language)["pdf"]
 
         self._runner.run("Writing the report of repeats", work, self._tell_written)
 

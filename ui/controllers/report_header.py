@@ -75,4 +75,4 @@ def save_header(folder: Path, header: ReportHeader, measurement: Measurement | N
         choose_template(folder, header.template.source)
     job.report(1, 2, "Documents")
     if measurement is not None:
-        write_reports(ProjectFolder.open(folder), measurement)
+        write_reports(ProjectFolder.open(folder), measurement, job.language)

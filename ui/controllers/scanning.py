@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -136,7 +136,7 @@ class ScanController(QObject):
             job.report(0, 1, "Preparing the scan")
             request = make(job)
             job.emit_event(_prepared(request))
-            return scan_into_project(request, events.sink(job), job, control, session.connection)
+            return scan_into_project(replace(request, language=job.language), events.sink(job), job, control, session.connection)
 
         job = self._runner.run(title, work, self._finish, on_event=self._apply, moves=True)
         job.finished.connect(self._ended)

@@ -75,7 +75,7 @@ class SeriesController(QObject):
             from measureapp.report.series.documents import write_series
 
             job.report(0, 1, "Writing the report of the series")
-            return write_series(found.program, found.runs, folder)["pdf"]
+            return write_series(found.program, found.runs, folder, job.language)["pdf"]
 
         self._runner.run("Writing the report of the series", work, self._tell_written, on_failed=self.refused.emit)
 

@@ -106,4 +106,4 @@ def restitch_with_choices(folder: Path, choices: ViewChoices, job: Job) -> Outco
     from measureapp.pipeline.restitch import restitch
     from measureapp.project.folder import ProjectFolder
 
-    return restitch(ProjectFolder.open(folder), choices, lambda _event: None, job)
+    return restitch(ProjectFolder.open(folder), choices, lambda _event: None, job, job.language)

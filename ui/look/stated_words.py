@@ -70,8 +70,21 @@ DRIVERS = (  # as they name themselves
 )
 FIXED = (later("location"), later("orientation"))  # by datums, in sentences about those that do not
 PLACES = (later("position"), later("positions"))  # of board, guide or table, counted in what a calibration still needs
+KINDS = (  # of dimensions, as their properties state them; those of tolerance zones stand in their editor
+    *(later("Thickness"), "Slot width", "Slot length", later("Chord"), later("Camber"), "Max thickness", "Max thickness place"),
+    *("Leading radius", "Trailing radius", later("Stagger"), later("Twist"), later("Pitch"), "Blade form", "Blade profile"),
+)
+DIRECTIONS = (later("vertical"), later("horizontal"))  # of fringes, in sentences
+HOLES = (  # why a place of the surface is not measured
+    *("touches the support", "no viewpoint sees it", later("saturated"), "too dark"),
+    *("visible, but its pixels have no point", "standard deviation above the required one"),
+)
+PROPOSALS = ("For {area} mm²: {cause}.", "Other exposures, for {area} mm²: {cause}.")  # of viewpoints, and what they are for
+UNITS = (later("millimetres"), later("inches"), later("metres"), later("centimetres"), later("micrometres"))  # of lengths in files
 COUNTS = (later("one"), later("two"), later("three"), later("four"), later("five"), later("six"))
 LENS = ("Distortion {name}",)  # of a lens, beside those that are several words
 LISTED = ("{n} rejected",)  # after the number of points of each feature of a value
+ALTERNATIVES = (later(" or "),)  # between the last two of a list
+REPORT_TITLE = "Measurement report"  # of the built-in template
 TEMPLATE = later("built-in")  # name of the shipped template of reports
 SUBJECTS = ("the program", "the alignment", "the alignment {name}", "dimension {name}")  # of refused changes

@@ -7,7 +7,8 @@ from datetime import datetime
 from pathlib import PurePath
 
 from measureapp.data.shown_name import shown_name
-from ui.look.language.words import full_stop, tr, translated
+from measureapp.language.translator import full_stop
+from ui.look.language.words import tr, translated
 
 NOTHING = "–"
 THIN = "\u2009"

@@ -4,20 +4,23 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from PySide6.QtCore import Qt, QTimer
+from PySide6.QtCore import QEvent, Qt, QTimer
 from PySide6.QtGui import QImage, QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QScrollArea, QWidget
 
+from measureapp.language.languages import LANGUAGES
 from measureapp.project.file_names import safe_file_name
 from ui.controllers.controllers import Controllers
 from ui.controllers.documents import FORMATS
-from ui.look.language.words import tr
+from ui.look.language.language import load_fonts
+from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.look.wording import part_words, sentence_case, when
 from ui.pages.page import Page
 from ui.session import Session
 from ui.settings.dialogs import choose_new
-from ui.widgets.basic import Button, card, clear, column, label, row, scrolled
+from ui.settings.settings import AS_WINDOW
+from ui.widgets.basic import Button, CalmComboBox, card, clear, column, label, row, scrolled
 from ui.widgets.empty_state import EmptyState
 from ui.widgets.page_picture import PagePicture
 from ui.widgets.properties_panel import Group, Properties
@@ -31,6 +34,7 @@ EMPTY = (
     "No report yet",
     "The report is created when a part has been measured: pictures, dimensions, calibration and settings.",
 )
+LANGUAGE_CHOICES = {AS_WINDOW: "As the window", **LANGUAGES}
 PAGE_WIDTH = 820
 SIDE_WIDTH = 304  # px, room for a scroll bar included
 
@@ -57,10 +61,20 @@ class ReportPage(Page):
         self.header_button = Button("Header, template…", look, "labels")
         self.header_button.clicked.connect(controllers.documents.ask_header)
         controllers.documents.headerReady.connect(self._edit_header)
+        self.language = CalmComboBox()
+        self.language.setAccessibleName(tr("Language of the report"))
+        for name, words in LANGUAGE_CHOICES.items():  # languages are named in their own letters
+            load_fonts(name)
+            self.language.addItem(translated(words), name)
+        self.language.setCurrentIndex(self.language.findData(session.settings.text("report_language")))
+        self.language.activated.connect(self._choose_language)
+        self._drawn_in = ""  # the language of the pages on display
         folder = Button("Show in folder", look, "open", "quiet")
         folder.clicked.connect(controllers.documents.open_folder)
         side = card(
             self.header_button,
+            label("Language of the report", "soft"),
+            self.language,
             8,
             label("Export", "heading"),
             *self.exports.values(),
@@ -86,6 +100,11 @@ class ReportPage(Page):
         controllers.documents.pagesFailed.connect(self._show_no_pages)
         self.follow(session.reportChanged, self._show)
         self.follow(session.busyChanged, self._show_busy)
+
+    def _choose_language(self, place: int) -> None:
+        """Write and draw the report in another language; ``place`` in the list of choices."""
+        self.controllers.documents.set_language(self.language.itemData(place))
+        self._drawn_in = self.session.report_language
 
     def open_repeats(self) -> None:
         """Open the window of repeated measurements; it is made when first used."""
@@ -143,6 +162,7 @@ class ReportPage(Page):
         """Have the pages drawn, or remember it until this page is in sight: drawing takes a second of a processor."""
         self._is_stale = not self.isVisible()
         if not self._is_stale:
+            self._drawn_in = self.session.report_language
             self.controllers.documents.preview()
 
     def show_pages(self, pages: tuple[QImage, ...]) -> None:
@@ -176,6 +196,13 @@ class ReportPage(Page):
         if self._is_stale:
             self._draw_pages()
         QTimer.singleShot(0, self, self._fit_pages)
+
+    def changeEvent(self, event: QEvent) -> None:
+        """Draw the pages anew where they follow the language of the window."""
+        super().changeEvent(event)
+        is_language = event.type() == QEvent.Type.LanguageChange
+        if is_language and self.session.measurement is not None and self._drawn_in not in ("", self.session.report_language):
+            self._draw_pages()
 
     @property
     def _page_width(self) -> int:

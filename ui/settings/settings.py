@@ -13,6 +13,8 @@ from PySide6.QtCore import QObject, QSettings, Signal
 SCHEMA: Final = 2
 THEMES = ("system", "light", "dark")
 LANGUAGES = ("system", "en", "zh_CN")
+AS_WINDOW = "window"
+REPORT_LANGUAGES = (AS_WINDOW, "en", "zh_CN")
 ROLES = ("operator", "engineer")
 
 
@@ -27,6 +29,7 @@ class Known:
 KNOWN: Final[dict[str, Known]] = {
     "theme": Known("system", THEMES),
     "language": Known("system", LANGUAGES),
+    "report_language": Known(AS_WINDOW, REPORT_LANGUAGES),
     "page": Known("rig"),
     "role": Known("engineer", ROLES),
     "tour": Known("new", ("new", "taken")),

@@ -9,7 +9,7 @@ from typing import Literal
 from PySide6.QtCore import QSize, Qt
 from PySide6.QtWidgets import QLabel, QScrollArea, QWidget
 
-from ui.look.language.words import translated
+from ui.look.language.words import later, translated
 from ui.look.look import Look
 from ui.look.wording import keep_units
 from ui.widgets.basic import clear, column, label, row
@@ -21,6 +21,12 @@ SIGNS: dict[Finding, tuple[str, str]] = {
     "note": ("info", "soft"),
     "good": ("pass", "verdict_pass"),
 }
+NAMES: dict[Finding, str] = {
+    "problem": later("Problem"),
+    "warning": later("Warning"),
+    "note": later("Note"),
+    "good": later("Good"),
+}  # of signs
 
 
 @dataclass(frozen=True)
@@ -46,7 +52,10 @@ class Checklist(QScrollArea):
         self.setWidgetResizable(True)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setWidget(body)
-        look.changed.connect(lambda: self.show_items(self.items))
+        look.changed.connect(self._show_again)
+
+    def _show_again(self) -> None:
+        self.show_items(self.items)
 
     def show_items(self, items: Sequence[Item]) -> None:
         """Show these findings."""
@@ -57,7 +66,7 @@ class Checklist(QScrollArea):
             sign = QLabel()
             sign.setPixmap(self._look.icon(icon, colour).pixmap(QSize(20, 20)))
             sign.setFixedSize(QSize(24, 24))
-            sign.setAccessibleName(translated(item.kind))
+            sign.setAccessibleName(translated(NAMES[item.kind]))
             words = [label(keep_units(item.words), "body", wrap=True)]
             if item.remedy:
                 words.append(label(keep_units(item.remedy), "soft", wrap=True))

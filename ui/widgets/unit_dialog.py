@@ -13,7 +13,7 @@ from ui.widgets.basic import Button, column, label, row
 
 WIDTH = 480
 REASON = "Point and mesh files do not contain a unit. All lengths and verdicts depend on it, so it has to be confirmed."
-KIND = {"points": "points", "nominal": "nominal", "mesh": "mesh"}
+QUESTIONS = {"points": "In which unit are the points?", "nominal": "In which unit is the nominal?", "mesh": "In which unit is the mesh?"}
 
 
 class UnitDialog(QDialog):
@@ -34,7 +34,7 @@ class UnitDialog(QDialog):
             self._group.addButton(made)
             self.units[unit] = made
         self.units[likely].setChecked(True)
-        question = label(tr("In which unit {words} the {kind}?", words="are" if what == "points" else "is", kind=KIND[what]), "heading")
+        question = label(QUESTIONS[what], "heading")
         evidence = label(tr("{finding}: probably {words}.", finding=finding, words=likely.words), wrap=True)
         self.accept_button = Button("Use this unit", look, "", "primary")
         self.accept_button.clicked.connect(self._accept)
@@ -59,7 +59,7 @@ class UnitDialog(QDialog):
 
 def _words(unit: LengthUnit, span: float | None) -> str:
     """Return the label of a unit, with the resulting size of the part."""
-    words = unit.words[0].upper() + unit.words[1:]
+    words = tr("{words:upper}", words=unit.words)
     return (
         words
         if span is None

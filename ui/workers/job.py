@@ -11,6 +11,7 @@ from typing import Any
 from PySide6.QtCore import QObject, QThread, Signal
 
 from measureapp.errors import MeasureError
+from measureapp.language.languages import ENGLISH
 from measureapp.progress import Cancelled
 from ui.look.language.words import tr
 
@@ -38,6 +39,7 @@ class Job(QThread):
         self.title = title
         self.quiet = False
         self.moves = False  # axes of a rig
+        self.language = ENGLISH  # of the reports that its work writes
         self._work = work
         self._stop = threading.Event()
         self._last_report = 0.0

@@ -20,6 +20,11 @@ UNKNOWN_PX = 0.1  # where the calibration states no residual
 SIGNIFICANT = 0.05  # of the variance of the noise, per residual: the errors of a good calibration explain less,
 APART = 0.02  # and speak by less for one camera against another
 MOTIONS = ("pitch", "yaw", "roll")  # about x, y, z of the camera: the image goes up or down, sideways, or turns
+TURNS = {
+    "pitch": "a pitch of {camera} below {limit}°",
+    "yaw": "a yaw of {camera} below {limit}°",
+    "roll": "a roll of {camera} below {limit}°",
+}
 WEAKEST_RAD = float(np.deg2rad(1.0))  # prior of a turn; only bounds what the images do not determine
 
 
@@ -99,10 +104,11 @@ def _expected_px(cameras: CameraArrayCalibration, name: str) -> float:
 
 def _describe_undetected(unseen: dict[str, dict[str, float]], *, both_directions: bool) -> str:
     worst = {camera: max(turns, key=lambda motion: turns[motion]) for camera, turns in unseen.items()}
-    limits = [f"a {motion} of {camera} below {np.rad2deg(unseen[camera][motion]):.2g}°" for camera, motion in worst.items()]
+    limits = [TURNS[motion].format(camera=camera, limit=f"{np.rad2deg(unseen[camera][motion]):.2g}") for camera, motion in worst.items()]
     listed = ", ".join(limits[:-1]) + " or " + limits[-1]
-    remedy = "a few views of the board" if both_directions else "fringes of both directions, or a few views of the board,"
-    return f"This scan would not show {listed}; {remedy} would."
+    if both_directions:
+        return f"This scan would not show {listed}; a few views of the board would."
+    return f"This scan would not show {listed}; fringes of both directions, or a few views of the board, would."
 
 
 def _fit_rotation_of_one(whole: ShiftEvidence, number: int) -> _Turn:
@@ -133,12 +139,12 @@ def _sentence(status: DriftStatus, named: Sequence[str], best: _Turn, expected_p
     size = f"{best.shift_px:.3f} px"
     if status == "good":
         return f"Camera drift check: passed; none is off by more than {size}, and the calibration left {expected_px:.3f} px."
-    who = f"Camera {named[0]} has" if len(named) == 1 else f"One of the cameras {' and '.join(named)} has"
+    who = f"Camera {named[0]}" if len(named) == 1 else f"One of the cameras {' and '.join(named)}"
     advice = {
         "watch": "check the calibration with a few views of the board before the next measurement that matters.",
         "drifted": "it was knocked or refocused, or its mounting gave way: calibrate the cameras again.",
     }[status]
     return (
-        f"{who} turned by {best.turn_deg:.3f}° since the calibration: its image is off by {size} (the calibration left {expected_px:.3f} px), "
+        f"{who} has turned by {best.turn_deg:.3f}° since the calibration: its image is off by {size} (the calibration left {expected_px:.3f} px), "
         f"which moves measured points by {best.error_mm:.3f} mm; {advice}"
     )

@@ -26,6 +26,7 @@ NARROW = 5  # tolerance over U below which a verdict is hardly ever possible
 UNEXPLAINED = "unexplained"  # of the `CONTRIBUTIONS`
 MISJUDGED = 3.0  # how much larger the unexplained may be: upper limit (95 %) of a standard deviation of three degrees of freedom
 CONTRADICTION = "Most of U is what the error model does not explain: a contradicted model proves nothing; see the checks of the error model"
+STATISTICS = {"mean": "mean of {count}", "min": "min of {count}", "max": "max of {count}"}  # of the copies of a pattern
 MOST_LISTED = 4  # features listed individually in the traceability of a value
 
 
@@ -270,9 +271,9 @@ def _describe_traceability(described: DimensionProgram, found: list[FoundFeature
     if how:
         words.append(how)
     if described.datums:
-        words.append("datums " + "|".join(described.datums))
+        words.append(f"datums {'|'.join(described.datums)}")
     if described.count:
-        words.append(f"{described.statistic} of {described.count}")
+        words.append(STATISTICS[described.statistic].format(count=described.count))
     return "; ".join(words)
 
 

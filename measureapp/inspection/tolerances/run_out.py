@@ -44,7 +44,8 @@ def evaluate_run_out(kind: str, found: FoundFeature, datum: FoundFeature, settin
         return max(float(np.ptp(read[part])) for part in parts)
 
     value, budget = propagate_with_surface(width, (datum,), cells)
-    how = f"{filter_words(settings)}, " + (f"axial, {len(whole)} rings" if axial else f"radial, {len(whole)} sections")
+    cleaned = filter_words(settings)
+    how = f"{cleaned}, axial, {len(whole)} rings" if axial else f"{cleaned}, radial, {len(whole)} sections"
     return Value(value, combine_budgets(budget, {NOISE: cells.form_sigma_mm, STITCHING: assumed_view_spread(found, settings)}), how)
 
 

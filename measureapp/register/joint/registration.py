@@ -334,7 +334,7 @@ class Registration:
 
     def _verdict(self, contradiction: Contradiction | None, excluded: bool, overlaps: bool) -> str:
         if contradiction is not None:
-            return f"{contradiction.sentence}: {'excluded' if excluded else 'accepted by hand'}"
+            return f"{contradiction.sentence}: excluded" if excluded else f"{contradiction.sentence}: accepted by hand"
         if not overlaps and len(self.views) > 1:
             return "no overlap with another view: kinematic position"
         return GOOD

@@ -121,8 +121,8 @@ def _indices(
         return (), "No spread: no index."
     overall = index(values, *limits, std, ("P", "standard deviation of all parts"))
     within = index(values, *limits, moving_range / D2, ("C", "mean moving range of two parts / 1.128"))
-    scope = "Preliminary: " if n < FULL_PARTS else ""
-    return (overall, within), f"{scope}{n} parts. Normal distribution not tested. The spread includes that of the measurement."
+    stated = f"Preliminary: {n} parts." if n < FULL_PARTS else f"{n} parts."
+    return (overall, within), f"{stated} Normal distribution not tested. The spread includes that of the measurement."
 
 
 def _limits(value: SeriesValue) -> tuple[float | None, float | None]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import asdict
 from datetime import UTC, datetime
 from pathlib import Path
@@ -15,8 +15,10 @@ import numpy as np
 from measureapp import __version__
 from measureapp.data.series import SeriesRun
 from measureapp.errors import InputError
+from measureapp.language.languages import ENGLISH
 from measureapp.project.atomic import replacing, write_json
 from measureapp.report.csv import guarded
+from measureapp.report.language import Words
 from measureapp.report.series.capability import Index, Trend, count_once, trends
 from measureapp.report.series.chart import run_chart
 from measureapp.report.typeset import Typeset, typeset
@@ -28,8 +30,8 @@ SPREAD_DIGITS = 4
 MOST_LISTED = 60
 
 
-def write_series(program: str, runs: Sequence[SeriesRun], folder: Path) -> dict[str, Path]:
-    """Write `series.pdf`, `.csv` and `.json` into ``folder``, each whole or not at all.
+def write_series(program: str, runs: Sequence[SeriesRun], folder: Path, language: str = ENGLISH) -> dict[str, Path]:
+    """Write `series.pdf`, `.csv` and `.json` into ``folder``, each whole or not at all; the PDF is in ``language``.
 
     Raises
     ------
@@ -41,7 +43,7 @@ def write_series(program: str, runs: Sequence[SeriesRun], folder: Path) -> dict[
     if not runs:
         raise InputError(f"The series of {program} has no runs.", "Add measured projects: measureapp series add PROJECT.")
     files = {kind: folder / f"series.{kind}" for kind in ("pdf", "csv", "json")}
-    (document,) = typeset(series_typeset(program, runs), "pdf")
+    (document,) = typeset(series_typeset(program, runs, language=language), "pdf")
     with replacing(files["pdf"]) as temporary:
         temporary.write_bytes(document)
     with replacing(files["csv"]) as temporary:
@@ -50,12 +52,22 @@ def write_series(program: str, runs: Sequence[SeriesRun], folder: Path) -> dict[
     return files
 
 
-def series_typeset(program: str, runs: Sequence[SeriesRun], created_at: str = "") -> Typeset:
+def series_typeset(program: str, runs: Sequence[SeriesRun], created_at: str = "", language: str = ENGLISH) -> Typeset:
     """Return the report of a series, to be typeset."""
     found = trends(runs)
     created = created_at or datetime.now(UTC).isoformat(timespec="seconds")
     pictures = {f"chart{n}.svg": run_chart(trend).encode() for n, trend in enumerate(found)}
-    return Typeset(resource(TEMPLATE), typst_series(program, runs, found, created), pictures, created)
+    words = Words(language, _names(program, runs))
+    return Typeset(resource(TEMPLATE), typst_series(program, runs, found, created, words), pictures, created, words)
+
+
+def _names(program: str, runs: Sequence[SeriesRun]) -> Iterator[str]:
+    """Yield the texts of a series that people gave."""
+    yield program
+    for run in runs:
+        yield run.repeat_reason
+        for value in run.values:
+            yield from (value.name, format_name(value.name))
 
 
 def series_document(program: str, runs: Sequence[SeriesRun]) -> dict[str, Any]:
@@ -83,7 +95,7 @@ def series_csv_text(runs: Sequence[SeriesRun]) -> str:
     return text.getvalue()
 
 
-def typst_series(program: str, runs: Sequence[SeriesRun], found: Sequence[Trend], created_at: str) -> dict[str, Any]:
+def typst_series(program: str, runs: Sequence[SeriesRun], found: Sequence[Trend], created_at: str, words: Words) -> dict[str, Any]:
     """Return the data of the layout, with all numbers formatted."""
     parts = count_once(runs)
     return {
@@ -91,32 +103,32 @@ def typst_series(program: str, runs: Sequence[SeriesRun], found: Sequence[Trend]
         "software": f"MeasureApp {__version__}",
         "created": format_time(created_at),
         "header": [
-            {"name": "Runs", "value": str(len(runs))},
-            {"name": "Parts", "value": str(len(parts))},
-            {"name": "From", "value": format_time(runs[0].measured_at)},
-            {"name": "To", "value": format_time(runs[-1].measured_at)},
+            {"name": words.tr("Number of runs"), "value": str(len(runs))},
+            {"name": words.tr("Parts"), "value": str(len(parts))},
+            {"name": words.tr("First run"), "value": format_time(runs[0].measured_at)},
+            {"name": words.tr("Last run"), "value": format_time(runs[-1].measured_at)},
         ],
-        "trends": [{**_printed(trend), "chart": f"chart{n}.svg"} for n, trend in enumerate(found)],
-        "runs": [_run(run) for run in runs[-MOST_LISTED:]],
+        "trends": [{**_printed(trend, words), "chart": f"chart{n}.svg"} for n, trend in enumerate(found)],
+        "runs": [_run(run, words) for run in runs[-MOST_LISTED:]],
         "left_out": max(0, len(runs) - MOST_LISTED),
     }
 
 
-def _run(run: SeriesRun) -> dict[str, str]:
+def _run(run: SeriesRun, words: Words) -> dict[str, str]:
     known = run.identification
     return {
         "at": format_time(run.measured_at),
         "serial": known.serial_number or NONE,
         "order": known.order or NONE,
         "operator": known.operator or NONE,
-        "verdict": NONE if run.verdict is None else run.verdict.value,
+        "verdict": NONE if run.verdict is None else words.label(run.verdict.value),
         "sign": NONE if run.verdict is None else SIGNS[run.verdict],
         "colour": NEUTRAL if run.verdict is None else COLOURS[run.verdict],
         "reason": run.repeat_reason,
     }
 
 
-def _printed(trend: Trend) -> dict[str, Any]:
+def _printed(trend: Trend, words: Words) -> dict[str, Any]:
     unit = "°" if trend.unit == "°" else f" {trend.unit}"
     facts = [
         ("Nominal", number(trend.nominal) + unit),
@@ -129,19 +141,19 @@ def _printed(trend: Trend) -> dict[str, Any]:
     ]
     return {
         "name": format_name(trend.name),
-        "facts": [{"name": name, "value": value} for name, value in facts],
-        "indices": [_printed_index(one) for one in trend.indices],
-        "remark": trend.remark,
+        "facts": [{"name": words.tr(name), "value": value} for name, value in facts],
+        "indices": [_printed_index(one, words) for one in trend.indices],
+        "remark": words.said(trend.remark),
     }
 
 
-def _printed_index(one: Index) -> dict[str, str]:
+def _printed_index(one: Index, words: Words) -> dict[str, str]:
     spread = "" if one.spread_only is None else f"{one.name[:-1]} {number(one.spread_only, 2)}, "
-    interval = f"95 % interval {number(one.interval[0], 2)} … {number(one.interval[1], 2)}"
+    interval = words.tr("95 % interval {low} … {high}", low=number(one.interval[0], 2), high=number(one.interval[1], 2))
     return {
         "words": f"{spread}{one.name} {number(one.value, 2)}",
         "interval": interval,
-        "sigma": f"σ {number(one.sigma, SPREAD_DIGITS)}: {one.sigma_from}",
+        "sigma": words.tr("σ {sigma}: {source}", sigma=number(one.sigma, SPREAD_DIGITS), source=one.sigma_from),
     }
 
 

@@ -123,6 +123,10 @@ def test_the_command_line_lists_shows_and_reports_a_series(tmp_path: Path, capsy
     assert capsys.readouterr().out.count("2026-05-01") == 1
     assert main(["series", "report", "lid 盖 #1", "--out", str(tmp_path / "out"), *place]) == 0
     assert sorted(path.name for path in (tmp_path / "out").iterdir()) == ["series.csv", "series.json", "series.pdf"]
+    assert main(["series", "report", "lid 盖 #1", "--out", str(tmp_path / "zh"), "--language", "zh_CN", *place]) == 0
+    english, chinese = ({path.name: path.read_bytes() for path in (tmp_path / folder).iterdir()} for folder in ("out", "zh"))
+    assert english["series.csv"] == chinese["series.csv"] and english["series.pdf"] != chinese["series.pdf"]
+    assert main(["series", "report", "lid 盖 #1", "--out", str(tmp_path / "fr"), "--language", "fr", *place]) == 2
     capsys.readouterr()
     assert main(["series", "rebuild", "lid 盖 #1", str(tmp_path), *place]) == 0 and "3 runs" in capsys.readouterr().out
 

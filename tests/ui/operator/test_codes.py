@@ -7,11 +7,12 @@ from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 
 from measureapp.data.part_program import PartProgramFacts
+from measureapp.language.catalogue import read_catalogue
+from measureapp.language.translator import Translator
 from ui.controllers.operator_codes import CodeFields, check_code, clean_code, find_program, read_code
 from ui.controllers.operator_nouns import Entered
-from ui.look.language.catalogue import read_catalogue
 from ui.look.language.sources import catalogue_file
-from ui.look.language.words import Translator, translated
+from ui.look.language.words import translated
 from ui.pages.operator.scanner import FEWEST, SLOWEST_S, Scanner, TypedFast
 
 CROSS = PartProgramFacts(

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import sys
 
-from ui.look.language.catalogue import Entry, read_catalogue, write_catalogue
+from measureapp.language.catalogue import Entry, read_catalogue, write_catalogue
+from measureapp.language.languages import LANGUAGES
 from ui.look.language.help_pages import outdated, renew
-from ui.look.language.language import LANGUAGES
 from ui.look.language.sources import catalogue_file, core_texts, window_texts
 
 

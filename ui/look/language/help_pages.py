@@ -7,8 +7,8 @@ from hashlib import sha256
 from pathlib import Path
 
 from measureapp.errors import InputError
+from measureapp.language.catalogue import Catalogue
 from measureapp.resources import resource
-from ui.look.language.catalogue import Catalogue
 
 STATED = re.compile(r"<!-- translates ([0-9a-f]{16}) -->\n+")
 

@@ -8,12 +8,11 @@ from PySide6.QtCore import QLibraryInfo, QLocale, QObject, QTranslator, Signal
 from PySide6.QtGui import QFontDatabase
 from PySide6.QtWidgets import QApplication
 
+from measureapp.language.languages import LANGUAGES, catalogue_of
 from measureapp.resources import resource
-from ui.look.language.catalogue import read_catalogue
 from ui.look.language.retranslating import Retranslation
 from ui.look.language.words import TRANSLATOR
 
-LANGUAGES = {"en": "English", "zh_CN": "简体中文"}  # each in its own words
 SYSTEM = "system"
 FONTS = {"zh_CN": ("NotoSansCJKsc-Regular.otf", "NotoSansCJKsc-Bold.otf")}
 
@@ -48,7 +47,7 @@ class Language(QObject):
         wanted = system_language() if name == SYSTEM else name if name in LANGUAGES else "en"
         if wanted == self.name:
             return
-        TRANSLATOR.use(None if wanted == "en" else read_catalogue(resource(f"languages/measureapp_{wanted}.ts")))
+        TRANSLATOR.use(catalogue_of(wanted))
         self.name = wanted
         QLocale.setDefault(QLocale(wanted))
         self._use_qt_texts()

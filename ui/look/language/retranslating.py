@@ -24,7 +24,8 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from ui.look.language.words import TRANSLATOR, Origin
+from measureapp.language.translator import Origin
+from ui.look.language.words import TRANSLATOR
 from ui.look.wording import THIN
 
 AT_ONCE = 150  # widgets between two turns of the event loop; about 20 ms

@@ -6,6 +6,8 @@ import ast
 from collections.abc import Iterator
 from pathlib import Path
 
+from measureapp.report.language import layout_texts, read_layout
+from measureapp.resources import resource
 from ui.look.field_words import field_words, tip_words
 from ui.look.language.core import ROOT, Core, name_of, reached_files
 from ui.look.language.errors import told_texts
@@ -15,6 +17,11 @@ TOLD = {
     ("calibrate", "kinds"),
     ("calibrate", "guidance"),
     ("calibrate", "draft"),
+    ("calibrate", "cameras", "drift"),
+    ("data", "pattern_sets"),
+    ("pipeline", "chosen_views"),
+    ("register", "joint", "axis_doubt"),
+    ("register", "joint", "registration"),
     ("inspection", "certified_lengths"),
     ("inspection", "verdict"),
     ("inspection", "value"),
@@ -38,12 +45,29 @@ TOLD = {
     ("register", "stitch"),
     ("reconstruct", "why"),
     ("reconstruct", "diagnosis"),
-}  # rooms and files whose sentences the window displays
+    ("pipeline", "noise"),
+    ("pipeline", "assemble"),
+    ("inspection", "repeats"),
+    ("report", "compose"),
+    ("report", "cross_sections"),
+    ("report", "deviation_pictures"),
+    ("report", "header"),
+    ("report", "part_pictures"),
+    ("report", "series", "capability"),
+    ("report", "valid_pixels"),
+}  # rooms and files whose sentences the window displays, or reports state
 FORMS = (
     *("measureapp/data/rig.py", "measureapp/data/cell.py", "measureapp/data/length_certificate.py", "plugins/*/settings.py"),
     *("measureapp/simulate/options.py", "measureapp/simulate/sensor.py"),  # of the virtual rig
 )
 """Files of models whose fields the window shows as forms, labelled after their names."""
+FIXED = {
+    ("report", "printed"),
+    ("report", "repeats"),
+    ("report", "series"),
+    ("report", "xlsx"),
+}  # of which only constants are translated
+LAYOUTS = ("report/report.typ", "report/series.typ", "report/repeats.typ", "report/report.html")
 UNTRANSLATED = {
     "TypeVar",
     "setObjectName",
@@ -97,8 +121,14 @@ def core_texts() -> dict[str, str]:
     found: dict[str, str] = {}
     for module, tree in core.trees.items():
         place = module.split(".")[1:]
-        if module.startswith("measureapp") and (tuple(place[:2]) in TOLD or tuple(place) in TOLD):
+        if not module.startswith("measureapp"):
+            continue
+        if tuple(place[:2]) in TOLD or tuple(place) in TOLD:
             found.update(dict.fromkeys((*_texts(tree), *_sentences(tree)), place[0]))
+        elif tuple(place[:2]) in FIXED:
+            found.update(dict.fromkeys(_texts(tree), place[0]))
+    for path in LAYOUTS:
+        found.update(dict.fromkeys(layout_texts(read_layout(resource(path))), "report"))
     for text, module in told_texts(core).items():
         found.setdefault(text, module.split(".")[1])
     return found

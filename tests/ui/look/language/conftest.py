@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable
 
 import pytest
 
-from ui.look.language.catalogue import Catalogue, Entry
+from measureapp.language.catalogue import Catalogue, Entry
 from ui.look.language.sources import core_texts, window_texts
 
 NAMES = re.compile(  # of files, devices, views, standards and people stay as they are
@@ -33,7 +33,7 @@ def bracketed(all_texts) -> Catalogue:
 @pytest.fixture
 def speaking(application, monkeypatch, bracketed):
     """Return a function that changes the language, and waits until everything on display followed."""
-    monkeypatch.setattr("ui.look.language.language.read_catalogue", lambda _path: bracketed)
+    monkeypatch.setattr("ui.look.language.language.catalogue_of", lambda name: None if name == "en" else bracketed)
 
     def speak(name: str) -> None:
         application.settings.set_text("language", name)

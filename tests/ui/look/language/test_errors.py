@@ -17,6 +17,8 @@ from measureapp.devices.plugin_loader import load_driver
 from measureapp.errors import MeasureError
 from measureapp.geometry.fits import fit
 from measureapp.geometry.transform import RigidTransform
+from measureapp.language.catalogue import LEAST_LETTERS, Catalogue, fixed_letters, placeholders, read_catalogue
+from measureapp.language.translator import FORMATTER, Translator
 from measureapp.planning import edit
 from measureapp.progress import NoProgress
 from measureapp.project.folder import ProjectFolder
@@ -29,12 +31,10 @@ from measureapp.register.setups.spheres import match_spheres
 from measureapp.register.surface.open import triangulate_open_patch
 from measureapp.simulate.parts import make_part
 from measureapp.simulate.worlds import read_world
-from ui.look.language.catalogue import LEAST_LETTERS, Catalogue, fixed_letters, placeholders, read_catalogue
 from ui.look.language.core import Core, reached_files
 from ui.look.language.errors import told_texts
 from ui.look.language.sources import catalogue_file
 from ui.look.language.templates import escaped, has_sentence, template
-from ui.look.language.words import FORMATTER, Translator
 
 VALUES = ("4711", "25", "P-17", "37", "A-9", "3")
 KEPT = re.compile(  # names, files, fields, keys of the program and of formats

@@ -9,10 +9,10 @@ import pytest
 from PySide6.QtGui import QTextDocument, QTextTable
 
 from measureapp.errors import InputError
+from measureapp.language.catalogue import Catalogue, Entry, read_catalogue
 from measureapp.resources import resource
 from ui.look.language import __main__ as command
 from ui.look.language import help_pages
-from ui.look.language.catalogue import Catalogue, Entry, read_catalogue
 from ui.look.language.help_pages import help_file, outdated, page_names, read_help, renew
 from ui.look.language.language import LANGUAGES
 

@@ -15,13 +15,14 @@ from measureapp.data.identification import LABELS, Identification
 from measureapp.data.rig import HeadRules
 from measureapp.devices.plugin_loader import load_all
 from measureapp.inspection.programming.proposals import Proposal
+from measureapp.language.catalogue import read_catalogue
+from measureapp.language.translator import Translator
 from tests.ui.look.language.displayed import displayed_texts
 from ui.actions.actions import Action, Actions
 from ui.controllers.report_header import ReportHeader, TemplateChoice
-from ui.look.language.catalogue import read_catalogue
 from ui.look.language.language import load_fonts
 from ui.look.language.sources import ROOT, catalogue_file
-from ui.look.language.words import Translator, translated
+from ui.look.language.words import translated
 from ui.pages.inspection.create_bar import CONSTRUCTIONS, CreateBar, proposal_words
 from ui.pages.plan.generate_dialog import GenerateDialog
 from ui.pages.report_header import HeaderDialog

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import tomllib
+from typing import get_args
 
 import numpy as np
 import pytest
@@ -12,6 +13,8 @@ from pydantic import ValidationError
 from measureapp.data.cloud import PointCloud
 from measureapp.data.consistency import Consistency, ConsistencyCheck
 from measureapp.data.dimension import CONTRIBUTION_LABELS, CONTRIBUTIONS
+from measureapp.data.dimension_program import BladeKind, SizeKind, ZoneKind
+from measureapp.data.fringe import Direction
 from measureapp.data.inspection_program import InspectionProgram
 from measureapp.data.model import first_problem
 from measureapp.data.phase import PixelState
@@ -23,13 +26,13 @@ from measureapp.geometry.fits import fit
 from measureapp.inspection.features.found_feature import find_feature
 from measureapp.inspection.measured_points import MeasuredPoints
 from measureapp.inspection.settings import InspectionSettings
+from measureapp.language.catalogue import read_catalogue
+from measureapp.language.translator import Translator
 from measureapp.pipeline.consistency.check import PROPERTIES
 from measureapp.pipeline.sample import SampleScan, sample_request
 from measureapp.register.clouds.quality import assess_cloud
 from measureapp.resources import resource
-from ui.look.language.catalogue import read_catalogue
 from ui.look.language.sources import catalogue_file
-from ui.look.language.words import Translator
 from ui.look.wording import POINT_REASONS, keep_units, sentence, sentence_case
 
 KEPT = re.compile(
@@ -180,6 +183,12 @@ def test_a_verdict_whose_units_are_kept_is_translated_and_follows_the_language(c
     assert chinese.renewed(said) == english.replace(" mm", "\u00a0mm")
     chinese.use(catalogue)
     assert chinese.renewed(english.replace(" mm", "\u00a0mm")) == said
+
+
+@pytest.mark.parametrize("kind", [*get_args(SizeKind), *get_args(ZoneKind), *get_args(BladeKind), *get_args(Direction)])
+def test_kinds_of_dimensions_and_directions_of_fringes(chinese, kind):
+    words = kind if kind in get_args(Direction) else sentence_case(kind)
+    assert not left_in_english(chinese, words)
 
 
 @pytest.mark.parametrize("state", [*PixelState, *PointState], ids=lambda state: state.name)

@@ -7,9 +7,9 @@ from PySide6.QtCore import QLocale
 from PySide6.QtWidgets import QComboBox, QDoubleSpinBox, QLabel, QWidget
 
 from measureapp.calibrate.kinds.table import KINDS
+from measureapp.language.catalogue import Catalogue, Entry, placeholders, read_catalogue
 from tests.ui.cut_texts import cut_texts
 from tests.ui.look.language.displayed import displayed_texts
-from ui.look.language.catalogue import Catalogue, Entry, placeholders, read_catalogue
 from ui.look.language.retranslating import GIVEN
 from ui.look.language.sources import catalogue_file
 from ui.pages.calibration_rows import added_to_length_mm
@@ -42,7 +42,7 @@ def test_pages_are_what_they_were_after_changing_back(application, filled, speak
 
 def test_texts_that_share_a_translation_keep_their_own_words(application, window, qtbot, monkeypatch):
     catalogue = Catalogue("zh_CN", {text: Entry(text, "测量") for text in ("Measure", "Measurement")})
-    monkeypatch.setattr("ui.look.language.language.read_catalogue", lambda _path: catalogue)
+    monkeypatch.setattr("ui.look.language.language.catalogue_of", lambda name: None if name == "en" else catalogue)
     box = QWidget(window)
     labels = [QLabel("Measure", box), QLabel("Measurement", box)]
     for _ in range(2):

@@ -5,9 +5,9 @@ from __future__ import annotations
 import pytest
 
 from measureapp.errors import InputError
-from ui.look.language.catalogue import Catalogue, Entry, read_catalogue, write_catalogue
+from measureapp.language.catalogue import Catalogue, Entry, read_catalogue, write_catalogue
+from measureapp.language.translator import Translator
 from ui.look.language.sources import catalogue_file, window_texts
-from ui.look.language.words import Translator
 
 WORDS = {
     "{count} views left out": "省略 {count} 个视图",

@@ -7,6 +7,7 @@ import string
 from collections import defaultdict
 from collections.abc import Iterable
 from dataclasses import dataclass, field
+from functools import cache
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -17,6 +18,7 @@ SURE_LETTERS = 10  # fixed letters of a template by which a message is recognise
 LEAST_LETTERS = 6  # and by which it is recognised if its values are single words, or texts that are known
 FEWEST_LETTERS = 3  # and if it is a whole sentence with values that are known or no words, or if its values are numbers
 ANY = f".{{0,{LONGEST_VALUE}}}?"
+REPEATED_LETTERS = 5  # of a fixed piece by which a value is found to contain its template again
 NUMBER = r"[-+−±]?\d[\d.,]*"
 
 
@@ -34,7 +36,7 @@ class Catalogue:
 
     language: str  # as in "zh_CN"
     entries: dict[str, Entry] = field(default_factory=dict)
-    _patterns: dict[str, list[tuple[re.Pattern[str], str]]] | None = None  # of templates, by the longest fixed word
+    _patterns: dict[str, list[tuple[str, str]]] | None = None  # of templates, by the longest fixed word; compiled when they are needed
 
     def translation(self, source: str) -> str | None:
         """Return the translation of a text; None without one."""
@@ -48,7 +50,7 @@ class Catalogue:
         found: list[tuple[str, dict[str, str]]] = []
         for word in dict.fromkeys(WORD.findall(text)):
             for pattern, source in self._patterns.get(word, ()):
-                match = pattern.fullmatch(text)
+                match = _compiled(pattern).fullmatch(text)
                 if match is not None and not _repeated(source, match):
                     found.append((source, match.groupdict()))
         return sorted(found, key=lambda one: -len(PLACEHOLDER.sub("", one[0])))
@@ -92,8 +94,8 @@ def read_catalogue(path: Path) -> Catalogue:
 def write_catalogue(path: Path, language: str, entries: Iterable[tuple[str, Entry]]) -> None:
     """Write a file of Qt Linguist from pairs of context and entry, in their order."""
     contexts: dict[str, list[Entry]] = defaultdict(list)
-    for context, entry in entries:
-        contexts[context].append(entry)
+    for room, entry in entries:
+        contexts[room].append(entry)
     root = ElementTree.Element("TS", version="2.1", language=language, sourcelanguage="en")
     for name, own in contexts.items():
         context = ElementTree.SubElement(root, "context")
@@ -125,13 +127,19 @@ def fixed_letters(source: str) -> int:
 
 def _repeated(source: str, match: re.Match[str]) -> bool:
     """Whether a value contains a fixed piece of its template again: the text lists several, which are translated one by one."""
-    piece = max(PLACEHOLDER.split(source)[::2], key=len)
-    return WORD.search(piece) is not None and any(piece in value for value in match.groups())
+    pieces = [piece for piece in PLACEHOLDER.split(source)[::2] if len(LETTER.findall(piece)) >= REPEATED_LETTERS]
+    return any(piece in value for piece in pieces for value in match.groups())
 
 
-def _patterns(entries: Iterable[Entry]) -> dict[str, list[tuple[re.Pattern[str], str]]]:
+@cache
+def _compiled(pattern: str) -> re.Pattern[str]:
+    """Return a pattern compiled: most of the 2000 are never needed, and all of them take 0.2 s."""
+    return re.compile(pattern, re.DOTALL)
+
+
+def _patterns(entries: Iterable[Entry]) -> dict[str, list[tuple[str, str]]]:
     """Return patterns of the translated templates by a fixed word that a text must contain to match."""
-    found: dict[str, list[tuple[re.Pattern[str], str]]] = defaultdict(list)
+    found: dict[str, list[tuple[str, str]]] = defaultdict(list)
     for entry in entries:
         if not entry.translation or not _names(entry.source):
             continue
@@ -149,5 +157,5 @@ def _patterns(entries: Iterable[Entry]) -> dict[str, list[tuple[re.Pattern[str],
             else:
                 text += f"(?P={piece})" if piece in seen else f"(?P<{piece}>{value})"
                 seen.add(piece)
-        found[max(words, key=len)].append((re.compile(text, re.DOTALL), entry.source))
+        found[max(words, key=len)].append((text, entry.source))
     return found
