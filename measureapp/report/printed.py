@@ -31,23 +31,7 @@ from measureapp.report.words import (
 SCALE_STOPS = 81
 MOST_WORST = 10
 BASIS = ("Alignment to the nominal", "Residual of the alignment", "Calibration age", "Adds to a length (k = 2)")
-KINDS = {
-    "thickness": "Thickness",
-    "step": "Height of a step",
-    "slot_width": "Slot width",
-    "slot_length": "Slot length",
-    "chord": "Chord",
-    "max_thickness": "Max thickness",
-    "max_thickness_place": "Place of the max thickness",
-    "camber": "Camber",
-    "leading_radius": "Leading radius",
-    "trailing_radius": "Trailing radius",
-    "stagger": "Stagger angle",
-    "twist": "Twist",
-    "pitch": "Pitch of blades",
-    "blade_form": "Blade form",
-    "blade_profile": "Blade profile",
-}  # of dimensions, as they are translated where the English word alone has several meanings, or is no label of the window
+KINDS = {"step": "Height of a step", "pitch": "Pitch of blades"}  # of dimensions, where the word has another meaning in the window
 SIGNATURES = {  # of the roles of the built-in template
     "Measured": "Measured: name, date, signature",
     "Checked": "Checked: name, date, signature",

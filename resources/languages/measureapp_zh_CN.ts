@@ -12912,10 +12912,6 @@ alignment = "{v2}"
       <translation>叶片节距</translation>
     </message>
     <message>
-      <source>Place of the max thickness</source>
-      <translation>最大厚度位置</translation>
-    </message>
-    <message>
       <source>Points within the scale</source>
       <translation>色标范围内的点</translation>
     </message>
@@ -12998,10 +12994,6 @@ alignment = "{v2}"
     <message>
       <source>Spacing (mm)</source>
       <translation>点间距 (mm)</translation>
-    </message>
-    <message>
-      <source>Stagger angle</source>
-      <translation>安装角</translation>
     </message>
     <message>
       <source>Std. dev. s</source>

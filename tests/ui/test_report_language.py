@@ -7,6 +7,7 @@ import json
 import pytest
 from PySide6.QtGui import QDesktopServices
 
+from measureapp.errors import InputError
 from tests.ui.test_report_header import project, settled  # noqa: F401 - a fixture
 from ui.look.language.words import spoken
 from ui.session import Session
@@ -98,3 +99,17 @@ def test_a_language_that_there_is_not_is_that_of_the_window():
     settings = Settings()
     settings._store.setValue("window/report_language", "klingon")
     assert Session(settings).report_language == "en"
+
+
+def test_recomputing_writes_the_report_in_the_present_language(opened, qtbot, monkeypatch):
+    asked: list[str] = []
+
+    def process(_project, _on_event, _progress, *, language: str):
+        asked.append(language)
+        raise InputError("Not now.", "Later.")
+
+    monkeypatch.setattr("measureapp.pipeline.run.process_project", process)
+    opened.settings.set_text("report_language", "zh_CN")
+    opened.controllers.project.process()
+    settled(qtbot, opened)
+    assert asked == ["zh_CN"]

@@ -362,3 +362,12 @@ def test_raw_images_are_compressed_after_the_scan_as_the_project_states(applicat
     quick.gate.set()
     idle()
     qtbot.waitUntil(lambda: "5 MB freed" in application.session.messages[-1].text, timeout=PATIENCE_MS)
+
+
+def test_a_scan_writes_its_report_in_the_language_of_reports(application, running, quick, idle):
+    quick.gate.set()
+    idle()
+    application.settings.set_text("report_language", "zh_CN")
+    running.setup.start.click()
+    idle()
+    assert [request.language for request in quick.requests] == ["en", "zh_CN"]
