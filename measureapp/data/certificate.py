@@ -90,14 +90,9 @@ class BoardLengths(Model):
         if self.source == "exact":
             return "an exact board"
         named = f"certificate {self.number}".strip() if self.source == "certificate" else CLASSES[self.source].words
-        return f"{named}, {self.temperature_words}"
-
-    @property
-    def temperature_words(self) -> str:
-        """The temperature of the board, as part of a sentence."""
         if self.board_c is None:
-            return "at a temperature that was not measured"
-        return f"at {self.board_c:g} ± {2 * self.board_sigma_k:g} °C"
+            return f"{named}, board at a temperature that was not measured"
+        return f"{named}, board at {self.board_c:g} ± {2 * self.board_sigma_k:g} °C"
 
     def at(self, board_c: float, expanded_k: float) -> BoardLengths:
         """Return the same board at a temperature with its expanded uncertainty (k = 2)."""

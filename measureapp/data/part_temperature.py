@@ -105,10 +105,10 @@ class PartTemperature:
     @property
     def words(self) -> str:
         """What was done, for reports."""
-        at = f"at {self.part_c:g} ± {self.expanded_k:g} °C"
         if self.expansion_per_k is None:
-            return f"{at}, not corrected"
-        return f"measured {at}, corrected to {REFERENCE_C:g} °C with {self.expansion_per_k * 1e6:g} ppm/K"
+            return f"at {self.part_c:g} ± {self.expanded_k:g} °C, not corrected"
+        ppm = self.expansion_per_k * 1e6
+        return f"measured at {self.part_c:g} ± {self.expanded_k:g} °C, corrected to {REFERENCE_C:g} °C with {ppm:g} ppm/K"
 
 
 def part_temperature(temperature: str, material: str = "") -> PartTemperature | None:

@@ -284,7 +284,7 @@ def _calibration_facts(calibration: RigCalibration) -> tuple[Fact, ...]:
     if calibration.motions is not None:
         motions = calibration.motions
         stated = [f"table: {motions.table_words}", *([f"guide: {motions.guide_words}"] if motions.guide_words else [])]
-        facts.append(Fact("Error motions", "; ".join([*stated, motions.sentences[-1]])))
+        facts += [Fact("Error motions", "; ".join(stated)), Fact("Effect of error motions", motions.sentences[-1])]
     provenance = calibration.provenance
     if provenance.temperature_c is not None:
         facts.append(Fact("Head temperature during calibration", f"{number(provenance.temperature_c, 1)} °C"))

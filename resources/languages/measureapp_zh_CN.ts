@@ -5252,12 +5252,12 @@
       <translation>按其名义模型的姿态</translation>
     </message>
     <message>
-      <source>at a temperature that was not measured</source>
-      <translation>温度未测量</translation>
-    </message>
-    <message>
       <source>at least {v1}</source>
       <translation>至少 {v1}</translation>
+    </message>
+    <message>
+      <source>at {v1} ± {v2} °C, not corrected</source>
+      <translation>温度 {v1} ± {v2} °C，未修正</translation>
     </message>
     <message>
       <source>best-fit, none, local:FEATURE,…, cyclic:COUNT, 3-2-1:PLANE,LINE,POINT, rps:POINT,POINT,POINT,… or datums:A,B,C</source>
@@ -5412,8 +5412,8 @@
       <translation>{v1} mm 的标记放不进 {v2} mm 的方格</translation>
     </message>
     <message>
-      <source>measured {v1}, corrected to {v2} °C with {v3} ppm/K</source>
-      <translation>在 {v1} 下测量，以 {v3} ppm/K 修正到 {v2} °C</translation>
+      <source>measured at {v1} ± {v2} °C, corrected to {v3} °C with {v4} ppm/K</source>
+      <translation>在 {v1} ± {v2} °C 下测量，以 {v4} ppm/K 修正到 {v3} °C</translation>
     </message>
     <message>
       <source>measuring machine; the name of the rig where it is empty</source>
@@ -5700,12 +5700,16 @@
       <translation>{v1} °C 不在 {v2} 与 {v3} °C 之间</translation>
     </message>
     <message>
-      <source>{v1}, both directions</source>
-      <translation>{v1}，两个方向</translation>
+      <source>{v1}, board at a temperature that was not measured</source>
+      <translation>{v1}，标定板温度未测量</translation>
     </message>
     <message>
-      <source>{v1}, not corrected</source>
-      <translation>{v1}，未修正</translation>
+      <source>{v1}, board at {v2} ± {v3} °C</source>
+      <translation>{v1}，标定板温度 {v2} ± {v3} °C</translation>
+    </message>
+    <message>
+      <source>{v1}, both directions</source>
+      <translation>{v1}，两个方向</translation>
     </message>
     <message>
       <source>{v1}: a tolerance of zero width cannot be verified; enter a number above 0</source>
@@ -7276,6 +7280,10 @@
       <translation>平面的直线度需要直线的方向：请在程序文本中给出 `along`。</translation>
     </message>
     <message>
+      <source>Temperature of the lengths: {v1}.</source>
+      <translation>长度的温度：{v1}。</translation>
+    </message>
+    <message>
       <source>The CAD model has no other hole of this size and direction.</source>
       <translation>CAD 模型中没有其他尺寸和方向相同的孔。</translation>
     </message>
@@ -8811,6 +8819,14 @@
       <translation>转台角度</translation>
     </message>
     <message>
+      <source>the board of the virtual rig</source>
+      <translation>虚拟测量系统的标定板</translation>
+    </message>
+    <message>
+      <source>the board's class is not stated, assumed is {v1}</source>
+      <translation>未给出标定板的等级，假定为{v1}</translation>
+    </message>
+    <message>
       <source>the calibrated robot</source>
       <translation>标定的机器人</translation>
     </message>
@@ -8837,6 +8853,10 @@
     <message>
       <source>the repeatability of the axes</source>
       <translation>各轴的重复精度</translation>
+    </message>
+    <message>
+      <source>the rig description</source>
+      <translation>测量系统描述</translation>
     </message>
     <message>
       <source>the table's axis</source>
@@ -12678,6 +12698,10 @@ alignment = "{v2}"
     <message>
       <source>Each part counts once, with its last measurement. Values measured with another nominal or other limits are left out. Below each chart: moving ranges.</source>
       <translation>每个工件只计一次，取其最后一次测量。以其他名义值或其他极限测得的值不计入。各图下方：移动极差。</translation>
+    </message>
+    <message>
+      <source>Effect of error motions</source>
+      <translation>误差运动的影响</translation>
     </message>
     <message>
       <source>Error motions</source>

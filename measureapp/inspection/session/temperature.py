@@ -25,5 +25,5 @@ def length_statements(settings: InspectionSettings) -> tuple[str, ...]:
     """Return what an inspection used for its lengths: where their scale comes from, and at which temperature they hold."""
     chosen = settings.uncertainty
     scale = f"± {2 * chosen.scale_ppm:.3g} ppm (k = 2)" if chosen.scale_ppm > 0 else "taken as exact"
-    temperature = NOT_STATED if settings.temperature is None else f"Lengths {settings.temperature.words}."
+    temperature = NOT_STATED if settings.temperature is None else f"Temperature of the lengths: {settings.temperature.words}."
     return f"Scale of lengths {scale}: {chosen.scale_source}.", temperature

@@ -20,6 +20,7 @@ TOLD = {
     ("calibrate", "cameras", "drift"),
     ("data", "pattern_sets"),
     ("pipeline", "chosen_views"),
+    ("pipeline", "lengths"),
     ("register", "joint", "axis_doubt"),
     ("register", "joint", "registration"),
     ("inspection", "certified_lengths"),
