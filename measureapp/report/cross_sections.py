@@ -12,7 +12,7 @@ from measureapp.report.model import Picture
 from measureapp.report.svg import Panel, svg
 from measureapp.report.words import number
 
-WIDTH, HEIGHT, MARGIN = 760, 400, 40
+WIDTH, MOST_HEIGHT, LEAST_HEIGHT, MARGIN, HEAD = 760, 400, 120, 40, 10
 HALF_THICKNESS_MM = 0.4
 MOST_POINTS = 1500
 LONGEST_SHARE = 0.05  # of the section's size, for a deviation at the end of the scale
@@ -40,15 +40,15 @@ def _section(
     whiskers, colours = _whiskers(deviation, scale, axis, drawn, at_mm, gain)
     low, high = segments.reshape(-1, 2).min(axis=0), segments.reshape(-1, 2).max(axis=0)
     edge = 1.2 * LONGEST_SHARE * size
-    panel = Panel(
-        (MARGIN, 10, WIDTH - 2 * MARGIN, HEIGHT - 20),
-        (float(low[0] - edge), float(low[1] - edge), float(high[0] + edge), float(high[1] + edge)),
-    )
+    low, high = low - edge, high + edge
+    needed = (WIDTH - 2 * MARGIN) * (high[1] - low[1]) / (high[0] - low[0])  # a flat section is drawn as wide as the page
+    height = round(float(np.clip(needed, LEAST_HEIGHT, MOST_HEIGHT - 2 * HEAD))) + 2 * HEAD
+    panel = Panel((MARGIN, HEAD, WIDTH - 2 * MARGIN, height - 2 * HEAD), (float(low[0]), float(low[1]), float(high[0]), float(high[1])))
     for whisker, colour in zip(whiskers.tolist(), colours, strict=True):
         panel.line(whisker, colour, 1.6)
     panel.lines(segments, INK, 0.9)
     caption = f"Section at {name} = {number(at_mm, 2)} mm: nominal in black, deviation enlarged {gain:.0f} times"
-    return Picture(caption, svg(WIDTH, HEIGHT, [panel]).encode())
+    return Picture(caption, svg(WIDTH, height, [panel]).encode())
 
 
 def cut_mesh(mesh: Mesh, axis: int, at_mm: float) -> FloatArray:
