@@ -21,7 +21,7 @@ def kept(application, window, measurement, tmp_path, monkeypatch):
     store = SimpleNamespace(choices=ViewChoices(), fails=False)
     (tmp_path / "project.json").write_text("{}")
 
-    def restitch(_project, choices, _on_event, _progress):
+    def restitch(_project, choices, _on_event, _progress, _language):
         if store.fails:
             raise RegistrationError("No view can be used.", "Use another one.")
         store.choices = choices

@@ -35,7 +35,7 @@ def test_a_certified_scale_and_the_temperature_of_the_board_move_its_marks(tmp_p
     np.testing.assert_allclose(board.corners_mm, DEFAULT_BOARD.corners_mm * (1.0001 * (1 + 3 * 9e-6)))
     by_hand = np.linalg.norm([0.002 / 200 / 2, 9e-6 * 0.3, 3 * 0.1 * 9e-6])
     assert board.lengths.sigma == pytest.approx(by_hand)
-    assert board.lengths.words == "certificate K 4711, at 23 ± 0.6 °C"
+    assert board.lengths.words == "certificate K 4711, board at 23 ± 0.6 °C"
 
 
 def test_certified_marks_of_a_certificate_replace_the_grid(tmp_path: Path) -> None:
