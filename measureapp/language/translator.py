@@ -15,7 +15,6 @@ SEPARATORS = [re.compile(f"({one})") for one in (r"\n", r"(?<=[.!?…]) ", " · 
 AND = re.compile("( and | or )")
 LETTERS = re.compile(r"[A-Za-z]{2}")
 
-
 IDEOGRAPHS = "\u4e00", "\u9fff"
 IDEOGRAPH = re.compile(f"[{IDEOGRAPHS[0]}-{IDEOGRAPHS[1]}]")
 AFTER_IDEOGRAPH = f"(?<=[{IDEOGRAPHS[0]}-{IDEOGRAPHS[1]}）”])"

@@ -22822,10 +22822,6 @@ There is no page about “{name}”.</source>
       <translation>结束导览</translation>
     </message>
     <message>
-      <source>English</source>
-      <translation>English</translation>
-    </message>
-    <message>
       <source>Exact</source>
       <translation>精确</translation>
     </message>

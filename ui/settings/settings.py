@@ -10,11 +10,11 @@ from typing import Final, Protocol
 
 from PySide6.QtCore import QObject, QSettings, Signal
 
+from measureapp.language.languages import LANGUAGES
+
 SCHEMA: Final = 2
 THEMES = ("system", "light", "dark")
-LANGUAGES = ("system", "en", "zh_CN")
-AS_WINDOW = "window"
-REPORT_LANGUAGES = (AS_WINDOW, "en", "zh_CN")
+AS_SYSTEM, AS_WINDOW = "system", "window"
 ROLES = ("operator", "engineer")
 
 
@@ -28,8 +28,8 @@ class Known:
 
 KNOWN: Final[dict[str, Known]] = {
     "theme": Known("system", THEMES),
-    "language": Known("system", LANGUAGES),
-    "report_language": Known(AS_WINDOW, REPORT_LANGUAGES),
+    "language": Known(AS_SYSTEM, (AS_SYSTEM, *LANGUAGES)),
+    "report_language": Known(AS_WINDOW, (AS_WINDOW, *LANGUAGES)),
     "page": Known("rig"),
     "role": Known("engineer", ROLES),
     "tour": Known("new", ("new", "taken")),

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from PySide6.QtWidgets import QDialog, QWidget
 
+from measureapp.language.languages import LANGUAGES
 from ui.look.language.language import load_fonts
 from ui.look.language.words import tr
 from ui.look.look import Look
-from ui.settings.settings import Settings
+from ui.settings.settings import AS_SYSTEM, Settings
 from ui.widgets.basic import Button, Form, column, label, row
 from ui.widgets.segments import Segments
 
-LANGUAGES = {"system": "Like the system", "en": "English", "zh_CN": "简体中文"}
+LANGUAGE_CHOICES = {AS_SYSTEM: "Like the system", **LANGUAGES}
 THEMES = {"system": "Like the system", "light": "Light", "dark": "Dark"}
 
 
@@ -23,10 +24,10 @@ class SettingsDialog(QDialog):
         self.setWindowTitle(tr("Settings"))
         self.setMinimumWidth(560)
         self._settings = settings
-        for name in LANGUAGES:  # which are named in their own letters
+        for name in LANGUAGE_CHOICES:  # which are named in their own letters
             load_fonts(name)
         self.theme = Segments(THEMES, name="Theme")
-        self.language = Segments(LANGUAGES, name="Language")
+        self.language = Segments(LANGUAGE_CHOICES, name="Language")
         self.forget = Button("Forget sizes", look, "again", "normal", "Give window and panels their first sizes at the next start")
         self.forgotten = label("", "small")
         form = Form()
