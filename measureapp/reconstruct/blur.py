@@ -17,7 +17,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from measureapp.arrays import FloatArray, in_bands, read_only
+from measureapp.arrays import FloatArray, IntArray, in_bands, read_only
 from measureapp.compiled.buffer_pool import BufferPool
 from measureapp.data.calibration import CameraArrayCalibration
 from measureapp.data.phase import PhaseMap
@@ -28,8 +28,9 @@ INTERPOLATION_PX2 = 1 / 6  # variance of linear interpolation, (1 - f) f, over a
 MAX_BLUR_PX = 1.5  # beyond, neither the first order nor slopes over four pixels hold
 AMBIENT_SAMPLES = 20_000  # pixels determine a hundredth of the light
 SLOPE_PX = 2  # distance over which the slope of the phase is taken
-MAX_SLOPE = 0.5  # rad/px: beyond, blur lowers the modulation, but not the mean
+MAX_SLOPE = 1.5  # rad/px: beyond, blur leaves less than half of the modulation
 MIN_AMBIENT_SAMPLES = 500
+DARKEST_PERCENT = 1.0  # of the pixels: the least of thousands is one of noise
 MIN_SPREAD = 0.05  # of the modulation: an evenly bright image does not determine the line
 ITERATIONS = 5
 CAUCHY = 1.5  # in units of the median residual: pixels at edges mix fringes out of phase
@@ -74,7 +75,7 @@ def _correct(phase_map: PhaseMap, blur_px: float, step_rad: float, memory: Buffe
         np.float32(variance),
         np.float32(INTERPOLATION_PX2 / variance if interpolated else 0.0),
         np.float32(step_rad),
-        np.float32(estimate_ambient_light(phase_map)),
+        np.float32(estimate_ambient_light(phase_map, variance)),
         *shape,
     )
     phase, sigma = memory.empty(phase_map.state.size, np.float32), memory.empty(phase_map.state.size, np.float32)
@@ -83,13 +84,14 @@ def _correct(phase_map: PhaseMap, blur_px: float, step_rad: float, memory: Buffe
     return replace(phase_map, phase_rad=read_only(phase.reshape(shape)), sigma_rad=read_only(sigma.reshape(shape)), orthogonal=orthogonal)
 
 
-def estimate_ambient_light(phase_map: PhaseMap) -> float:
+def estimate_ambient_light(phase_map: PhaseMap, variance_px2: float) -> float:
     """Estimate the grey level without the projector's light: ambient light and the camera's black level; 0 where it is undetermined.
 
-    Over all pixels the mean grey level grows linearly with the modulation; the intercept of a robust line is the level without any. Scaled
-    as `PhaseMap.grey` is.
+    Over all pixels the mean grey level grows linearly with the modulation; the intercept of a robust line is the level without any. Blur
+    takes exp(-s² |∇φ|² / 2) of the modulation, but nothing of the mean: steep fringes, as of dim oblique walls, would bend the line.
+    Scaled as `PhaseMap.grey` is.
     """
-    grey, modulation = _sample_light(phase_map)
+    grey, modulation = _sample_light(phase_map, variance_px2)
     if len(grey) < MIN_AMBIENT_SAMPLES or modulation.std() < MIN_SPREAD * modulation.mean():
         return 0.0
     columns = np.column_stack([modulation, np.ones(len(grey))])
@@ -99,17 +101,25 @@ def estimate_ambient_light(phase_map: PhaseMap) -> float:
         line = np.linalg.solve((columns * weight[:, None]).T @ columns, (columns * weight[:, None]).T @ grey)
         residual = grey - columns @ line
         weight = 1 / (1 + (residual / (CAUCHY * np.median(np.abs(residual)) + TINY)) ** 2)
-    return float(np.clip(line[1], 0.0, grey.min()))
+    return float(np.clip(line[1], 0.0, np.percentile(grey, DARKEST_PERCENT)))
 
 
-def _sample_light(phase_map: PhaseMap) -> tuple[FloatArray, FloatArray]:
-    """Return grey levels and modulation (N,), both at the longest exposure, of pixels all over the image."""
+def _sample_light(phase_map: PhaseMap, variance_px2: float) -> tuple[FloatArray, FloatArray]:
+    """Return grey levels and modulation without blur (N,), both at the longest exposure, of pixels all over the image inside surfaces."""
+    height, width = phase_map.state.shape
     step = max(1, int(np.sqrt(phase_map.state.size / AMBIENT_SAMPLES)))
-    here = (slice(None, None, step), slice(SLOPE_PX, None, step))
-    before = (slice(None, None, step), slice(None, -SLOPE_PX, step))
-    rows, columns = phase_map.state[here].shape
-    rise = np.abs(phase_map.phase_rad[here] - phase_map.phase_rad[before][:rows, :columns])
-    chosen = (phase_map.state[here] == 0) & (phase_map.state[before][:rows, :columns] == 0) & (rise < MAX_SLOPE * SLOPE_PX)
+
+    def moved(image: FloatArray | IntArray, down: int, right: int) -> FloatArray:
+        return np.asarray(
+            image[SLOPE_PX + down : height - SLOPE_PX + down : step, SLOPE_PX + right : width - SLOPE_PX + right : step], np.float64
+        )
+
+    aside = ((0, SLOPE_PX), (0, -SLOPE_PX), (SLOPE_PX, 0), (-SLOPE_PX, 0))
+    right, left, below, above = (moved(phase_map.phase_rad, *each) for each in aside)
+    slope2 = ((right - left) ** 2 + (below - above) ** 2) / (2 * SLOPE_PX) ** 2
+    inside = np.all([moved(phase_map.state, *each) == 0 for each in ((0, 0), *aside)], axis=0)
+    chosen = inside & (slope2 < MAX_SLOPE**2)
     scale = np.array([phase_map.exposures_us[0] / exposure for exposure in phase_map.exposures_us] or [1.0])
-    exposure = np.clip(phase_map.exposure_index[here][chosen], 0, len(scale) - 1)
-    return phase_map.grey[here][chosen].astype(float), phase_map.modulation[here][chosen] * scale[exposure]
+    exposure = np.clip(moved(phase_map.exposure_index, 0, 0)[chosen].astype(int), 0, len(scale) - 1)
+    sharp = moved(phase_map.modulation, 0, 0)[chosen] * np.exp(variance_px2 * slope2[chosen] / 2)
+    return moved(phase_map.grey, 0, 0)[chosen], sharp * scale[exposure]

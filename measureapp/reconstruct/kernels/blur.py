@@ -24,7 +24,8 @@ PER_LIGHT, PER_SLOPE = np.float32(1 / 12), np.float32(1 / (2 * SLOPE_REACH))
 PER_CURVATURE, PER_RUN = np.float32(0.5 / FAR**2), np.float32(1 / (2 * FAR) ** 2)
 # Curvature 2 to 5 px from the horizon of a round body, relative to the slope: φ'' is φ' over twice the distance.
 HORIZON_CURVATURE = np.float32(1 / 7)
-ZERO, HALF, ONE, TWO, EIGHT = (np.float32(number) for number in (0, 0.5, 1, 2, 8))
+SURE_OF_SLOPE = np.float32(0.75)  # share of the shift by the light that is sure where the correction is of less than the usual order
+ZERO, HALF, ONE, TWO, THREE, EIGHT = (np.float32(number) for number in (0, 0.5, 1, 2, 3, 8))
 RIM = np.uint8(PointState.RIM)
 RIM_PX = 3  # an edge two pixels wide, beside a hole that is two deep
 
@@ -61,8 +62,8 @@ def slope_term(blur: Blur, at: int, along: int, per_light: Any) -> Any:
     """Return the shift by the slope of the light along one direction, ∇φ · ∇ ln I, and the square of its uncertainty.
 
     For a linear phase the shift follows exactly from the slope of the blurred light at the pixel itself: by differences over one and two
-    pixels, free of third-order terms. Where a hole is too near to know the curvature of the phase, the shift is not corrected: towards the
-    horizon of a round body both terms nearly cancel. It is uncertain then, as it is where the light changes too fast.
+    pixels, free of third-order terms. Beside a hole the slope of the phase is taken from the other side, to second order. How the phase
+    curves there is not known: that, and a share of the shift, are uncertain, as where the light changes too fast; there the shift stays limited.
 
     Parameters
     ----------
@@ -71,19 +72,23 @@ def slope_term(blur: Blur, at: int, along: int, per_light: Any) -> Any:
     """
     no_before, no_after = missing_at(blur.state, at, SLOPE_REACH * along)
     no_near_before, no_near_after = missing_at(blur.state, at, NEAR * along)
-    own = read(blur.phase, at)
-    before = ZERO if no_before else own - read(blur.phase, at - SLOPE_REACH * along)
-    after = ZERO if no_after else read(blur.phase, at + SLOPE_REACH * along) - own
+    no_before_that, no_after_that = missing_at(blur.state, at, 2 * SLOPE_REACH * along)
+    own, behind, ahead = read(blur.phase, at), read(blur.phase, at - SLOPE_REACH * along), read(blur.phase, at + SLOPE_REACH * along)
+    before, after = ZERO if no_before else own - behind, ZERO if no_after else ahead - own
+    before_that = before if no_before_that else behind - read(blur.phase, at - 2 * SLOPE_REACH * along)
+    after_that = after if no_after_that else read(blur.phase, at + 2 * SLOPE_REACH * along) - ahead
     one_sided = no_before | no_after
-    run = TWO * (before + after) if one_sided else before + after
+    inner, further = before + after, (ZERO if no_before else before_that) + (ZERO if no_after else after_that)
+    run = THREE * inner - further if one_sided else inner
     near = light_at(blur.grey, at + along) - light_at(blur.grey, at - along)
     far = light_at(blur.grey, at + 2 * along) - light_at(blur.grey, at - 2 * along)
     light = (EIGHT * near - far) * per_light
     slope = PER_SLOPE * run if abs(run) < blur.max_step * np.float32(2 * SLOPE_REACH) else ZERO
-    unknown = one_sided | no_near_before | no_near_after | (abs(light) >= MAX_LIGHT_SLOPE)
-    hidden_curvature = HORIZON_CURVATURE * HALF * (ONE + blur.interpolation)
-    uncertainty = slope * (min(abs(light), ONE) + hidden_curvature) if unknown else ZERO
-    return ZERO if unknown else slope * light, uncertainty * uncertainty
+    beside_hole, too_fast = one_sided | no_near_before | no_near_after, abs(light) > MAX_LIGHT_SLOPE
+    taken = min(max(light, -MAX_LIGHT_SLOPE), MAX_LIGHT_SLOPE)
+    doubt = min(abs(light), ONE) - SURE_OF_SLOPE * abs(taken) + HORIZON_CURVATURE * HALF * (ONE + blur.interpolation)
+    uncertainty = slope * doubt if beside_hole | too_fast else ZERO
+    return slope * taken, uncertainty * uncertainty
 
 
 @njit(**INLINE)

@@ -19,6 +19,7 @@ from measureapp.reconstruct.kernels.blur import (
     NEAR,
     RIM_PX,
     SLOPE_REACH,
+    SURE_OF_SLOPE,
     Blur,
 )
 from measureapp.reconstruct.kernels.gradients import CURVATURE_SIGMAS as SMOOTH_SIGMAS
@@ -61,16 +62,22 @@ def _slope_term(blur: Blur, dy: int, dx: int, rows: slice) -> tuple[FloatArray, 
         return shifted(image, distance * dy, distance * dx, FAR, rows)
 
     missing, grey = blur.state != 0, blur.grey.astype(np.float32)
-    before = np.where(at(missing, -SLOPE_REACH), 0, blur.phase[rows] - at(blur.phase, -SLOPE_REACH))
-    after = np.where(at(missing, SLOPE_REACH), 0, at(blur.phase, SLOPE_REACH) - blur.phase[rows])
-    one_sided = at(missing, -SLOPE_REACH) | at(missing, SLOPE_REACH)
-    run = (before + after) * np.where(one_sided, 2, 1)
+    runs, holes = [], []
+    for side in (-SLOPE_REACH, SLOPE_REACH):
+        first, second = at(blur.phase, side) - blur.phase[rows], at(blur.phase, 2 * side) - at(blur.phase, side)
+        second = np.where(at(missing, 2 * side), first, second)
+        holes.append(at(missing, side))
+        runs.append([np.where(holes[-1], 0, np.sign(side) * run) for run in (first, second)])
+    one_sided = holes[0] | holes[1]
+    inner, further = (runs[0][order] + runs[1][order] for order in range(2))
+    run = np.where(one_sided, 3 * inner - further, inner)
     slope = np.where(np.abs(run) < blur.max_step * 2 * SLOPE_REACH, run / (2 * SLOPE_REACH), 0)
     fourth_order = (8 * (at(grey, 1) - at(grey, -1)) - (at(grey, 2) - at(grey, -2))) / 12
     light = fourth_order / np.maximum(grey[rows] - blur.ambient, 1)
-    unknown = one_sided | at(missing, -NEAR) | at(missing, NEAR) | (np.abs(light) >= MAX_LIGHT_SLOPE)
-    uncertainty = np.where(unknown, slope * (np.minimum(np.abs(light), 1) + HORIZON_CURVATURE / 2 * (1 + blur.interpolation)), 0)
-    return np.where(unknown, 0, slope * light), uncertainty**2
+    taken = np.clip(light, -MAX_LIGHT_SLOPE, MAX_LIGHT_SLOPE)
+    unknown = one_sided | at(missing, -NEAR) | at(missing, NEAR) | (np.abs(light) > MAX_LIGHT_SLOPE)
+    doubt = np.minimum(np.abs(light), 1) - SURE_OF_SLOPE * np.abs(taken) + HORIZON_CURVATURE / 2 * (1 + blur.interpolation)
+    return slope * taken, np.where(unknown, slope * doubt, 0) ** 2
 
 
 def _curvature_term(blur: Blur, dy: int, dx: int, rows: slice) -> tuple[FloatArray, FloatArray]:
