@@ -17,7 +17,7 @@ from measureapp.language.languages import LANGUAGES
 
 JsonOption = Annotated[bool, typer.Option("--json", help="Answer with exactly one JSON document on standard output.")]
 
-LANGUAGE_HELP = "Language of PDF, HTML and XLSX; CSV and JSON, which programs read, are in English."
+LANGUAGE_HELP = "Language of reports (PDF, HTML, XLSX); CSV and JSON, which programs read, are in English."
 LanguageOption = Annotated[str, typer.Option("--language", metavar="|".join(LANGUAGES), help=LANGUAGE_HELP)]
 
 UNIT_HELP = "Unit of its lengths: mm, inch, m, cm or um; default: mm, with a question if another unit is more likely."
