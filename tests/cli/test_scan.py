@@ -13,7 +13,6 @@ from measureapp.data.plan import ExposureBracket, ScanPlan
 from measureapp.project.folder import ProjectFolder
 from tests.cli.rig_files import write_binned_rig
 
-
 CHINESE = ("--language", "zh_CN")
 
 
