@@ -16,7 +16,7 @@ from measureapp.data.sample_worlds import DEFAULT_WORLD
 from measureapp.data.shown_number import shown_number
 from measureapp.data.verdicts import has_passed
 from measureapp.errors import InputError
-from measureapp.language.languages import ENGLISH, known_language
+from measureapp.language.languages import ENGLISH
 
 
 def register(app: typer.Typer) -> None:
@@ -58,7 +58,6 @@ def register(app: typer.Typer) -> None:
         """Calibrate, scan, stitch, measure and report on the virtual rig, and compare with the ground truth."""
         from measureapp.demo import DemoRequest, run_demo
 
-        known_language(language)
         if unit is None:
             _ask_unit(Path(part))
         folder = out or Path(f"demo-{Path(part).stem}-{resolution}")

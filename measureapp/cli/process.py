@@ -17,7 +17,7 @@ from measureapp.cli.part_options import PartState
 from measureapp.cli.reply import JsonOption, LanguageOption, TerminalProgress, reply
 from measureapp.data.verdicts import has_passed
 from measureapp.errors import InputError
-from measureapp.language.languages import ENGLISH, known_language
+from measureapp.language.languages import ENGLISH
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -74,7 +74,6 @@ def register(app: typer.Typer) -> None:
         from measureapp.pipeline.recording.stages import is_recording
         from measureapp.project.folder import ProjectFolder
 
-        known_language(language)
         if len(projects) > 1 or cluster is not None:
             chosen = [one for one in (min_modulation, max_phase_sigma) if one is not None] or language != ENGLISH
             _process_many(

@@ -17,7 +17,7 @@ from measureapp.cli.reply import JsonOption, LanguageOption, TerminalProgress, r
 from measureapp.data.raw_policy import RawPolicy
 from measureapp.data.verdicts import has_passed
 from measureapp.errors import DeviceError, InputError
-from measureapp.language.languages import ENGLISH, known_language
+from measureapp.language.languages import ENGLISH
 
 if TYPE_CHECKING:
     from measureapp.acquire.control import RunControl
@@ -80,7 +80,7 @@ def register(app: typer.Typer) -> None:
             raise InputError("--per-viewpoint chooses no exposures by itself.", "Add --auto-bracket SECONDS.")
         wanted, program = _plan_and_program(plan)
         request = ScanRequest(wanted, read_rig(rig), project, resume, calibration, auto_bracket, per_viewpoint, tuple(retake or ()))
-        request = replace(request, part_program=program, raw=raw, stated=part.identification(), language=known_language(language))
+        request = replace(request, part_program=program, raw=raw, stated=part.identification(), language=language)
         require_devices(request.rig)
         raise typer.Exit(_rehearse(request, as_json) if dry_run else _scan(request, as_json))
 
