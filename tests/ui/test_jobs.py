@@ -22,6 +22,15 @@ def test_a_job_that_fails_before_the_window_checks_again_is_reported_once(qtbot)
     assert [str(one) for one in told] == ["It cannot be done. Do something else."]
 
 
+def test_a_job_whose_thread_is_over_before_it_is_returned_still_tells_that_it_has_ended(qtbot) -> None:
+    runner, told = JobRunner(Session()), []
+    job = runner.run("Quick", lambda _job: 7, told.append)
+    assert job.wait(PATIENCE_MS)
+    job.ended.connect(lambda: told.append((job.title, runner.queue.busy)))
+    qtbot.waitUntil(lambda: len(told) == 2, timeout=PATIENCE_MS)
+    assert told == [7, ("Quick", False)]
+
+
 def test_a_job_that_is_cancelled_reports_so_and_nothing_else(qtbot) -> None:
     def stop(_job: object) -> None:
         raise Cancelled

@@ -6,6 +6,7 @@ from types import SimpleNamespace
 
 import numpy as np
 import pytest
+from PySide6.QtCore import QThread
 
 from measureapp.acquire import events as e
 from measureapp.acquire.run_states import ViewpointState
@@ -89,6 +90,20 @@ def test_a_scan_connects_the_rig_and_shows_every_state(application, running, qui
     idle()
     assert running.state.text() == "5 of 6 viewpoints processed, 1 failed."
     assert not running.bar.pause.isVisible()
+
+
+def test_a_scan_that_is_over_before_the_window_looks_again_ends_in_the_window_too(page, quick, idle, tmp_path, monkeypatch):
+    def start_and_wait(job):
+        QThread.start(job)
+        assert job.wait(PATIENCE_MS)
+
+    page.empty.button.click()
+    page.setup.setValue(ScanChoices(tmp_path / "scan", part="wheel"))
+    quick.gate.set()
+    monkeypatch.setattr("ui.workers.job.Job.start", start_and_wait)
+    page.setup.start.click()
+    idle()
+    assert len(quick.requests) == 1 and "5 of 6" in page.state.text()
 
 
 def test_problems_are_listed_with_their_remedies_and_nothing_starts(application, page, quick, idle, tmp_path):

@@ -45,7 +45,7 @@ class JobRunner(QObject):
 
         A ``quiet`` job is not shown as running; during one that ``moves`` axes, Stop is in sight.
 
-        Connecting to the returned job may be too late if it fails immediately; cancelling always comes later.
+        Of the returned job's signals only ``ended`` and ``cancelled`` come in time for those who connect then.
         """
         job = Job(title, work)
         job.quiet, job.moves, job.language = quiet, moves, self._session.report_language

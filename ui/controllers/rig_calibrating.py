@@ -77,7 +77,7 @@ class RigCalibratingController(QObject):
             "Calibration of the rig", work, self._finish, on_event=self._events.apply, on_failed=self.failed.emit, moves=True
         )
         self._job.progressed.connect(self.progressed)
-        self._job.finished.connect(self._end)
+        self._job.ended.connect(self._end)
         self.begun.emit()
 
     @Slot()

@@ -170,7 +170,7 @@ class RigControl(QObject):
 
     def _move(self, title: str, work: object, live: bool, *, quiet: bool = True) -> None:
         job = self._runner.run(title, work, self._show, on_stopped=self._halted, quiet=quiet, moves=True)  # type: ignore[arg-type]
-        job.finished.connect(self.stepped)
+        job.ended.connect(self.stepped)
         if live:
             self.show_live(True)
 

@@ -97,7 +97,7 @@ class ScanController(QObject):
         self._rig.connect_rig()
         make, session = request_maker(choices, self._session), self._session
         job = self._runner.run("Checking the scan", lambda job: check_scan(job, choices, make, session), self._show_checked)
-        job.finished.connect(self._start_checked)
+        job.ended.connect(self._start_checked)
 
     @Slot(object)
     def _show_checked(self, found: CheckedScan) -> None:
@@ -139,7 +139,7 @@ class ScanController(QObject):
             return scan_into_project(replace(request, language=job.language), events.sink(job), job, control, session.connection)
 
         job = self._runner.run(title, work, self._finish, on_event=self._apply, moves=True)
-        job.finished.connect(self._ended)
+        job.ended.connect(self._ended)
 
     def _refuse_second(self) -> bool:
         """Say so where something else is running."""

@@ -26,6 +26,8 @@ class Job(QThread):
     """Runs ``work(job)`` in its own thread; exactly one of succeeded, failed, cancelled is emitted.
 
     The job is the `Progress` of its work; `emit_event` sends other events to the window.
+    After all of them the queue emits ``ended`` in the window's thread, so that it reaches those who connect to it where they submit the job;
+    ``finished`` of the thread may be over by then.
     """
 
     progressed = Signal(float, str)  # fraction 0…1, note
@@ -33,6 +35,7 @@ class Job(QThread):
     succeeded = Signal(object)
     failed = Signal(object)  # MeasureError
     cancelled = Signal()
+    ended = Signal()  # emitted by its queue
 
     def __init__(self, title: str, work: Work, parent: QObject | None = None) -> None:
         super().__init__(parent)

@@ -59,6 +59,7 @@ class RigQueue(QObject):
         job, self._running = self._running, None
         if job is not None:
             self.ended.emit(job)
+            job.ended.emit()
             job.deleteLater()
         self._start_next()
         if not self.busy:
