@@ -30,6 +30,7 @@ from measureapp.inspection.measured_points import MeasuredPoints
 from measureapp.inspection.settings import AlignmentSettings
 from measureapp.inspection.surface.deviation import signed_distances
 from measureapp.inspection.surface.nominal import NominalSurface
+from measureapp.language.languages import ENGLISH
 from measureapp.peers.cell import rig_at, virtual_cell
 from measureapp.pipeline.events import Event
 from measureapp.pipeline.run import Outcome, scan_into_project
@@ -67,6 +68,7 @@ class DemoRequest:
     through_drivers: bool = False  # robot, guide and table through their drivers and virtual peers
     part_turn_deg: tuple[float, float, float] = UPRIGHT_DEG  # rotation about x, then y, then z, before it is put on the table
     conditions: str = DEFAULT_WORLD  # how well rig and part are made: a world of `resources/worlds`, or a TOML file
+    language: str = ENGLISH  # of the report
 
     @property
     def sample(self) -> SampleScan:
@@ -100,7 +102,7 @@ def run_demo(request: DemoRequest, on_event: OnEvent, progress: Progress, contro
         From ``progress``.
     """
     part = place_part(make_part(request.part, request.unit), request.part_turn_deg)
-    scan = sample_request(request.sample, request.folder)
+    scan = replace(sample_request(request.sample, request.folder), language=request.language)
     world = World(scan.rig, part, request.seed, options=read_world(request.conditions))
     with _connected(world, request.through_drivers) as rig:
         outcome = scan_into_project(scan, on_event, progress, control, replace(rig, description=scan.rig))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
@@ -9,12 +10,13 @@ import typer
 
 from measureapp.cli.main import OUT_OF_TOLERANCE
 from measureapp.cli.outcome import measurement_lines, report_event
-from measureapp.cli.reply import UNIT_HELP, JsonOption, TerminalProgress, reply
+from measureapp.cli.reply import UNIT_HELP, JsonOption, LanguageOption, TerminalProgress, reply
 from measureapp.data.length_unit import LengthUnit, likely_unit
 from measureapp.data.sample_worlds import DEFAULT_WORLD
 from measureapp.data.shown_number import shown_number
 from measureapp.data.verdicts import has_passed
 from measureapp.errors import InputError
+from measureapp.language.languages import ENGLISH
 
 
 def register(app: typer.Typer) -> None:
@@ -50,6 +52,7 @@ def register(app: typer.Typer) -> None:
             ),
         ] = DEFAULT_WORLD,
         unit: Annotated[LengthUnit | None, typer.Option(help=UNIT_HELP)] = None,
+        language: LanguageOption = ENGLISH,
         as_json: JsonOption = False,
     ) -> None:
         """Calibrate, scan, stitch, measure and report on the virtual rig, and compare with the ground truth."""
@@ -61,7 +64,7 @@ def register(app: typer.Typer) -> None:
         request = DemoRequest(
             folder, part, resolution, viewpoints, seed, patterns, unit or LengthUnit.MM, auto_bracket, through_drivers, turn_deg, rig
         )
-        outcome = run_demo(request, report_event, TerminalProgress())
+        outcome = run_demo(replace(request, language=language), report_event, TerminalProgress())
         deviation = outcome.document["truth_deviation"]
         lines = [
             *measurement_lines(outcome.measurement),

@@ -67,11 +67,11 @@ def register(app: typer.Typer) -> None:
         reply(document, "\n".join([*lines, f"Next: measureapp process {into}"]), as_json)
 
 
-def process_imported(folder: ProjectFolder, as_json: bool) -> None:
-    """Process an imported project as far as its recording suffices, and answer."""
+def process_imported(folder: ProjectFolder, language: str, as_json: bool) -> None:
+    """Process an imported project as far as its recording suffices, with the report in a language, and answer."""
     from measureapp.pipeline.recording.process import process_recording
 
-    outcome = process_recording(folder, report_event, TerminalProgress())
+    outcome = process_recording(folder, report_event, TerminalProgress(), language)
     lines = _partial_lines(outcome.document) if outcome.whole is None else measurement_lines(outcome.whole.measurement)
     lines += [*stage_lines(outcome.missing, "not possible"), *stage_lines(outcome.failed, "failed")]
     reply(outcome.document, "\n".join(lines), as_json)

@@ -14,9 +14,10 @@ from measureapp.cli.import_recording import process_imported
 from measureapp.cli.main import DONE, OUT_OF_TOLERANCE
 from measureapp.cli.outcome import measurement_lines, report_event
 from measureapp.cli.part_options import PartState
-from measureapp.cli.reply import JsonOption, TerminalProgress, reply
+from measureapp.cli.reply import JsonOption, LanguageOption, TerminalProgress, reply
 from measureapp.data.verdicts import has_passed
 from measureapp.errors import InputError
+from measureapp.language.languages import ENGLISH
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Sequence
@@ -63,6 +64,7 @@ def register(app: typer.Typer) -> None:
             typer.Option("--profile", help="State time, processor time, peak memory and bytes read and written of every stage."),
         ] = False,
         cluster: ClusterOption = None,
+        language: LanguageOption = ENGLISH,
         as_json: JsonOption = False,
     ) -> None:
         """Recompute everything, calibration included, from the stored images.
@@ -73,9 +75,9 @@ def register(app: typer.Typer) -> None:
         from measureapp.project.folder import ProjectFolder
 
         if len(projects) > 1 or cluster is not None:
-            limits = [one for one in (min_modulation, max_phase_sigma) if one is not None]
+            chosen = [one for one in (min_modulation, max_phase_sigma) if one is not None] or language != ENGLISH
             _process_many(
-                projects, cluster, as_json, accept or refuse or surroundings or check or profile or part.identification() or limits
+                projects, cluster, as_json, accept or refuse or surroundings or check or profile or part.identification() or chosen
             )
             return
         folder = ProjectFolder.open(projects[0])
@@ -85,10 +87,10 @@ def register(app: typer.Typer) -> None:
         _state(folder, part)
         _limit(folder, min_modulation, max_phase_sigma)
         if is_recording(folder):
-            process_imported(folder, as_json)
+            process_imported(folder, language, as_json)
             return
         damaged: dict[str, str] = {}
-        outcome, watch = _recompute(folder, damaged, profile=profile)
+        outcome, watch = _recompute(folder, damaged, language, profile=profile)
         used: dict[str, Any] = {} if watch is None else {"profile": watch.document()}
         lines = [*measurement_lines(outcome.measurement), *(() if watch is None else watch.lines())]
         reply({**outcome.document, **used, **({"damaged": damaged} if damaged else {})}, "\n".join(lines), as_json)
@@ -96,15 +98,15 @@ def register(app: typer.Typer) -> None:
             raise typer.Exit(OUT_OF_TOLERANCE)
 
 
-def _recompute(folder: ProjectFolder, damaged: dict[str, str], *, profile: bool) -> tuple[Outcome, Profile | None]:
+def _recompute(folder: ProjectFolder, damaged: dict[str, str], language: str, *, profile: bool) -> tuple[Outcome, Profile | None]:
     """Process a project; with its profile, where that is wanted."""
     from measureapp.pipeline.run import process_project
     from measureapp.pipeline.watch import Profile
 
     if not profile:
-        return process_project(folder, _reporting(damaged), TerminalProgress()), None
+        return process_project(folder, _reporting(damaged), TerminalProgress(), language=language), None
     with Profile() as watch:
-        return process_project(folder, _reporting(damaged), TerminalProgress(), watch), watch
+        return process_project(folder, _reporting(damaged), TerminalProgress(), watch, language), watch
 
 
 def _process_many(projects: Sequence[Path], cluster: str | None, as_json: bool, with_options: object) -> None:

@@ -10,7 +10,7 @@ import typer
 from measureapp.cli.main import OUT_OF_TOLERANCE
 from measureapp.cli.reply import JsonOption, LanguageOption, reply
 from measureapp.data.shown_number import shown_number
-from measureapp.language.languages import ENGLISH, known_language
+from measureapp.language.languages import ENGLISH
 
 if TYPE_CHECKING:
     from measureapp.data.repeats import RepeatedDimension, RepeatStudy
@@ -34,7 +34,6 @@ def register(app: typer.Typer) -> None:
         from measureapp.report.repeats.documents import write_repeats
         from measureapp.report.repeats.json_document import study_document
 
-        known_language(language)
         study = compare_repeats(projects, one_part=one_part)
         files = {} if out is None else write_repeats(study, out, language)
         reply({**study_document(study), "files": files}, "\n".join(_lines(study) + [str(path) for path in files.values()]), as_json)

@@ -13,12 +13,12 @@ import typer
 from measureapp.data.json_values import jsonable
 from measureapp.data.length_unit import LengthUnit
 from measureapp.data.shown_number import shown_number
-from measureapp.language.languages import LANGUAGES
+from measureapp.language.languages import LANGUAGES, known_language
 
 JsonOption = Annotated[bool, typer.Option("--json", help="Answer with exactly one JSON document on standard output.")]
 
-LANGUAGE_HELP = "Language of PDF, HTML and XLSX; CSV and JSON, which programs read, are in English."
-LanguageOption = Annotated[str, typer.Option("--language", metavar="|".join(LANGUAGES), help=LANGUAGE_HELP)]
+LANGUAGE_HELP = "Language of reports (PDF, HTML, XLSX); CSV and JSON, which programs read, are in English."
+LanguageOption = Annotated[str, typer.Option("--language", metavar="|".join(LANGUAGES), callback=known_language, help=LANGUAGE_HELP)]
 
 UNIT_HELP = "Unit of its lengths: mm, inch, m, cm or um; default: mm, with a question if another unit is more likely."
 UnitOption = Annotated[LengthUnit, typer.Option("--unit", help=UNIT_HELP)]

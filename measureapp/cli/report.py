@@ -9,7 +9,7 @@ import typer
 
 from measureapp.cli.reply import JsonOption, LanguageOption, TerminalProgress, reply
 from measureapp.errors import InputError
-from measureapp.language.languages import ENGLISH, known_language
+from measureapp.language.languages import ENGLISH
 
 if TYPE_CHECKING:
     from measureapp.report.documents import DocumentKind
@@ -42,7 +42,6 @@ def register(app: typer.Typer) -> None:
             raise InputError(
                 f"--out is a folder, and {out} would be one with the name of a file.", "Name a folder; the files are called report."
             )
-        known_language(language)
         folder = ProjectFolder.open(project)
         chosen = None if template is None else read_template(template)
         model = compose_project(folder, template=chosen, language=language, progress=TerminalProgress())

@@ -13,10 +13,11 @@ from measureapp.cli.calibrate.option_groups import with_groups
 from measureapp.cli.main import BAD_INPUT, DEVICE_FAILED, DONE, OUT_OF_TOLERANCE
 from measureapp.cli.outcome import measurement_lines
 from measureapp.cli.part_options import PartState
-from measureapp.cli.reply import JsonOption, TerminalProgress, reply, say
+from measureapp.cli.reply import JsonOption, LanguageOption, TerminalProgress, reply, say
 from measureapp.data.raw_policy import RawPolicy
 from measureapp.data.verdicts import has_passed
 from measureapp.errors import DeviceError, InputError
+from measureapp.language.languages import ENGLISH
 
 if TYPE_CHECKING:
     from measureapp.acquire.control import RunControl
@@ -67,6 +68,7 @@ def register(app: typer.Typer) -> None:
         dry_run: Annotated[
             bool, typer.Option("--dry-run", help="Connect the rig and list everything that would prevent the scan; nothing moves.")
         ] = False,
+        language: LanguageOption = ENGLISH,
         as_json: JsonOption = False,
     ) -> None:
         """Move, project, capture and store every viewpoint of a plan, then process the images."""
@@ -78,7 +80,7 @@ def register(app: typer.Typer) -> None:
             raise InputError("--per-viewpoint chooses no exposures by itself.", "Add --auto-bracket SECONDS.")
         wanted, program = _plan_and_program(plan)
         request = ScanRequest(wanted, read_rig(rig), project, resume, calibration, auto_bracket, per_viewpoint, tuple(retake or ()))
-        request = replace(request, part_program=program, raw=raw, stated=part.identification())
+        request = replace(request, part_program=program, raw=raw, stated=part.identification(), language=language)
         require_devices(request.rig)
         raise typer.Exit(_rehearse(request, as_json) if dry_run else _scan(request, as_json))
 

@@ -9,7 +9,7 @@ import typer
 
 from measureapp.cli.reply import JsonOption, LanguageOption, reply
 from measureapp.errors import InputError
-from measureapp.language.languages import ENGLISH, known_language
+from measureapp.language.languages import ENGLISH
 
 ProgramArgument = Annotated[str, typer.Argument(help="Name of the program, as `series list` shows it.")]
 RootOption = Annotated[Path | None, typer.Option("--results", help="Folder of all series; by default MeasureApp/results in your home.")]
@@ -89,7 +89,7 @@ def _add_report(group: typer.Typer) -> None:
         from measureapp.project.series.store import SeriesStore
         from measureapp.report.series.documents import write_series
 
-        files = write_series(program, SeriesStore(program, results).runs(since=since), out, known_language(language))
+        files = write_series(program, SeriesStore(program, results).runs(since=since), out, language)
         reply({"files": files}, "\n".join(map(str, files.values())), as_json)
 
 

@@ -13,6 +13,7 @@ from measureapp.inspection.surface.statistics import DeviationStatistics
 from measureapp.report.header import field_words
 from measureapp.report.language import Words, words_of
 from measureapp.report.model import DeviationSummary, Fact, Picture, PlanLine, ReportModel, ViewLine
+from measureapp.report.origin import origin_words
 from measureapp.report.words import (
     COLOURS,
     NEUTRAL,
@@ -280,11 +281,6 @@ def _traceability(dimension: Dimension, words: Words) -> dict[str, str]:
         "shares": words.listed(format_contributions(dimension, words.label)),
         "origin": origin_words(dimension.traceability, words),
     }
-
-
-def origin_words(traceability: str, words: Words) -> str:
-    """Return the source of a value: points, filter, criterion and datums, each translated by itself."""
-    return words.listed("; ".join(words.said(one) for one in traceability.split("; ")))
 
 
 def _view(view: ViewLine, words: Words) -> dict[str, str]:

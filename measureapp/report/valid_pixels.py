@@ -68,5 +68,5 @@ def _words(one: ValidPixels) -> str:
     names = [f"{number(time / 1000, 1)} ms" for time in one.exposures_us] or [
         f"exposure {place + 1}" for place in range(len(one.exposures))
     ]
-    single = ", ".join(f"{name} {percent(ratio)}" for name, ratio in zip(names, one.exposures, strict=True))
+    single = " · ".join(f"{name} {percent(ratio)}" for name, ratio in zip(names, one.exposures, strict=True))
     return f"{single}; composite {percent(one.composite)}; decoded {percent(one.decoded)} (least {percent(one.least_decoded)}, {one.least_viewpoint})"

@@ -14,7 +14,8 @@ from measureapp.report.csv import dimension_rows
 from measureapp.report.header import field_words
 from measureapp.report.language import Words, words_of
 from measureapp.report.model import ReportModel
-from measureapp.report.printed import kind_words, origin_words
+from measureapp.report.origin import origin_words
+from measureapp.report.printed import kind_words
 from measureapp.report.words import COLOURS, NONE, SIGNS, format_time
 
 if TYPE_CHECKING:

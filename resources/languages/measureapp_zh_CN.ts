@@ -1756,6 +1756,22 @@
       <translation>版式 (Typst)</translation>
     </message>
     <message>
+      <source>best fit circle</source>
+      <translation>拟合圆</translation>
+    </message>
+    <message>
+      <source>best fit line</source>
+      <translation>拟合直线</translation>
+    </message>
+    <message>
+      <source>best fit plane</source>
+      <translation>拟合平面</translation>
+    </message>
+    <message>
+      <source>common datum</source>
+      <translation>公共基准</translation>
+    </message>
+    <message>
       <source>earlier images kept</source>
       <translation>保留了先前的图像</translation>
     </message>
@@ -1766,6 +1782,10 @@
     <message>
       <source>job: {title}</source>
       <translation>任务：{title}</translation>
+    </message>
+    <message>
+      <source>midplane</source>
+      <translation>中间平面</translation>
     </message>
     <message>
       <source>no board</source>
@@ -1782,6 +1802,14 @@
     <message>
       <source>not proven</source>
       <translation>未证实</translation>
+    </message>
+    <message>
+      <source>point on axis</source>
+      <translation>轴上的点</translation>
+    </message>
+    <message>
+      <source>projection</source>
+      <translation>投影</translation>
     </message>
     <message>
       <source>statistics of the deviations</source>
@@ -7508,6 +7536,10 @@
       <translation>正在将点与名义模型对齐</translation>
     </message>
     <message>
+      <source>all points</source>
+      <translation>所有点</translation>
+    </message>
+    <message>
       <source>associated axis over {v1} mm</source>
       <translation>拟合轴线，长 {v1} mm</translation>
     </message>
@@ -7580,6 +7612,10 @@
       <translation>形状偏差</translation>
     </message>
     <message>
+      <source>diameter</source>
+      <translation>直径</translation>
+    </message>
+    <message>
       <source>distances from the nominal</source>
       <translation>到名义模型的距离</translation>
     </message>
@@ -7598,6 +7634,10 @@
     <message>
       <source>faces up to {v1} mm beside the edge</source>
       <translation>边两侧 {v1} mm 以内的面</translation>
+    </message>
+    <message>
+      <source>fixes nothing new; it takes part in the least squares</source>
+      <translation>不固定新的自由度；参与最小二乘</translation>
     </message>
     <message>
       <source>grown from seed to {v1} points within {v2} mm (noise {v3} mm)</source>
@@ -7728,6 +7768,10 @@
       <translation>其边缘只测到 {v1} 个点，需要 {v2} 个</translation>
     </message>
     <message>
+      <source>pitch circle</source>
+      <translation>分布圆</translation>
+    </message>
+    <message>
       <source>planes, axes and centres</source>
       <translation>平面、轴线和中心</translation>
     </message>
@@ -7742,6 +7786,10 @@
     <message>
       <source>rotation about z</source>
       <translation>绕 z 旋转</translation>
+    </message>
+    <message>
+      <source>spacing</source>
+      <translation>间距</translation>
     </message>
     <message>
       <source>surface tilted</source>
@@ -7774,6 +7822,10 @@
     <message>
       <source>the nominal of a {v1} does not follow from features</source>
       <translation>{v1}的名义值不能由特征得出</translation>
+    </message>
+    <message>
+      <source>the part's coordinates</source>
+      <translation>工件坐标系</translation>
     </message>
     <message>
       <source>the points do not cover the section from one edge to the other</source>
@@ -9302,10 +9354,6 @@
       <translation>导轨位于 {v1} mm，超出 {v2}…{v3} mm</translation>
     </message>
     <message>
-      <source>head ({v1})</source>
-      <translation>测头 ({v1})</translation>
-    </message>
-    <message>
       <source>in the order {v1}</source>
       <translation>按 {v1} 的顺序</translation>
     </message>
@@ -9320,6 +9368,10 @@
     <message>
       <source>linear guide</source>
       <translation>直线导轨</translation>
+    </message>
+    <message>
+      <source>measuring head ({v1})</source>
+      <translation>测头（{v1}）</translation>
     </message>
     <message>
       <source>of the surface</source>

@@ -46,6 +46,13 @@ def test_a_part_given_as_a_file_names_the_folder(finished_as, capsys) -> None:
     assert asked == [DemoRequest(Path("demo-bracket-quarter"), "somewhere/bracket.stl", "quarter", 3, 7)]
 
 
+def test_the_report_is_written_in_the_chosen_language(finished_as, capsys) -> None:
+    asked = finished_as(*[Verdict.PASS] * 4)
+    assert main(["demo", "--language", "zh_CN"]) == 0
+    assert asked == [DemoRequest(Path("demo-gypsum-half"), language="zh_CN")]
+    assert main(["demo", "--language", "klingon"]) == 2 and len(asked) == 1
+
+
 def test_people_read_points_dimensions_truth_and_where_the_report_is(finished_as, demo: Demo, capsys) -> None:
     finished_as(*[Verdict.PASS] * 4)
     assert main(["demo"]) == 0

@@ -24,7 +24,7 @@ def processed(demo: Demo, monkeypatch: pytest.MonkeyPatch) -> None:
     measurement = demo.project.measurement()
     assert measurement is not None
 
-    def process_project(project, on_event, progress) -> Outcome:
+    def process_project(project, on_event, progress, *, language) -> Outcome:
         on_event(ViewFailed("view04", "no phase occurs in two cameras."))
         progress.report(1, 1)
         return Outcome(replace(measurement, inspection=None), {"dimensions": []}, {})
@@ -37,7 +37,7 @@ def test_what_limits_a_calibration_that_was_solved_now_is_said(demo: Demo, monke
     assert measurement is not None
     displaced = "The marks of the board are displaced by 0.027 mm (rms)."
 
-    def process_project(project, on_event, progress) -> Outcome:
+    def process_project(project, on_event, progress, *, language) -> Outcome:
         on_event(CalibrationReady(measurement.calibration, (displaced,)))
         return Outcome(replace(measurement, inspection=None), {"dimensions": []}, {})
 
@@ -51,6 +51,23 @@ def test_a_view_without_points_is_reported_with_the_answer(processed: None, demo
     said = capsys.readouterr()
     assert json.loads(said.out) == {"dimensions": []}
     assert said.err == "view04: no phase occurs in two cameras.\n"
+
+
+def test_the_report_is_written_in_the_chosen_language(demo: Demo, monkeypatch: pytest.MonkeyPatch, capsys) -> None:
+    measurement, languages = demo.project.measurement(), []
+    assert measurement is not None
+
+    def finish(_project, _on_event, _progress, _watch=None, language="") -> Outcome:
+        languages.append(language)
+        return Outcome(replace(measurement, inspection=None), {"dimensions": []}, {})
+
+    monkeypatch.setattr("measureapp.pipeline.run.process_project", finish)
+    for options in ([], ["--language", "zh_CN"], ["--language", "zh_CN", "--profile"]):
+        assert main(["process", str(demo.folder), *options]) == 0
+    assert languages == ["en", "zh_CN", "zh_CN"]
+    assert main(["process", str(demo.folder), "--language", "klingon"]) == 2
+    assert main(["process", str(demo.folder), str(demo.folder), "--language", "zh_CN"]) == 2  # several take no option
+    assert len(languages) == 3 and "en, zh_CN" in capsys.readouterr().err
 
 
 def test_a_part_without_program_has_points_and_no_dimensions(processed: None, demo: Demo, capsys) -> None:

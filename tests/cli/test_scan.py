@@ -13,6 +13,8 @@ from measureapp.data.plan import ExposureBracket, ScanPlan
 from measureapp.project.folder import ProjectFolder
 from tests.cli.rig_files import write_binned_rig
 
+CHINESE = ("--language", "zh_CN")
+
 
 @pytest.fixture(scope="module")
 def rig(tmp_path_factory: pytest.TempPathFactory) -> Path:
@@ -68,7 +70,7 @@ def test_a_scan_without_calibration_keeps_its_images_and_one_that_is_resumed_tak
     assert main(["discard", str(project), "view02"]) == 0
     capsys.readouterr()
     kept = written(project / "stacks" / "view01" / "left.npy")
-    code, document = answer(capsys, "scan", plan, "--rig", rig, "--project", project, "--resume", "--calibration", demo.folder)
+    code, document = answer(capsys, "scan", plan, "--rig", rig, "--project", project, "--resume", "--calibration", demo.folder, *CHINESE)
     assert (code, document["ended"], document["processed"]) == (0, "done", True)
     first, second = document["views"]
     assert (first["state"], second["state"]) == ("stored", "stored")
@@ -76,6 +78,7 @@ def test_a_scan_without_calibration_keeps_its_images_and_one_that_is_resumed_tak
     assert min(first["points"], second["points"]) > 5000
     assert written(project / "stacks" / "view01" / "left.npy") == kept
     assert Path(document["files"]["report_pdf"]).read_bytes().startswith(b"%PDF")
+    assert json.loads(Path(document["files"]["report_json"]).read_text(encoding="utf-8"))["language"] == "zh_CN"  # of the PDF beside it
     assert document["dimensions"] == []
 
     assert main(["verify", str(project)]) == 0

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import io
 from dataclasses import replace
 
+import numpy as np
 import pytest
+from PIL import Image
 
 from measureapp.data.identification import Identification
 from measureapp.report.compose import compose
 from measureapp.report.fonts import covered, missing_letters, spell_out
-from measureapp.report.model import Details
+from measureapp.report.model import Details, DimensionPicture
 from measureapp.report.pdf import page_images, pdf_bytes
 
 AT = "2026-05-04T12:00:00+00:00"
@@ -57,3 +60,15 @@ def test_text_that_looks_like_markup_stays_text(measured) -> None:
     first = measured().inspection.dimensions[0]
     model = compose(measured((replace(first, name=nasty),)), details=Details(created_at=AT), pictures=False)
     assert pdf_bytes(model).startswith(b"%PDF-")
+
+
+@pytest.mark.parametrize("failing", [0, 1, 2])
+def test_a_page_with_pictures_of_failing_dimensions_goes_on_with_the_deviation(failing: int, measured, block) -> None:
+    one = measured().inspection.dimensions[0]
+    dimensions = tuple(replace(one, name=f"size {place}") for place in range(6))  # as many as the impeller has
+    model = compose(measured(dimensions), block, details=Details(created_at=AT))
+    assert model.deviation is not None and model.deviation.pictures
+    drawn = tuple(DimensionPicture(f"size {place}", model.deviation.pictures[0]) for place in range(failing))
+    page = np.asarray(Image.open(io.BytesIO(page_images(replace(model, failing=drawn), ppi=40)[1])).convert("L"))
+    text_mm = np.flatnonzero((page < 200).any(axis=1)) / page.shape[0] * 297
+    assert text_mm[text_mm < 275].max() > 225  # above the footer

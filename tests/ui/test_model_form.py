@@ -174,3 +174,25 @@ def test_names_are_words_with_units():
     assert field_words("certificate_sha256") == ("Certificate SHA-256", "")
     assert place_words(("keep_out", 1, "low_mm", 0)) == "Keep-out boxes 2, lower corner"
     assert list(UNITS) == sorted(UNITS, key=lambda ending: -ending.count("_")), "longer endings first"
+
+
+class Stated(Model):
+    length_mm: float = Field(gt=0)
+    uncertainty_mm: float = Field(gt=0)
+    number: str = ""
+
+
+def test_a_field_still_to_be_filled_in_is_no_error_before_it_was_touched(qtbot):
+    form = made(qtbot, Stated)
+    form.set_raw({"length_mm": 250.0})
+    form.show()
+    note, line = form._notes["uncertainty_mm"], form.editors["uncertainty_mm"].line
+    assert form.problem() and not note.isVisible()
+    form.editors["number"].line.textEdited.emit("4711")
+    assert not note.isVisible()
+    line.setText("0")
+    line.textEdited.emit("0")
+    assert note.isVisible() and note.text() == "Must be greater than 0."
+    line.setText("")
+    line.textEdited.emit("")
+    assert note.isVisible()

@@ -12,7 +12,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 from measureapp.errors import MeasureError
 from ui.controllers.jobs import JobRunner
 from ui.controllers.programming import ProgrammingController, added_words
-from ui.look.language.words import later, tr
+from ui.look.language.words import for_name, later, tr
 from ui.look.wording import sentence, with_hint
 from ui.session import Session
 
@@ -52,7 +52,7 @@ STEPS_ON_POINTS: Mapping[str, tuple[str, ...]] = {  # without a CAD model
     "edge": (later("Click one face of the edge, beside it."), later("Click the other face of the edge.")),
     "pattern": (),
 }
-NAMES = {"pattern": "hole pattern"}  # of new features, where it is not the kind
+NAMES = {"pattern": later("hole pattern")}  # of new features, where it is not the kind
 NO_MODEL = "Without a CAD model a hole pattern is made from circles: create two or more, select them in the list, then choose Hole pattern."
 PROVE = "Check the values, then choose Create."
 NOTHING = "There is nothing at the clicked place: click the part."
@@ -119,7 +119,7 @@ class ContouringController(QObject):
         state, comparison = self._programming.state, self._session.comparison
         if state is None or not self._programming.can_change:
             return
-        name = edits.unique_name(state.program, "feature", f"{NAMES.get(kind, kind)} 1")
+        name = edits.unique_name(state.program, "feature", f"{for_name(NAMES.get(kind, kind))} 1")
         contour = Contour(kind, name, None if comparison is None else comparison.surface)
         if kind == "pattern" and len(selected) > 1:
             try:

@@ -11,7 +11,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 from measureapp.errors import MeasureError
 from ui.controllers.jobs import JobRunner
 from ui.controllers.programming import ProgrammingController, added_words
-from ui.look.language.words import tr
+from ui.look.language.words import for_name, later, tr
 from ui.messages import MOMENT
 from ui.session import Session
 
@@ -23,6 +23,15 @@ if TYPE_CHECKING:
 
 NO_MODEL = "There is no CAD model whose faces could be picked."
 CHOOSE_ONE = "Choose one by Nominal…, or click Feature above the picture and grow a shape from a measured point."
+NAMES = {  # of constructed features, whose words no list has
+    "midplane": later("midplane"),
+    "projection": later("projection"),
+    "common_datum": later("common datum"),
+    "point_on_axis": later("point on axis"),
+    "best_fit_line": later("best fit line"),
+    "best_fit_plane": later("best fit plane"),
+    "best_fit_circle": later("best fit circle"),
+}
 SAME_MM, SAME_DIRECTION = 0.01, 0.99999  # of a face that is a feature already
 
 
@@ -60,7 +69,7 @@ class CreatingController(QObject):
         if known:
             self.picked.emit(known)
             return
-        name = edits.unique_name(program, "feature", f"{str(entry['shape']).replace('_', ' ')} 1")
+        name = edits.unique_name(program, "feature", f"{for_name(str(entry['shape']).replace('_', ' '))} 1")
         new = {**entry, "name": name}
         if self._programming.edit(lambda program: edits.add(program, "feature", new), added_words(name)):
             self.picked.emit(name)
@@ -72,7 +81,7 @@ class CreatingController(QObject):
             return ()
         from measureapp.inspection.programming.proposals import propose_dimensions
 
-        return propose_dimensions(program, names, self._features(program))
+        return propose_dimensions(program, names, self._features(program), for_name)
 
     def add(self, proposal: Proposal) -> str:
         """Add the entries of a proposal; return the name of its first dimension, empty if that was refused."""
@@ -128,7 +137,7 @@ class CreatingController(QObject):
 
         if self.program is None:
             return ""
-        name = edits.unique_name(self.program, "feature", f"{shape.replace('_', ' ')} 1")
+        name = edits.unique_name(self.program, "feature", f"{for_name(NAMES.get(shape, shape.replace('_', ' ')))} 1")
         entry = _construction(name, shape, names, distance_mm)
         added = self._programming.edit(lambda program: edits.add(program, "feature", entry), added_words(name))
         return name if added else ""

@@ -10,7 +10,7 @@ from PySide6.QtCore import QObject, Signal, Slot
 
 from measureapp.errors import InspectionError
 from ui.controllers.jobs import JobRunner
-from ui.look.language.words import tr
+from ui.look.language.words import for_name, tr
 from ui.look.wording import sentence
 from ui.session import Session
 
@@ -60,7 +60,8 @@ class GrowingController(QObject):
             return
         self._of = stitched
         taken = {one.name for one in inspection.features} | {one.feature.name for one in self.grown}
-        name = next(f"{shape} {number}" for number in range(1, len(taken) + 2) if f"{shape} {number}" not in taken)
+        names = (f"{for_name(shape)} {number}" for number in range(1, len(taken) + 2))
+        name = next(one for one in names if one not in taken)
         seed, alignment = (float(place_mm[0]), float(place_mm[1]), float(place_mm[2])), inspection.alignment
         self._runner.run("Growing a feature", lambda job: grow_feature(stitched, alignment, name, shape, seed, job), self._keep)
 

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from ui.controllers.programming import ProgrammingController, added_words
-from ui.look.language.words import tr
+from ui.look.language.words import for_name, tr
 from ui.look.wording import sentence_case
 from ui.session import Session
 
@@ -88,9 +88,9 @@ class Tolerancing:
         program = self.program
         if program is None or self.refusal(choice, former):
             return ""
-        name = with_tolerance(program, choice, former)[1]
+        name = with_tolerance(program, choice, former, for_name)[1]
         words = tr("Tolerance of {name} changed.", name=sentence_case(name)) if former else added_words(name)
-        return name if self._programming.edit(lambda program: with_tolerance(program, choice, former)[0], words) else ""
+        return name if self._programming.edit(lambda program: with_tolerance(program, choice, former, for_name)[0], words) else ""
 
     def _features(self) -> Mapping[str, Feature]:
         """Return the nominal features, and the measured ones that have no nominal."""

@@ -45,6 +45,7 @@ class FieldRows(FieldEditor):
         self.model = model
         self.editors: dict[str, FieldEditor] = {}
         self._notes: dict[str, QLabel] = {}
+        self.touched = set[str]()  # fields in which something was entered, or removed
         self.note = _note()
         form = Form()
         for name in model.model_fields if only is None else only:
@@ -68,6 +69,7 @@ class FieldRows(FieldEditor):
         named.setAlignment(Qt.AlignmentFlag.AlignTop | Qt.AlignmentFlag.AlignLeft)
         named.setContentsMargins(0, 7, 0, 0)
         form.add(named, cell)
+        editor.edited.connect(lambda: self.touched.add(name))
         editor.edited.connect(self._edited)
 
     def raw(self) -> dict[str, Any]:
@@ -126,27 +128,31 @@ class ModelForm(FieldRows):
 
     def problem(self) -> str:
         """Return the first problem, with its field; empty if everything is valid."""
-        found = self._problem()
-        return "" if found is None else problem_sentence(found)
+        found = self._problems()
+        return problem_sentence(found[0]) if found else ""
 
-    def _problem(self) -> Mapping[str, Any] | None:
+    def _problems(self) -> Sequence[Mapping[str, Any]]:
         raw = self.raw()
         for name, editor in self.editors.items():
             if isinstance(editor, TableEditor) and table_problem(raw[name]):
-                return {"loc": (name,), "type": "", "msg": table_problem(raw[name])}
+                return [{"loc": (name,), "type": "", "msg": table_problem(raw[name])}]
         try:
             self.model.model_validate(raw)
         except ValidationError as error:
-            return error.errors(include_url=False)[0]
-        return None
+            return error.errors(include_url=False)
+        return []
 
     def _check(self) -> None:
+        """Show the first problem; a field that is still to be filled in is none before it was touched."""
         self.clear_problems()
-        found = self._problem()
-        if found is None:
+        found, raw = self._problems(), self.raw()
+        if not found:
             self.valueChanged.emit(self.value())
-        else:
-            self.place_problem(found["loc"], problem_words(found))
+        for one in found:
+            name = str(one["loc"][0]) if one["loc"] else ""
+            if name in self.touched or raw.get(name, 0) not in (None, ""):
+                self.place_problem(one["loc"], problem_words(one))
+                return
 
 
 class GroupEditor(FieldEditor):

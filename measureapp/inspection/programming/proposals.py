@@ -16,6 +16,7 @@ from measureapp.errors import InspectionError
 from measureapp.inspection.evaluate import evaluate_nominal
 from measureapp.inspection.features.constructions import MAKERS
 from measureapp.inspection.programming.edits import unique_name
+from measureapp.inspection.programming.names import Word, compound, english
 from measureapp.inspection.settings import InspectionSettings
 from measureapp.inspection.value import AXES, CENTRES
 
@@ -46,13 +47,16 @@ class Proposal:
     dimensions: tuple[Entry, ...]
 
 
-def propose_dimensions(program: InspectionProgram, names: Sequence[str], features: Mapping[str, Feature]) -> tuple[Proposal, ...]:
+def propose_dimensions(
+    program: InspectionProgram, names: Sequence[str], features: Mapping[str, Feature], word: Word = english
+) -> tuple[Proposal, ...]:
     """Return the dimensions that fit the selected features, the most usual first; nothing where none does.
 
     Parameters
     ----------
     names : selected features in the order of their selection; the name of a pattern stands for all its copies
     features : nominal features of the program (`nominals_of`), or the measured ones where there is no nominal
+    word : says the words of the new names
     """
     expanded = _expand(program, names)
     chosen = [features[name] for name in expanded if name in features]
@@ -61,10 +65,10 @@ def propose_dimensions(program: InspectionProgram, names: Sequence[str], feature
     constructed = _constructed(program)
     if len(chosen) == 1:
         kinds = [kind for kind in ONE.get(chosen[0].shape, ()) if not (kind in FORMS and chosen[0].name in constructed)]
-        return tuple(_single(program, kind, chosen[0], features) for kind in kinds)
+        return tuple(_single(program, kind, chosen[0], features, word) for kind in kinds)
     if len(chosen) == 2:
-        return tuple(one for one in _pair(program, chosen[0], chosen[1], features) if not _lacks_surface(one, constructed))
-    return _pattern(program, expanded, chosen, features)
+        return tuple(one for one in _pair(program, chosen[0], chosen[1], features, word) if not _lacks_surface(one, constructed))
+    return _pattern(program, expanded, chosen, features, word)
 
 
 def _constructed(program: InspectionProgram) -> frozenset[str]:
@@ -84,17 +88,17 @@ def _expand(program: InspectionProgram, names: Sequence[str]) -> list[str]:
     return list(dict.fromkeys(name for given in names for name in copies.get(given, (given,))))
 
 
-def _single(program: InspectionProgram, kind: str, feature: Feature, features: Mapping[str, Feature]) -> Proposal:
-    return _proposal(program, kind, f"{feature.name} {kind.replace('_', ' ')}", (feature.name,), features)
+def _single(program: InspectionProgram, kind: str, feature: Feature, features: Mapping[str, Feature], word: Word) -> Proposal:
+    return _proposal(program, kind, compound(feature.name, word(kind.replace("_", " "))), (feature.name,), features)
 
 
-def _pair(program: InspectionProgram, first: Feature, second: Feature, features: Mapping[str, Feature]) -> tuple[Proposal, ...]:
+def _pair(program: InspectionProgram, first: Feature, second: Feature, features: Mapping[str, Feature], word: Word) -> tuple[Proposal, ...]:
     kinds = _kinds_of_pair(first, second)
     found = []
     for kind in kinds:
         if kind in ZONES:
             axis, datum = (first, second) if first.shape in AXES else (second, first)
-            found.append(_proposal(program, kind, f"{axis.name} {kind}", (axis.name,), features, (datum.name,)))
+            found.append(_proposal(program, kind, compound(axis.name, word(kind)), (axis.name,), features, (datum.name,)))
         else:
             found.append(_proposal(program, kind, f"{first.name} – {second.name}", (first.name, second.name), features))
     return tuple(found)
@@ -124,7 +128,7 @@ def _angle_deg(first: Feature, second: Feature) -> float:
 
 
 def _pattern(
-    program: InspectionProgram, names: Sequence[str], chosen: Sequence[Feature], features: Mapping[str, Feature]
+    program: InspectionProgram, names: Sequence[str], chosen: Sequence[Feature], features: Mapping[str, Feature], word: Word
 ) -> tuple[Proposal, ...]:
     """Propose the pitch circle of three or more holes or centres, and, for all copies of a pattern, their spacing.
 
@@ -134,13 +138,13 @@ def _pattern(
         return ()
     stem = _whole_pattern(program, names)
     of: Entry = {"of": [f"{stem}.{{k}}"], "count": len(names)} if stem else {"of": list(names)}
-    circle = unique_name(program, "feature", f"{stem or names[0]} pitch circle")
+    circle = unique_name(program, "feature", compound(stem or names[0], word("pitch circle")))
     feature = {"name": circle, "shape": "pitch_circle", **of}
-    wanted = unique_name(program, "dimension", f"{circle} diameter")
+    wanted = unique_name(program, "dimension", compound(circle, word("diameter")))
     dimensions: list[Entry] = [{"name": wanted, "kind": "diameter", "features": [circle], "nominal": round(2 * radius, DIGITS)}]
     if stem:
         pair = [f"{stem}.{{k}}", f"{stem}.{{k+1}}"]
-        spacing = unique_name(program, "dimension", f"{stem} spacing")
+        spacing = unique_name(program, "dimension", compound(stem, word("spacing")))
         entry = {"name": spacing, "kind": "distance", "features": pair, "nominal": 0.0, "count": len(names)}
         dimensions.append({**entry, "nominal": _nominal(entry, features)})
     return (Proposal("pitch_circle", (feature,), tuple(dimensions)),)

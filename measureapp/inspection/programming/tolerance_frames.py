@@ -18,6 +18,7 @@ from measureapp.errors import InputError, InspectionError
 from measureapp.inspection.features.constructions import MAKERS
 from measureapp.inspection.features.found_feature import FoundFeature
 from measureapp.inspection.programming import edits
+from measureapp.inspection.programming.names import Word, compound, english
 from measureapp.inspection.session.graph import Node
 from measureapp.inspection.tolerances.datums import datum_system
 from measureapp.inspection.tolerances.zones import exact_direction
@@ -146,15 +147,17 @@ def require_allowed(program: InspectionProgram, choice: ToleranceChoice, feature
         raise InputError("Straightness of a plane needs the direction of its lines: state `along` in the text of the program.", HINT)
 
 
-def with_tolerance(program: InspectionProgram, choice: ToleranceChoice, former: str = "") -> tuple[InspectionProgram, str]:
-    """Add a tolerance, or change the one named ``former``; return the program and its name.
+def with_tolerance(
+    program: InspectionProgram, choice: ToleranceChoice, former: str = "", word: Word = english
+) -> tuple[InspectionProgram, str]:
+    """Add a tolerance, or change the one named ``former``; return the program and its name, whose words ``word`` says.
 
     Raises
     ------
     InputError
         The program does not allow it; says why.
     """
-    program, choice = with_common_datums(program, choice)
+    program, choice = with_common_datums(program, choice, word)
     entry = next((one for one in program.dimensions if one.name == former), None)
     values: dict[str, Any] = {
         "kind": choice.kind,
@@ -171,7 +174,7 @@ def with_tolerance(program: InspectionProgram, choice: ToleranceChoice, former: 
         kept = [one.model_dump() for one in entry.datum_material if choice.kind == "position" and one.datum in choice.datums]
         values |= {"tolerance": None, "lower_tolerance": None, "nominal": None, "datum_material": kept or None}
         return edits.change(program, Node("dimension", former), values), former
-    name = edits.unique_name(program, "dimension", f"{choice.feature} {choice.kind.replace('_', ' ')}")
+    name = edits.unique_name(program, "dimension", compound(choice.feature, word(choice.kind.replace("_", " "))))
     stated = {key: value for key, value in values.items() if value is not None}
     return edits.add(program, "dimension", {"name": name, **stated}), name
 
@@ -201,14 +204,16 @@ def frame_of(program: InspectionProgram, choice: ToleranceChoice, shapes: Mappin
     return frame
 
 
-def with_common_datums(program: InspectionProgram, choice: ToleranceChoice) -> tuple[InspectionProgram, ToleranceChoice]:
+def with_common_datums(
+    program: InspectionProgram, choice: ToleranceChoice, word: Word = english
+) -> tuple[InspectionProgram, ToleranceChoice]:
     """Construct the common datums of a choice that the program does not have yet; the choice then names them as its datums."""
     names = []
     for datum, partner in zip_longest(choice.datums, choice.partners[: len(choice.datums)], fillvalue=""):
         known = features_of_commons(program)
         name = next((name for name, of in known.items() if set(of) == {datum, partner}), "") if partner else datum
         if not name:
-            name = edits.unique_name(program, "feature", f"{datum} and {partner}")
+            name = edits.unique_name(program, "feature", f"{datum}{word(' and ')}{partner}")
             program = edits.add(program, "feature", {"name": name, "shape": "common_datum", "of": [datum, partner]})
         names.append(name)
     return program, replace(choice, datums=tuple(names), partners=())

@@ -11,6 +11,7 @@ import numpy as np
 
 from measureapp.data.measurement import ViewResult
 from measureapp.errors import CalibrationError, ReconstructError, RegistrationError
+from measureapp.language.languages import ENGLISH
 from measureapp.pipeline.assemble import assemble
 from measureapp.pipeline.documents import view_figures
 from measureapp.pipeline.events import CalibrationReady, Event, ViewReady
@@ -43,8 +44,8 @@ class RecordingOutcome:
     failed: Mapping[str, str]  # stage -> why it did not succeed although its images are there
 
 
-def process_recording(project: ProjectFolder, on_event: OnEvent, progress: Progress) -> RecordingOutcome:
-    """Calibrate from the board views, compute the clouds, and measure the part, each as far as the recording suffices for it.
+def process_recording(project: ProjectFolder, on_event: OnEvent, progress: Progress, language: str = ENGLISH) -> RecordingOutcome:
+    """Calibrate from the board views, compute the clouds, and measure the part with a report, each as far as the recording suffices for it.
 
     Raises
     ------
@@ -73,7 +74,7 @@ def process_recording(project: ProjectFolder, on_event: OnEvent, progress: Progr
         if learnt.rig is not None and views:
             try:
                 measurement = assemble(project, learnt.rig, views, on_event, PartOf(progress, 0.7, 1.0), watch)
-                whole = finish(project, measurement, watch)
+                whole = finish(project, measurement, watch, language)
             except RegistrationError as error:
                 failed["stitch"] = str(error)
         elif failed and "stitch" not in missing:

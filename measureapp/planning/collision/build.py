@@ -112,7 +112,7 @@ def _point(position_mm: FloatArray) -> tuple[float, float, float]:
 def _head_bodies(rig: RigDescription, base_from_flange: FloatArray) -> Iterator[Body]:
     placed = base_from_flange @ rig.flange_from_head.transform("flange", "head").matrix
     for one in rig.cell.head_bodies or derived_head(rig):
-        yield Body(f"head ({one.name})", Kind.HEAD, FLANGE, box(one.low_mm, one.high_mm, HEAD_MARGIN_MM), placed)
+        yield Body(f"measuring head ({one.name})", Kind.HEAD, FLANGE, box(one.low_mm, one.high_mm, HEAD_MARGIN_MM), placed)
 
 
 def derived_head(rig: RigDescription) -> tuple[NamedBox, ...]:

@@ -70,6 +70,20 @@ def test_axes_in_one_line_get_no_pitch_circle():
     assert propose_dimensions(program, ["ball 1", "ball 2", "ball 3"], nominals_of(program)) == ()
 
 
+def test_new_names_are_in_the_language_of_who_edits_the_program():
+    chinese = {"diameter": "直径", "pitch circle": "分布圆", "spacing": "间距", "perpendicularity": "垂直度"}
+    nominals = nominals_of(PROGRAM)
+
+    def names(*selected):
+        return [
+            str(one["name"]) for found in propose_dimensions(PROGRAM, selected, nominals, chinese.__getitem__) for one in found.dimensions
+        ]
+
+    assert names("hole") == ["hole 分布圆直径", "hole 间距"]
+    assert names("bore", "top")[0] == "bore 垂直度"
+    assert names("top", "base") == ["top – base"]
+
+
 def test_no_form_is_proposed_for_a_constructed_feature():
     made = [
         {"name": "above", "shape": "offset", "of": ["top"], "distance_mm": 5.0},

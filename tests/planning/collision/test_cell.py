@@ -80,7 +80,7 @@ def test_a_head_too_close_to_the_part_is_told_with_both_bodies() -> None:
     cell = Cell.of(RIG, ARM, PartSolid.enclosing(240.0, 420.0))
     assert cell.problem_at(looking_at("far", 0.0, 32.0)) == ""
     problem = cell.problem_at(looking_at("near", 0.0, 32.0, 350.0))
-    assert problem.startswith("the head (")
+    assert problem.startswith("the measuring head (")
     assert problem.removesuffix(" (at least 15 mm)").endswith("the part")
 
 
@@ -140,7 +140,7 @@ def test_without_a_model_of_the_arm_the_head_is_checked_on_straight_ways() -> No
     assert free.problem_between(at(-320.0), at(320.0)) == ""
     pillar = Fixture(name="pillar", low_mm=(390.0, -10.0, 1.0), high_mm=(410.0, 10.0, 620.0))
     blocked = Cell.of(rig_with(cell=CellDescription(fixtures=(pillar,))), None)
-    assert "the head" in blocked.problem_at(at(0.0))
+    assert "the measuring head" in blocked.problem_at(at(0.0))
     assert blocked.problem_at(at(-320.0)) == ""
     assert "the pillar" in blocked.problem_between(at(-320.0), at(320.0))
 
@@ -148,7 +148,7 @@ def test_without_a_model_of_the_arm_the_head_is_checked_on_straight_ways() -> No
 def test_a_head_that_the_rig_describes_replaces_the_derived_one() -> None:
     small = (NamedBox(name="all", low_mm=(-60, -60, -60), high_mm=(60, 60, 30)),)
     cell = Cell.of(rig_with(cell=CellDescription(head_bodies=small)), ARM)
-    assert [body.name for body in cell.scene.bodies if body.name.startswith("head")] == ["head (all)"]
+    assert [body.name for body in cell.scene.bodies if body.name.startswith("measuring head")] == ["measuring head (all)"]
 
 
 # detours

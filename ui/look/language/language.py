@@ -30,6 +30,14 @@ def load_fonts(name: str) -> None:
         QFontDatabase.addApplicationFont(str(resource(f"fonts/{font}")))
 
 
+class QtTexts(QTranslator):
+    """Qt's own texts, such as those of its file dialogs; keys bear the names that keyboards, tooltips and help pages have: Alt+Up."""
+
+    def translate(self, context: str, sourceText: str, disambiguation: str | None = None, n: int = -1) -> str | None:  # type: ignore[override]
+        """Return the translation; None: another translator is asked, then the text stays."""
+        return sourceText if context == "QShortcut" else super().translate(context, sourceText, disambiguation, n) or None
+
+
 class Language(QObject):
     """The chosen language; texts made after ``changed`` are in it, those on display follow a little at a time."""
 
@@ -39,7 +47,7 @@ class Language(QObject):
         super().__init__(parent)
         self.name = "en"
         QLocale.setDefault(QLocale("en"))  # fields for numbers then write them as all other texts do
-        self._translator = QTranslator(self)  # of Qt's own texts, such as those of its file dialogs
+        self._translator = QtTexts(self)
         self.retranslation = Retranslation(self)
 
     def choose(self, name: str) -> None:

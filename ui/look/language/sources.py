@@ -63,6 +63,7 @@ FORMS = (
 )
 """Files of models whose fields the window shows as forms, labelled after their names."""
 FIXED = {
+    ("inspection", "programming"),  # words of the names that it proposes
     ("report", "printed"),
     ("report", "repeats"),
     ("report", "series"),
@@ -141,7 +142,9 @@ def _texts(tree: ast.Module) -> Iterator[str]:
         if not (isinstance(node, ast.Constant) and isinstance(node.value, str)) or isinstance(parents[node], ast.JoinedStr | ast.Expr):
             continue
         parent = parents[node]
-        direct = isinstance(parent, ast.Call) and name_of(parent.func) in ("tr", "later", "several", "label") and node in parent.args
+        direct = (
+            isinstance(parent, ast.Call) and name_of(parent.func) in ("tr", "later", "several", "label", "word") and node in parent.args
+        )
         if WORDS.search(PLACEHOLDER.sub("", node.value)) and (direct or (is_text(node.value) and not _is_internal(node, parents))):
             yield node.value
             if isinstance(parent, ast.Call) and name_of(parent.func) == "several" and len(parent.args) == 2:

@@ -24,6 +24,13 @@ def later(source: str) -> str:
     return source
 
 
+def for_name(word: str, /) -> str:
+    """Translate a lower-case word of a name that is proposed; unlike other texts a name stays as it is when the language changes."""
+    catalogue = TRANSLATOR.catalogue
+    sources = () if catalogue is None else (word[:1].upper() + word[1:], word)
+    return next((found for one in sources if catalogue is not None and (found := catalogue.translation(one))), word)
+
+
 def translated(text: str) -> str:
     """Translate a constant, or a message of the core, for display; texts that are translated already stay."""
     return TRANSLATOR.renewed(text)

@@ -228,7 +228,7 @@ class CloudsPage(ViewportPage):
         words = tr("{count}, {total} points", count=several(len(views), "view"), total=counted(total))
         merged = "" if stitched is None else tr("{words}; merged {counted}", words=words, counted=counted(len(stitched)))
         left = "" if filtered is None else tr(", filtered {counted}", counted=counted(len(filtered)))
-        summary = f"{merged}{left}." if stitched is not None else tr("{words}, kinematic positions.", words=words)
+        summary = tr("{words:stopped}", words=merged + left) if stitched is not None else tr("{words}, kinematic positions.", words=words)
         self.state.setText(translated(summary) if views else tr("No views yet."))
         self.table.show_views(views, self.placements())
         self._select(max(0, self.table.currentIndex().row()))

@@ -24,6 +24,7 @@ USE = (
     "A ball bar, a gauge block, or a length of the part that a better machine has measured. What it is off, the other lengths "
     "are off too, as far as their errors are shared: they are corrected by it, and their uncertainty becomes smaller."
 )
+CORRECT = "Measure the lengths again, corrected by this one; it can be undone"
 
 
 class StatedLength(LengthCertificate):
@@ -44,7 +45,7 @@ class CertificateDialog(QDialog):
         self.form = ModelForm(StatedLength, FIELDS)
         stated = {} if entry.certificate is None else entry.certificate.model_dump(mode="json")
         self.form.set_raw({**stated, "certified_mm": entry.nominal})
-        self.use = Button("Correct by it", look, "", "primary", "Measure the lengths again, corrected by this one; it can be undone")
+        self.use = Button("Correct by it", look, "", "primary", CORRECT)
         self.use.setDefault(True)
         self.use.clicked.connect(self._use)
         self.remove = Button("Not certified", look, "", "normal", "Correct nothing by this length")
@@ -62,7 +63,9 @@ class CertificateDialog(QDialog):
         self._show()
 
     def _show(self) -> None:
-        self.use.setEnabled(not self.form.problem())
+        problem = self.form.problem()
+        self.use.setEnabled(not problem)
+        self.use.setToolTip(problem or tr(CORRECT))
 
     def _use(self) -> None:
         stated = self.form.value()

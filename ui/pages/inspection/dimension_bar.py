@@ -9,7 +9,7 @@ from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QComboBox, QWidget
 
 from ui.look.language.retranslating import GIVEN
-from ui.look.language.words import tr, translated
+from ui.look.language.words import for_name, tr, translated
 from ui.look.look import Look
 from ui.look.wording import sentence_case
 from ui.widgets.basic import Button, column, label, row
@@ -127,10 +127,11 @@ class DimensionBar(QWidget):
         """Return the dimension as chosen."""
         kind, name = self._kind, self.kind.currentData()
         taken = {sentence_case(one) for one in self._names}
-        number = next(place for place in range(1, len(taken) + 2) if sentence_case(f"{name} {place}") not in taken)
+        names = (f"{for_name(name.replace('_', ' '))} {place}" for place in range(1, len(taken) + 2))
+        free = next(one for one in names if sentence_case(one) not in taken)
         others = (self.second.currentText(),) if kind.joined else ()
         features = (self.first.currentText(), *others)
-        return NewDimension(f"{name} {number}", name, features, self.nominal.value(), self.tolerance.value())
+        return NewDimension(free, name, features, self.nominal.value(), self.tolerance.value())
 
     @property
     def _kind(self) -> Kind:

@@ -315,7 +315,7 @@ def state_words(states: list[str]) -> str:
     words = tr("{done} of {count} processed", done=done, count=several(len(states), "viewpoint"))
     words += tr(", {stored} stored", stored=stored) if stored > done else ""
     words += tr(", {failed} failed", failed=failed) if failed else ""
-    return words + (tr(", {skipped} skipped.", skipped=skipped) if skipped else ".")
+    return words + tr(", {skipped} skipped.", skipped=skipped) if skipped else tr("{words:stopped}", words=words)
 
 
 def decoded_share(view: ViewResult) -> str:
