@@ -40,7 +40,8 @@ def test_registration_finds_the_errors_that_were_drawn_and_states_them_in_u() ->
     )  # pairs share a part of each cloud, and compensate the rigid part of its error
     for name in ("length", "width"):
         before, after = plain.uncertainty(name), bent.uncertainty(name)
-        assert before is not None and after is not None and after > 1.3 * before
+        assert before is not None and after is not None
+        assert after**2 - before**2 > (4 * SIZE) ** 2  # stitching carries them from view to view, and enlarges them
 
 
 def test_a_bent_cloud_moves_along_its_normals_by_a_smooth_field_of_the_stated_size() -> None:
