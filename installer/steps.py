@@ -25,6 +25,7 @@ CANCELLED = 130
 COMPILE_KERNELS = "from measureapp.pipeline.warm_up import warm_up; warm_up()"
 X86 = ("x86_64", "AMD64")
 OLDER_PROCESSOR = {"NUMBA_CPU_NAME": "haswell", "NUMBA_CPU_FEATURES": "+avx2,+fma"}
+TIMED = "pytest.mark.timed"
 SOME_FAILED = 1  # of pytest: it ran to its end
 KERNEL_TESTS = (
     "tests/compiled",
@@ -91,7 +92,7 @@ def test(arguments: Sequence[str]) -> int:
         results.append(_check("pytest", [*pytest, *arguments], home))
     else:
         results.append(_check("pytest", [*pytest, *several, "-m", "not slow and not timed"], home))
-        results.append(_timed_tests([*pytest, "-m", "timed and not slow"], several, home))
+        results.append(_timed_tests([*pytest, *_timed_files(), "-m", "timed and not slow"], several, home))
     print("== summary")
     for name, code, seconds in results:
         print(f"{name:<14}{'passed' if code == 0 else f'failed ({code})':<14}{seconds:7.1f} s")
@@ -135,6 +136,12 @@ def _older_processor(home: environment.Environment) -> tuple[str, int, float]:
     with tempfile.TemporaryDirectory() as cache:
         variables = {**OLDER_PROCESSOR, "NUMBA_CACHE_DIR": cache}
         return _check("older CPU", [str(home.python), "-m", "pytest", "-q", *KERNEL_TESTS], home, variables)
+
+
+def _timed_files() -> list[str]:
+    """Return the files with tests that have a limit in seconds: to collect all others takes every process 15 seconds."""
+    files = sorted((environment.ROOT / "tests").rglob("*.py"))
+    return [path.relative_to(environment.ROOT).as_posix() for path in files if TIMED in path.read_text(encoding="utf-8")]
 
 
 def _timed_tests(pytest: list[str], several: list[str], home: environment.Environment) -> tuple[str, int, float]:

@@ -48,9 +48,9 @@ def _user_settings_untouched(tmp_path_factory: pytest.TempPathFactory) -> Iterat
 def demo(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Any]:
     """The one demo of the whole suite, a `demo_fixture.Demo`; it runs when the first test of any process asks for it."""
     from demo_fixture import shared_demo
+    from made_once import run_folder
 
-    worker, own = os.environ.get("PYTEST_XDIST_WORKER"), tmp_path_factory.getbasetemp()
-    with shared_demo((own.parent if worker else own) / "demo", worker or "only") as finished:
+    with shared_demo(run_folder(tmp_path_factory) / "demo", os.environ.get("PYTEST_XDIST_WORKER", "only")) as finished:
         yield finished
 
 

@@ -34,6 +34,11 @@ class Demo:
     messages: str
 
     @property
+    def boards(self) -> Path:
+        """The file with what was found in its images of the board."""
+        return self.folder.parent / BOARDS
+
+    @property
     def project(self) -> ProjectFolder:
         """The project, opened anew."""
         return ProjectFolder.open(self.folder)

@@ -41,3 +41,9 @@ def keep_found(file: Path) -> None:
 def take_found(file: Path) -> None:
     """Read what another process of this run found."""
     _found.update(pickle.loads(file.read_bytes()))
+
+
+def forget_every(count: int) -> None:
+    """Let every so many-th image be searched again."""
+    for key in list(_found)[::count]:
+        del _found[key]

@@ -6,6 +6,8 @@ from pathlib import Path
 
 import cv2
 import numpy as np
+import pytest
+from made_once import made_once
 
 from measureapp.arrays import FloatArray
 from measureapp.data.calibration import ProjectorCalibration
@@ -23,7 +25,7 @@ from measureapp.simulate.world import PAPER_BOARD
 
 PATTERNS = PATTERN_SETS["three-close-both"]
 EXPOSURE_US = 60_000
-SEED, POSITIONS = 3, 6
+SEED, POSITIONS = 1, 6
 BOARD = ("--board", "14x11", "--square-mm", "15")
 RIG = read_rig("paper").at_resolution("quarter")
 
@@ -70,6 +72,16 @@ def write_stacks(folder: Path, truth: Truth, poses: list[RigidTransform], camera
         manifests.append(place / "MANIFEST.toml")
         manifests[-1].write_text(manifest_skeleton(PATTERNS, cameras, (EXPOSURE_US,)))
     return manifests
+
+
+def shared_stacks(factory: pytest.TempPathFactory) -> list[Path]:
+    """Return the manifests of `POSITIONS` positions before the head of `SEED`, which all processes of a run share."""
+
+    def write(folder: Path) -> None:
+        truth = true_head(SEED)
+        write_stacks(folder, truth, board_poses(truth, POSITIONS, np.random.default_rng(SEED)))
+
+    return sorted(made_once(factory, "board_fringes", write).glob("*/MANIFEST.toml"))
 
 
 def in_sigmas(truth: Truth, projector: ProjectorCalibration) -> FloatArray:

@@ -15,7 +15,7 @@ from measureapp.cli.main import build
 from measureapp.planning.viewpoints import plan_around_part
 from measureapp.project.rig_file import read_rig
 from measureapp.simulate.truth import Truth
-from tests.cli.board_fringes import POSITIONS, SEED, board_poses, true_head, write_stacks
+from tests.cli.board_fringes import SEED, shared_stacks, true_head
 from tests.cli.fringe_sets import write_paper_set
 
 
@@ -50,10 +50,9 @@ def truth() -> Truth:
 
 
 @pytest.fixture(scope="session")
-def manifests(truth: Truth, tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
-    """Fringes of both directions on a board at several positions, rendered once for all."""
-    folder = tmp_path_factory.mktemp("fringes")
-    return write_stacks(folder, truth, board_poses(truth, POSITIONS, np.random.default_rng(SEED)))
+def manifests(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
+    """Fringes of both directions on a board at several positions, rendered once for all; no test writes into them."""
+    return shared_stacks(tmp_path_factory)
 
 
 @pytest.fixture

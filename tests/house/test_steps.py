@@ -83,10 +83,20 @@ def test_the_whole_suite_compiles_first_and_runs_in_as_many_processes_as_there_i
     monkeypatch.setattr(installer.machine, "workers", lambda: workers)
     assert installer.steps.perform("test", []) == 0
     usual = ["-m", "not slow and not timed"] if shared else []
-    timed = [["python", "-m", "pytest", "-m", "timed and not slow", *shared]] if shared else []
+    timed = [["python", "-m", "pytest", *installer.steps._timed_files(), "-m", "timed and not slow", *shared]] if shared else []
     assert called.commands[-1 - len(timed) :] == [["python", "-m", "pytest", *shared, *usual], *timed]
     assert ["python", "-c", installer.steps.COMPILE_KERNELS] in called.commands[:-1]
     assert "kernels       passed" in capsys.readouterr().out
+
+
+def test_of_the_tests_with_a_limit_in_seconds_only_their_files_are_collected(installer, monkeypatch, tmp_path) -> None:
+    files = installer.steps._timed_files()
+    assert "tests/devices/test_attempt.py" in files and "tests/house/test_words.py" not in files
+    monkeypatch.setattr(installer.environment, "ROOT", tmp_path)
+    (tmp_path / "tests" / "room").mkdir(parents=True)
+    (tmp_path / "tests" / "room" / "test_one.py").write_text(f"@{installer.steps.TIMED}", encoding="utf-8")
+    (tmp_path / "tests" / "room" / "test_other.py").write_text("@pytest.mark.slow", encoding="utf-8")
+    assert installer.steps._timed_files() == ["tests/room/test_one.py"]
 
 
 def test_a_timed_test_that_fails_is_run_once_more_alone_and_that_run_counts(installer, called, monkeypatch, capsys) -> None:

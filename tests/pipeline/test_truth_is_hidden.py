@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import re
 import subprocess
 import sys
@@ -19,7 +20,7 @@ from measureapp.simulate.truth import Truth
 
 ROOT = Path(__file__).resolve().parents[2]
 BLINDFOLDED = """
-import importlib.abc, os, sys
+import importlib.abc, os, pathlib, sys
 
 HIDDEN = ("measureapp.simulate", "measureapp.demo", "plugins", "_measureapp_plugins")
 FOLDERS = tuple(os.path.join(sys.argv[1], *parts) + os.sep for parts in (("measureapp", "simulate"), ("plugins",)))
@@ -46,16 +47,26 @@ for name in HIDDEN[:2]:
         continue
     sys.exit(f"{name} is in sight")
 
+import found_boards
 from measureapp.cli import main
 
-sys.exit(main(["process", sys.argv[2], "--json"]))
+found_boards.take_found(pathlib.Path(sys.argv[3]))
+found_boards.forget_every(10)  # which are searched here, too
+with found_boards.found_once():
+    sys.exit(main(["process", sys.argv[2], "--json"]))
 """
 NUMBER = re.compile(r"-?\d+\.\d+(?:[eE][-+]?\d+)?")
 
 
 def test_a_program_without_the_simulation_measures_the_same_from_the_stored_images(demo: Demo, raw_copy: Path) -> None:
     done = subprocess.run(
-        [sys.executable, "-c", BLINDFOLDED, str(ROOT), str(raw_copy)], cwd=ROOT, capture_output=True, text=True, check=False, timeout=300
+        [sys.executable, "-c", BLINDFOLDED, str(ROOT), str(raw_copy), str(demo.boards)],
+        cwd=ROOT,
+        env={**os.environ, "PYTHONPATH": os.pathsep.join((str(ROOT), str(ROOT / "tests")))},
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=300,
     )
     assert done.returncode == demo.code, done.stderr
     document = json.loads(done.stdout)

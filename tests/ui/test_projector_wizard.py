@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import shutil
 from dataclasses import replace
 
 import pytest
 
 from measureapp.simulate.world import PAPER_BOARD
+from tests.cli.board_fringes import shared_stacks
 from tests.ui.wizard_steps import PATIENCE_MS, read_folder, settle
 from ui.controllers.rig_connection import truth_of
 from ui.wizards.wizard import COLLECT, RESULT, SETUP
@@ -83,13 +85,9 @@ def test_a_folder_without_fringes_is_refused_with_a_remedy(qtbot, wizard, tmp_pa
     assert wizard.step == SETUP
 
 
-def test_recorded_fringes_are_read_from_their_folders(qtbot, wizard, application, tmp_path):
-    import numpy as np
-
-    from tests.cli.board_fringes import board_poses, true_head, write_stacks
-
-    truth = true_head(1)
-    write_stacks(tmp_path / "fringes", truth, board_poses(truth, VIEWS, np.random.default_rng(1)))
+def test_recorded_fringes_are_read_from_their_folders(qtbot, wizard, tmp_path, tmp_path_factory):
+    for manifest in shared_stacks(tmp_path_factory)[:VIEWS]:  # of the head that the wizard's cameras belong to
+        shutil.copytree(manifest.parent, tmp_path / "fringes" / manifest.parent.name)
     (tmp_path / "fringes" / "position02" / "left" / "60000" / "007.png").write_bytes(b"no image")
     read_folder(qtbot, wizard, tmp_path / "fringes")
     assert "007.png" in wizard.footer.message.words.text()

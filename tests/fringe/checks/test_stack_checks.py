@@ -43,10 +43,9 @@ def copied(source: int, goal: int, exposure: int = 1) -> Change:
 
 def taken_twice(patterns: PatternSet, source: int, goal: int) -> Change:
     """The projector did not step on: the same pattern, other noise."""
-    again = images_of(ramp(), patterns, BRACKET, seed=7)
 
     def change(images: np.ndarray) -> None:
-        images[0, goal] = again[0, source]
+        images[0, goal] = images_of(ramp(), patterns, BRACKET, seed=7)[0, source]
 
     return change
 

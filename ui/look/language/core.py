@@ -38,11 +38,14 @@ def _module(path: Path) -> str:
 
 
 def _imports(tree: ast.Module) -> Iterator[str]:
-    for node in ast.walk(tree):
+    waiting: list[ast.AST] = [tree]
+    while waiting:
+        node = waiting.pop()
         if isinstance(node, ast.Import):
             yield from (one.name for one in node.names)
         elif isinstance(node, ast.ImportFrom) and node.module and not node.level:
             yield from (f"{node.module}.{one.name}" for one in node.names)
+        waiting += [child for child in ast.iter_child_nodes(node) if not isinstance(child, ast.expr)]  # nine nodes of ten, none an import
 
 
 class Core:

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import json
 import re
 from collections.abc import Callable, Iterable
+from pathlib import Path
 
 import pytest
+from made_once import made_once
 
 from measureapp.language.catalogue import Catalogue, Entry
 from ui.look.language.sources import core_texts, window_texts
@@ -19,9 +22,13 @@ NAMES = re.compile(  # of files, devices, views, standards and people stay as th
 
 
 @pytest.fixture(scope="session")
-def all_texts() -> dict[str, str]:
-    """Every text of the program and its room; all sources are read for them."""
-    return {**core_texts(), **window_texts()}
+def all_texts(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
+    """Every text of the program and its room; all sources are read for them, which takes ten seconds."""
+
+    def read(folder: Path) -> None:
+        (folder / "texts.json").write_text(json.dumps({**core_texts(), **window_texts()}), encoding="utf-8")
+
+    return json.loads((made_once(tmp_path_factory, "all_texts", read) / "texts.json").read_text(encoding="utf-8"))
 
 
 @pytest.fixture(scope="session")
