@@ -30,6 +30,16 @@ _frozen_with = {"modules": 0}
 LIBRARY_WIDGETS = ("QTipLabel",)  # the one tool tip Qt keeps
 
 
+@pytest.hookimpl(wrapper=True)
+def pytest_collection() -> Iterator[object]:
+    """Collect no garbage while all test files are imported, which takes a quarter of that time and finds none."""
+    gc.disable()
+    try:
+        return (yield)
+    finally:
+        gc.enable()
+
+
 def pytest_collection_finish() -> None:
     """Keep collections of garbage from looking through all test files and what they imported, 3 % of the time."""
     _freeze_modules()

@@ -33,6 +33,25 @@ def found_once() -> Iterator[None]:
         yield
 
 
+@contextmanager
+def found_under_fringes_once() -> Iterator[None]:
+    """Let `calibrate projector` take what was found before under the very same fringes, decoded; what was refused is decoded again."""
+    from measureapp.pipeline import projector
+
+    search, found = projector.detect_under_fringes, dict[tuple[str, ...], Any]()
+
+    def find(stack: Any, view: str, board: Any, settings: Any, progress: Any) -> Any:
+        pixels = {camera: hashlib.sha256(np.ascontiguousarray(images)).hexdigest() for camera, images in stack.images.items()}
+        key = (repr(pixels), repr(stack.exposures_us), stack.patterns.model_dump_json(), view, board.model_dump_json(), repr(settings))
+        if key not in found:
+            found[key] = search(stack, view, board, settings, progress)
+        return found[key]
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(projector, "detect_under_fringes", find)
+        yield
+
+
 def keep_found(file: Path) -> None:
     """Write what was found, for the other processes of a run."""
     file.write_bytes(pickle.dumps(_found))

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from math import degrees
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 import cv2
@@ -14,6 +15,7 @@ import numpy as np
 
 from measureapp.data.board import BoardView
 from measureapp.data.fringe import AxisReadback, FringeStack, GrayCodeGroup
+from measureapp.project.calibration import board_views
 from measureapp.project.folder import ProjectFolder
 from measureapp.resources import resource
 
@@ -42,7 +44,7 @@ def write_recording(project: ProjectFolder, folder: Path, chosen: Chosen = Chose
     if chosen.known_cameras:
         (folder / "cameras.json").write_text(json.dumps(_cameras(project)), encoding="utf-8")
         lines.append('cameras = "cameras.json"')
-    views = [view for view in project.board_views() if chosen.board_views is None or view.viewpoint_id in chosen.board_views]
+    views = project.board_views() if chosen.board_views is None else views_named(project, chosen.board_views)
     lines += [BOARD_14_11] if views else []
     for view in views:
         lines += _board_view(view, folder, chosen.axes)
@@ -56,6 +58,14 @@ def write_recording(project: ProjectFolder, folder: Path, chosen: Chosen = Chose
     path = folder / "RECORDING.toml"
     path.write_text("\n".join(lines) + "\n", encoding="utf-8")
     return path
+
+
+def views_named(project: ProjectFolder, names: tuple[str, ...]) -> tuple[BoardView, ...]:
+    """Load these views of the board, in the order of acquisition; no other image is read."""
+    with TemporaryDirectory() as place:
+        for name in names:
+            (Path(place) / name).symlink_to(project.path / "calibration" / "views" / name, target_is_directory=True)
+        return board_views.load_all(Path(place))
 
 
 def write_rig(project: ProjectFolder, path: Path) -> None:

@@ -95,7 +95,9 @@ class MainWindow(QMainWindow):
     @Slot()
     def make_pages(self) -> None:
         """Make the pages that are missing, one after the other while nothing else is to be done: the first click on each is answered at once."""
-        if self.isVisible() and not self.shell.is_operators and self.pages.make_next():
+        made = self.isVisible() and not self.shell.is_operators and self.pages.make_next()
+        self.controllers.startup.is_window_filling = made
+        if made:
             QTimer.singleShot(PAGES_APART_MS, self, self.make_pages)
 
     def _add_commands(self) -> None:

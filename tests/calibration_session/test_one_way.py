@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from found_boards import found_once
+from recording_export import views_named
 
 from measureapp.calibrate.draft.draft import Known, Setup
 from measureapp.calibrate.kinds.table import KINDS
@@ -45,7 +46,7 @@ def _boards_are_found_once():
 def filmed(demo, tmp_path_factory):
     """Views of the board as a project keeps them, in one folder for each camera, with tables of the read-backs."""
     folder = tmp_path_factory.mktemp("filmed")
-    chosen = [view for view in demo.project.board_views() if view.viewpoint_id in VIEWS]
+    chosen = list(views_named(demo.project, VIEWS))
     recorded = {one.name: one for one in find_recorded(demo.folder / "calibration" / "views")}
     for number, view in enumerate(chosen):
         for camera, path in recorded[view.viewpoint_id].files.items():

@@ -9,6 +9,7 @@ import shutil
 
 import numpy as np
 import pytest
+from found_boards import found_under_fringes_once
 
 from measureapp.cli import main
 from measureapp.project.calibration.camera_file import read_cameras, write_cameras
@@ -20,6 +21,12 @@ MOST_SIGMAS = 4.0  # of 12 parameters; noise alone passes it once in 1300 calibr
 def run(capsys, *arguments):
     code = main(["calibrate", "projector", *map(str, arguments), "--json"])
     return code, json.loads(capsys.readouterr().out)
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _boards_are_found_once():
+    with found_under_fringes_once():
+        yield
 
 
 @pytest.fixture(scope="module")

@@ -15,7 +15,7 @@ from scipy.spatial import cKDTree
 
 from measureapp.data.board import BoardView
 from measureapp.data.decode_limits import DecodeLimits
-from measureapp.data.measurement import Measurement
+from measureapp.data.measurement import Inspection, Measurement
 from measureapp.data.view_choices import ViewChoices
 from measureapp.geometry.transform import RigidTransform, rotation_about
 from measureapp.pipeline import assemble, measure, rig_calibration, run, surface
@@ -52,10 +52,10 @@ def project(demo: Demo, tmp_path: Path) -> ProjectFolder:
 
 
 @pytest.fixture
-def processed(monkeypatch: pytest.MonkeyPatch) -> Callable[[ProjectFolder], tuple[Measurement, set[str], list[Event]]]:
-    """Processes a project without its report; tells what was computed and the events, too."""
+def processed(monkeypatch: pytest.MonkeyPatch) -> Callable[..., tuple[Measurement, set[str], list[Event]]]:
+    """Processes a project without its report, or its inspection where one is given; tells what was computed and the events, too."""
 
-    def process(project: ProjectFolder) -> tuple[Measurement, set[str], list[Event]]:
+    def process(project: ProjectFolder, inspection: Inspection | None = None) -> tuple[Measurement, set[str], list[Event]]:
         computed, events = set[str](), list[Event]()
         monkeypatch.setattr(run, "write_reports", lambda *_: {})
         for name, (module, function) in COMPUTED.items():
@@ -63,7 +63,7 @@ def processed(monkeypatch: pytest.MonkeyPatch) -> Callable[[ProjectFolder], tupl
 
             def noted(*given: Any, name: str = name, whole: Any = whole, **named: Any) -> Any:
                 computed.add(name)
-                return whole(*given, **named)
+                return inspection if inspection is not None and name == "inspection" else whole(*given, **named)
 
             monkeypatch.setattr(module, function, noted)
         return process_project(project, events.append, NoProgress()).measurement, computed, events
@@ -195,7 +195,7 @@ def test_a_changed_input_has_exactly_that_computed_again_which_depends_on_it(
     stored = project.measurement()
     assert stored is not None
     assert_equal(stored, measurement)
-    _, computed, _ = processed(project)
+    _, computed, _ = processed(project, measurement.inspection)
     assert computed == {"inspection"}
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from demo_fixture import Demo
-from recording_export import Chosen, write_recording
+from recording_export import Chosen, views_named, write_recording
 
 from measureapp.arrays import FloatArray
 from measureapp.cli import main
@@ -50,9 +50,8 @@ def test_what_is_stored_is_what_the_rig_stored(demo: Demo, tmp_path: Path) -> No
         assert stack.readback is not None and known.readback is not None
         np.testing.assert_allclose(stack.readback.base_from_flange.matrix, known.readback.base_from_flange.matrix, atol=1e-12)
         assert (stack.readback.guide_mm, stack.readback.table_rad) == pytest.approx((known.readback.guide_mm, known.readback.table_rad))
-    views = {view.viewpoint_id: view for view in original.board_views()}
-    for view, name in zip(project.board_views(), ("pose01", "axis01"), strict=True):
-        np.testing.assert_array_equal(view.images["upper"], views[name].images["upper"])
+    for view, known in zip(project.board_views(), views_named(original, ("pose01", "axis01")), strict=True):
+        np.testing.assert_array_equal(view.images["upper"], known.images["upper"])
     plan = project.plan()
     assert plan is not None and [viewpoint.id for viewpoint in plan] == ["view01", "view05"]
     assert project.rig().cameras == original.rig().cameras

@@ -25,7 +25,7 @@ def test_a_profile_states_processor_time_peak_memory_and_traffic(tmp_path):
         with watch.stage("saving"):
             (tmp_path / "data").write_bytes(written.tobytes())
         with watch.stage("thinking"):
-            np.sort(np.tile(written, 10))
+            np.tile(written, 10).sum()
     saving, thinking = watch.use["saving"], watch.use["thinking"]
     assert saving.written_mb == pytest.approx(20, rel=0.05) or saving.written_mb == 0  # systems that count no traffic
     assert thinking.written_mb < 1

@@ -87,6 +87,21 @@ def test_enter_never_adds_what_was_proposed_for_an_earlier_selection(application
     assert [one.name for one in application.controllers.programming.state.program.dimensions] == ["size"]
 
 
+def test_new_entries_are_named_in_the_language_of_the_window_and_keep_their_names(application, page, qtbot):
+    application.settings.set_text("language", "zh_CN")
+    page.side.features.select_names(["plate"])
+    page.side.create.menu.actions()[0].trigger()
+    settled(application, qtbot)
+    page.side.features.select_names(["ball"])
+    page.side.create.accept()
+    settled(application, qtbot)
+    application.settings.set_text("language", "en")
+    application.language.retranslation.finish()
+    program = application.controllers.programming.state.program
+    assert (program.features[-1].name, program.dimensions[-1].name) == ("偏移 1", "ball 直径")
+    assert "偏移 1" in [row[0] for row in page.side.features.texts()]
+
+
 def test_a_constructed_feature_is_made_at_its_distance_and_listed_with_what_it_is_made_from(application, page, qtbot):
     page.side.features.select_names(["plate"])
     bar = page.side.create

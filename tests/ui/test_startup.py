@@ -88,6 +88,18 @@ def test_what_is_imported_meanwhile_is_never_searched_for_garbage():
     assert gc.get_freeze_count() >= frozen + len(kept)
 
 
+def test_kernels_are_loaded_once_the_window_has_made_its_pages(application, window, qtbot, monkeypatch):
+    made = []
+    monkeypatch.setattr(startup, "load_graphics", lambda _job: "")
+    monkeypatch.setattr(startup, "import_all", lambda _progress: None)
+    monkeypatch.setattr("measureapp.pipeline.compile_apart.compile_apart", lambda _job: made.append(len(window.pages.made)))
+    monkeypatch.setattr("measureapp.pipeline.warm_up.warm_up", lambda _progress: None)
+    application.controllers.startup.begin()
+    qtbot.waitUntil(lambda: made != [], timeout=20_000)
+    assert made == [len(window.pages)]
+    qtbot.waitUntil(lambda: not application.controllers.preparing.queue.busy, timeout=10_000)
+
+
 def test_nothing_waits_behind_the_preparation_which_takes_minutes_at_the_first_start(application, window, qtbot, monkeypatch):
     done, reached = threading.Event(), []
     monkeypatch.setattr(startup, "load_graphics", lambda _job: "")

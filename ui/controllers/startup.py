@@ -32,6 +32,7 @@ WARM_UP = (
     *("measureapp.planning.coverage.head", "measureapp.acquire.control", "measureapp.acquire.time_left", "ui.charts.plotting"),
 )
 IMPORTED_SHARE = 0.3
+SHOWN_S = 0.15  # until the window has displayed the rig
 LONGEST_YIELD_S, YIELD_S = 20.0, 0.05
 DEFAULT_RIG = "paper"
 NEVER = 1_000_000
@@ -46,6 +47,7 @@ class StartupController(QObject):
         super().__init__(parent)
         self._session = session
         self._runner = runner
+        self.is_window_filling = False  # the window makes its pages; loading kernels would hold the interpreter meanwhile
 
     @Slot()
     def begin(self) -> None:
@@ -55,9 +57,10 @@ class StartupController(QObject):
         self._prepare(import_all, self._show_imported)
 
     def _prepare(self, work: Callable[[Progress], None], show: Callable[[object], None]) -> None:
-        self._runner.run(
-            "Preparing the measurement", lambda job: work(Yielding(job, lambda: bool(self._session.busy_with))), show, quiet=True
-        )
+        self._runner.run("Preparing the measurement", lambda job: work(Yielding(job, self._is_waited_for)), show, quiet=True)
+
+    def _is_waited_for(self) -> bool:
+        return self.is_window_filling or bool(self._session.busy_with)
 
     @Slot(object)
     def _show_rig(self, found: tuple[RigDescription | None, tuple[DriverRow, ...]]) -> None:
@@ -77,8 +80,8 @@ class StartupController(QObject):
 
     @Slot(object)
     def _show_imported(self, _nothing: object) -> None:
-        self._prepare(load_kernels, self._warm)
         self.imported.emit()
+        self._prepare(load_kernels, self._warm)
 
     @Slot(object)
     def _warm(self, _nothing: object) -> None:
@@ -108,6 +111,7 @@ def driver_row(found: PluginRow) -> DriverRow:
 
 def load_graphics(job: Job) -> str:
     """Import VTK, which takes a second; runs on a job's thread. Returns the problem, if any."""
+    time.sleep(SHOWN_S)
     job.check()
     with made_to_last():
         from ui.viewport.backend import missing_graphics
@@ -166,5 +170,6 @@ def load_kernels(job: Progress) -> None:
     from measureapp.pipeline.compile_apart import compile_apart
     from measureapp.pipeline.warm_up import warm_up
 
+    job.report(IMPORTED_SHARE, 1.0, "Preparing the measurement")  # waits for the window
     compile_apart(job)
     warm_up(PartOf(job, IMPORTED_SHARE, 1.0, "Preparing the measurement: "))

@@ -36,6 +36,7 @@ if TYPE_CHECKING:
     from ui.viewport.stage import Stage
 
 PREPARING = "Preparing 3-D view…"
+PREPARED_AFTER_MS = 20  # so that the window answers between making a page and loading the graphics driver
 
 
 class CloudView(SteeredView):
@@ -101,7 +102,7 @@ class CloudView(SteeredView):
         if self.isVisible():
             self._create()
         else:
-            QTimer.singleShot(0, self, self._prepare)
+            QTimer.singleShot(PREPARED_AFTER_MS, self, self._prepare)
 
     def hide_picture(self, instead: str = PREPARING) -> None:
         """Say that a picture is being prepared, in place of one that is of something else, or of nothing; `show_picture` ends it."""

@@ -26,6 +26,7 @@ class Preparation(QTimer):
         grey = np.full((3, 3), 99, np.uint8)
         triangle = np.array([[0, 1, 2]])
         self._steps: list[Callable[[], None]] = [
+            lambda: None,  # loads the driver
             lambda: None,
             lambda: self._scene.set_cloud(shuffle([CloudLayer(corners, grey)])),
             lambda: self._scene.set_surface(prepare_surface(SurfaceLayer(corners, triangle))),
@@ -47,7 +48,10 @@ class Preparation(QTimer):
         if not self._steps or self._window.is_used:
             self.end()
             return
+        is_open = self._window.budget is not None
         self._steps.pop(0)()
         self._window.put_in(self._scene, SIZE_PX, SIZE_PX)
+        if not is_open:
+            return
         self._scene.begin_picture()
         self._window.draw()

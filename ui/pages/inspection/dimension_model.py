@@ -292,7 +292,7 @@ def frame_words(row: DimensionRow) -> str:
     stated = ", ".join(words for words in (row.frame.zone(), datum_words(datums, row.frame.datums) if row.frame.datums else "") if words)
     allowed = row.limits
     bonus = "" if allowed is None or allowed[1] <= row.frame.width_mm else tr("; with its bonus {upper}", upper=quantity(allowed[1], "mm"))
-    return f"{kind}: {stated}{bonus}"
+    return tr("{kind}: {stated}{bonus}", kind=kind, stated=stated, bonus=bonus)
 
 
 def _tip(row: DimensionRow, column: Column) -> str:

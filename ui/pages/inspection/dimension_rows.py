@@ -66,7 +66,8 @@ def feature_words(feature: Feature, role: str = "") -> str:
     """Return one line about a feature: name, shape, number of points and form deviation."""
     form = "" if is_blade(feature) else tr(", form {form_error_mm}", form_error_mm=millimetres(feature.form_error_mm))
     found = f"{several(feature.points, 'point')}{form}" if feature.points else "constructed"
-    return f"{role}{sentence_case(feature.name)}: {shape_words(feature)}, {found}"
+    name = f"{role}{sentence_case(feature.name)}"
+    return tr("{name}: {shape}, {found}", name=name, shape=shape_words(feature), found=found)
 
 
 def shape_words(feature: Feature, made: Construction | None = None) -> str:

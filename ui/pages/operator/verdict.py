@@ -75,7 +75,7 @@ class WorstCard(QFrame):
         sign = QLabel()
         sign.setPixmap(look.icon(verdict, "verdict_" + verdict.replace(" ", "_")).pixmap(QSize(40, 40)))
         top = row(sign, big_label(name, "heading"), 0, big_label(value, "value"))
-        below = big_label(f"{loud(verdict)}: {limit}", "body", wrap=True)
+        below = big_label(tr("{verdict}: {limit}", verdict=loud(verdict), limit=limit), "body", wrap=True)
         layout = column(top, below, spacing=0)
         layout.setContentsMargins(16, 6, 16, 8)
         self.setLayout(layout)
