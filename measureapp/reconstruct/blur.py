@@ -6,8 +6,9 @@ which things change, of the place s² ∇ ln I further on. Uncorrected, oblique 
 to the same side. Where the phase is curved, its mean over the blur is off by s² ∇²φ / 2, which makes holes narrower and round bodies thinner.
 Linear interpolation of a phase between pixels does the same, like a blur of a sixth of a px² (decision 15).
 
-Where a hole or an edge hides the size of the correction, the phase stays and its standard deviation grows: such pixels, steep near the horizons
-of round bodies, would have the largest weights otherwise.
+Where a hole or an edge hides how the phase is curved, its shift by the light alone is corrected and the standard deviation grows: such pixels,
+steep near the horizons of round bodies, would have the largest weights otherwise. What stays of the shift has one sign all over a view, and is
+not averaged away by the number of points.
 """
 
 from __future__ import annotations

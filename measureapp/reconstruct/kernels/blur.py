@@ -63,7 +63,8 @@ def slope_term(blur: Blur, at: int, along: int, per_light: Any) -> Any:
 
     For a linear phase the shift follows exactly from the slope of the blurred light at the pixel itself: by differences over one and two
     pixels, free of third-order terms. Beside a hole the slope of the phase is taken from the other side, to second order. How the phase
-    curves there is not known: that, and a share of the shift, are uncertain, as where the light changes too fast; there the shift stays limited.
+    curves there is not known: that, and a share of the shift, are uncertain. So they are where the light changes too fast; there the shift is
+    that of the fastest change for which the first order holds.
 
     Parameters
     ----------
@@ -72,14 +73,14 @@ def slope_term(blur: Blur, at: int, along: int, per_light: Any) -> Any:
     """
     no_before, no_after = missing_at(blur.state, at, SLOPE_REACH * along)
     no_near_before, no_near_after = missing_at(blur.state, at, NEAR * along)
-    no_before_that, no_after_that = missing_at(blur.state, at, 2 * SLOPE_REACH * along)
+    no_second_before, no_second_after = missing_at(blur.state, at, 2 * SLOPE_REACH * along)
     own, behind, ahead = read(blur.phase, at), read(blur.phase, at - SLOPE_REACH * along), read(blur.phase, at + SLOPE_REACH * along)
     before, after = ZERO if no_before else own - behind, ZERO if no_after else ahead - own
-    before_that = before if no_before_that else behind - read(blur.phase, at - 2 * SLOPE_REACH * along)
-    after_that = after if no_after_that else read(blur.phase, at + 2 * SLOPE_REACH * along) - ahead
+    second_before = before if no_second_before else behind - read(blur.phase, at - 2 * SLOPE_REACH * along)
+    second_after = after if no_second_after else read(blur.phase, at + 2 * SLOPE_REACH * along) - ahead
     one_sided = no_before | no_after
-    inner, further = before + after, (ZERO if no_before else before_that) + (ZERO if no_after else after_that)
-    run = THREE * inner - further if one_sided else inner
+    first, second = before + after, (ZERO if no_before else second_before) + (ZERO if no_after else second_after)
+    run = THREE * first - second if one_sided else first
     near = light_at(blur.grey, at + along) - light_at(blur.grey, at - along)
     far = light_at(blur.grey, at + 2 * along) - light_at(blur.grey, at - 2 * along)
     light = (EIGHT * near - far) * per_light
