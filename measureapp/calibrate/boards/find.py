@@ -110,10 +110,14 @@ def _whole(grey: ImageArray, board: CheckerboardDescription, squares: DetectedSq
 
 
 def _says_enough(grey: ImageArray, board: CheckerboardDescription, squares: DetectedSquares) -> bool:
-    """Whether no thorough search can find more: the board goes on beyond the image's edge, or the grid ends all round at the board's size."""
+    """Whether no thorough search can find more: the board goes on beyond the image's edge, or the grid ends all round at the board's size.
+
+    Or beyond it: that is another board, of which a search for fewer corners could find as many.
+    """
     if not are_squares(grey, squares.corners_px):
         return False
-    ends = all(squares.ends_in_white) and squares.size == (max(board.columns, board.rows), min(board.columns, board.rows))
+    longer, shorter = max(board.columns, board.rows), min(board.columns, board.rows)
+    ends = all(squares.ends_in_white) and squares.size[0] >= longer and squares.size[1] >= shorter
     return ends or squares.is_cut_off((grey.shape[1], grey.shape[0]))
 
 

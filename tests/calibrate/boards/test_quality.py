@@ -11,7 +11,7 @@ from measureapp.calibrate.boards.find import find_board
 from measureapp.calibrate.boards.quality import require_plain
 from measureapp.data.board import CharucoDescription, CheckerboardDescription, CirclesDescription
 from measureapp.errors import CalibrationError
-from tests.calibrate.virtual_board import BOARDS, CHARUCO, CHECKER, CIRCLES, FULL, QUARTER, shot
+from tests.calibrate.virtual_board import BOARDS, CHARUCO, CHECKER, CIRCLES, FULL, HALF, QUARTER, shot
 
 every_kind = pytest.mark.parametrize("kind", list(BOARDS))
 
@@ -70,9 +70,10 @@ def test_a_hidden_part_of_a_charuco_board_only_costs_its_corners():
 
 
 @pytest.mark.parametrize("size", [(9, 6), (13, 11), (14, 10), (11, 8)])
-def test_a_checkerboard_larger_than_the_expected_one_is_reported_with_its_size(size):
+@pytest.mark.parametrize("pixels", [HALF, FULL])
+def test_a_checkerboard_larger_than_the_expected_one_is_reported_with_its_size(size, pixels):
     asked = CheckerboardDescription(columns=size[0], rows=size[1], square_mm=15.0)
-    assert "looks like one of 14 × 11 corners" in refusal(shot(CHECKER, 35, size=FULL).image, asked)
+    assert "looks like one of 14 × 11 corners" in refusal(shot(CHECKER, 35, size=pixels).image, asked)
 
 
 def test_a_smaller_checkerboard_seen_whole_is_reported_with_its_size():
