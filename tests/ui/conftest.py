@@ -184,7 +184,8 @@ def application(qapp, qtbot, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) ->
         runner.queue.cancel_all()
         runner.queue.wait(10_000)
     built.controllers.rig.close()
-    built.window.close()
+    if isValid(built.window):  # pytest-qt has closed it; an event loop within an event may have deleted it, too
+        built.window.close()
     built.language.choose("en")
     built.language.retranslation.finish()
     delete_all(built)
