@@ -16,6 +16,7 @@ import numpy as np
 from measureapp.arrays import BoolArray, FloatArray, IntArray, read_only
 from measureapp.data.calibration import CameraArrayCalibration
 from measureapp.data.phase import PhaseMap
+from measureapp.geometry.edge_width import blur_of_edge
 
 PIXELS = 320_000  # of the rows examined, in bands over the whole image
 BAND_ROWS = 32
@@ -23,7 +24,6 @@ SMOOTH_PX = 0.8
 LEAST_SLOPE, LEAST_STEP = 0.06, 0.12  # of the range of grey levels: per px, and from one side of an edge to the other
 REACH_PX, LEVEL_PX, STEP_PX = 4.0, 2.5, 0.25  # length of a profile to either side, where its levels begin, and its sampling
 UNEVEN = 0.04  # change of a level along its side, relative to the step
-GAUSSIAN_RISE = 2.563  # from 10 to 90 % of an edge, over the standard deviation of its blur
 LEAST_EDGES = 100
 SCATTER = 0.12  # of the widths, half of them lie within: more is no blur of steps
 KNOWN = 0.05  # relative: by less, edges of part and board do not differ significantly
@@ -55,7 +55,7 @@ def edge_blur_px(grey: FloatArray) -> float | None:
     if len(widths) < LEAST_EDGES:
         return None
     lower, median, upper = np.percentile(widths, (25.0, 50.0, 75.0))
-    return float(median) if upper - lower < SCATTER * median else None
+    return blur_of_edge(float(median)) if upper - lower < SCATTER * median else None
 
 
 def _bands(grey: FloatArray) -> list[FloatArray]:
@@ -67,7 +67,7 @@ def _bands(grey: FloatArray) -> list[FloatArray]:
 
 
 def _widths(grey: FloatArray, contrast: float) -> FloatArray:
-    """Return the widths (N,) of the edges between even levels, as standard deviations in px."""
+    """Return the widths (N,) of the edges between even levels from 10 to 90 %, px."""
     smooth = cv2.GaussianBlur(grey, (0, 0), SMOOTH_PX)
     across, down = (cv2.Sobel(smooth, cv2.CV_32F, *order, scale=0.125) for order in ((1, 0), (0, 1)))
     slope = np.hypot(across, down)
@@ -86,7 +86,7 @@ def _widths(grey: FloatArray, contrast: float) -> FloatArray:
     even = (rise > LEAST_STEP * contrast) & (change < UNEVEN * rise)
     share = (profile[even] - dark[even].mean(axis=1)[:, None]) / rise[even][:, None]
     share = np.maximum.accumulate(share, axis=1)
-    return (_reached(share, 0.9) - _reached(share, 0.1)) * STEP_PX / GAUSSIAN_RISE
+    return (_reached(share, 0.9) - _reached(share, 0.1)) * STEP_PX
 
 
 def _reached(rising: FloatArray, level: float) -> FloatArray:

@@ -15,6 +15,7 @@ from measureapp.calibrate.boards.refine import apply_homography, homography, loc
 from measureapp.calibrate.boards.squares import DetectedSquares, blur, levels_at
 from measureapp.calibrate.sightings import BoardDetectionError
 from measureapp.data.board import BoardDescription, CharucoDescription, CheckerboardDescription, CirclesDescription
+from measureapp.geometry.edge_width import GAUSSIAN_RISE, blur_of_edge
 
 FULL_SCALE = 255
 CLIPPED_MARK = 0.35  # share of saturated pixels round a mark, half of which is white
@@ -28,7 +29,6 @@ WORST_FIT_SHARE = 0.25  # a mark may leave the homography of all by this share o
 STEP_PX = 0.125
 MOST_OFF_PX = 1.0  # by which an edge may lie off its place to be laid onto the others
 KERNEL_PX = 4  # to either side, of what profiles are read with
-GAUSSIAN_RISE = 2.563  # from 10 to 90 % of an edge, over the standard deviation of its blur
 STRIPS, STRIP_SHARE = 12, 4
 LEAST_SHARE = 0.15  # of a board's marks: fewer in a grid may be anything
 SIDE_SHARE = 0.4  # of a side from the middle of a square: between the marker of a ChArUco board and the edge
@@ -239,7 +239,7 @@ def _profile_width(profiles: FloatArray) -> float:
 def blur_px(edges_px: Sequence[float]) -> float:
     """Return the standard deviation of the blur of a camera's images by how wide edges are in them; 0 where none is known."""
     known = [edge for edge in edges_px if edge > 0]
-    return float(np.median(known)) / GAUSSIAN_RISE if known else 0.0
+    return blur_of_edge(float(np.median(known))) if known else 0.0
 
 
 def is_blurred(grey: ImageArray) -> bool:

@@ -9,7 +9,6 @@ import numpy as np
 
 from measureapp.arrays import FloatArray
 from measureapp.calibrate.boards.observation import Observation
-from measureapp.calibrate.boards.quality import GAUSSIAN_RISE
 from measureapp.calibrate.draft.draft import Draft, Known, Setup
 from measureapp.calibrate.draft.solve import solve
 from measureapp.calibrate.kinds.table import KINDS
@@ -21,6 +20,7 @@ from measureapp.data.board import BoardDescription
 from measureapp.data.fringe import AxisReadback
 from measureapp.data.plan import ScanPlan, Viewpoint
 from measureapp.data.rig import CameraDescription, RigDescription
+from measureapp.geometry.edge_width import GAUSSIAN_RISE
 from measureapp.geometry.kinematics.arm import ArmModel
 from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.geometry.transform import RigidTransform, rotation_about
