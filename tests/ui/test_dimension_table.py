@@ -330,7 +330,9 @@ def test_selected_features_propose_a_dimension_and_constructions_that_fit(applic
     assert [action.text() for action in bar.menu.actions()] == ["Offset plane"]
     bar.menu.actions()[0].trigger()
     settled(application, qtbot)
-    assert page.side.features.names() == ("offset 1",) and "offset 1" in [one.name for one in application.session.inspection.features]
+    assert page.side.features.names() == ("offset plane 1",) and "offset plane 1" in [
+        one.name for one in application.session.inspection.features
+    ]
 
 
 def test_a_construction_is_drawn_in_the_picture_before_it_is_made(application, page, qtbot):
