@@ -100,15 +100,19 @@ class NominalSurface:
 
         Which triangle is hit is found in single precision, how far it is along the ray in double precision.
         """
-        answer = self._ray_scene.cast_rays(self._rays(points_mm, directions))
-        found = answer["t_hit"].numpy().astype(np.float64)
-        triangles = np.minimum(answer["primitive_ids"].numpy().astype(np.int64), len(self.triangles) - 1)  # a miss has an invalid id
-        normals = self.normals[triangles]
+        found = self.rough_hits(points_mm, directions)
+        normals = self.normals[found.triangles]
         slope = np.einsum("nd,nd->n", normals, directions)
-        away = np.einsum("nd,nd->n", normals, self.vertices_mm[self.triangles[triangles, 0]] - points_mm)
-        steep = np.isfinite(found) & (np.abs(slope) > STEEP)
-        found[steep] = away[steep] / slope[steep]
-        return Hits(found, triangles)
+        away = np.einsum("nd,nd->n", normals, self.vertices_mm[self.triangles[found.triangles, 0]] - points_mm)
+        steep = np.isfinite(found.distances_mm) & (np.abs(slope) > STEEP)
+        found.distances_mm[steep] = away[steep] / slope[steep]
+        return found
+
+    def rough_hits(self, points_mm: FloatArray, directions: FloatArray) -> Hits:
+        """Return `hits` with their distances in single precision, too."""
+        answer = self._ray_scene.cast_rays(self._rays(points_mm, directions))
+        last = len(self.triangles) - 1  # a miss has an invalid id
+        return Hits(answer["t_hit"].numpy().astype(np.float64), np.minimum(answer["primitive_ids"].numpy().astype(np.int64), last))
 
     def has_hits(self, points_mm: FloatArray, directions: FloatArray, reach_mm: float) -> BoolArray:
         """Return whether rays hit the surface within ``reach_mm`` (N,), in single precision: many times faster than where they do."""
