@@ -16,7 +16,7 @@ from measureapp.arrays import FloatArray
 GAUSSIAN_RISE = 2.563  # from 10 to 90 % of an edge, over the standard deviation of its blur
 FIRST_BLUR_PX = 0.7
 LEAST_BLUR_PX, MOST_BLUR_PX = 0.1, 20.0
-STEPS = 8  # of Levenberg and Marquardt
+STEPS = 6  # of Levenberg and Marquardt
 MOST_CHANGE = 0.7  # of the logarithm of the blur in one step
 FIRST_DAMPING, LESS_DAMPING, MORE_DAMPING = 1e-2, 0.2, 5.0
 PARAMETERS = 5  # dark level, step, offset, tilt, logarithm of the blur
@@ -58,9 +58,10 @@ def edge_blurs(
     damping = np.full(len(found), FIRST_DAMPING)
     left, slopes = _compare(found, across, along, levels, bright_px)
     for _ in range(STEPS):
-        normal = np.einsum("npi,npj->nij", slopes, slopes)
+        turned = np.swapaxes(slopes, 1, 2)
+        normal = turned @ slopes
         normal += np.eye(PARAMETERS) * (damping[:, None, None] * normal + 1e-9)
-        step = np.linalg.solve(normal, np.einsum("npi,np->ni", slopes, left)[..., None])[..., 0]
+        step = np.linalg.solve(normal, turned @ left[..., None])[..., 0]
         step[:, 4] = np.clip(step[:, 4], -MOST_CHANGE, MOST_CHANGE)
         tried = found + step
         tried[:, 4] = np.clip(tried[:, 4], np.log(LEAST_BLUR_PX), np.log(MOST_BLUR_PX))

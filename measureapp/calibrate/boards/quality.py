@@ -26,7 +26,8 @@ WIDEST_EDGE_PX = 6.0  # from 10 to 90 %; a sharp lens and chip give 2 to 3
 WIDEST_EDGE_SHARE = 0.10  # of the distance of marks, where that allows more
 WORST_SIGMA_PX = 0.5
 WORST_FIT_SHARE = 0.25  # a mark may leave the homography of all by this share of the distance of marks; lenses distort by less
-ACROSS_PX, ALONG_PX = 8.0, 3.0  # at most, of what is read to either side of a place on an edge
+MOST_EDGES = 50  # of each direction
+ACROSS_PX, ALONG_PX = 6.0, 2.0  # at most, of what is read to either side of a place on an edge
 ALONG_SHARE = 0.5  # of half a side, or of a radius
 BORDER = 0.05  # of a marker: less than half the width of its border
 STRIPS, STRIP_SHARE = 12, 4
@@ -84,10 +85,11 @@ def edge_widths(grey: ImageArray, board: BoardDescription, corners_px: FloatArra
 
     Parameters
     ----------
-    corners_px : (N, 2)
+    corners_px : (N, 2), of which `MOST_EDGES` at most are examined, evenly spread
     axes : (N, 2 axes, 2), 1 mm along x and y of the board in the image
     """
-    blurs = [edge_blurs(grey, *edges) for edges in _edges(board, corners_px, axes)]
+    some = slice(None, None, -(-len(corners_px) // MOST_EDGES) or 1)
+    blurs = [edge_blurs(grey, *edges) for edges in _edges(board, corners_px[some], axes[some])]
     return tuple(GAUSSIAN_RISE * float(np.median(one)) if len(one) else 0.0 for one in blurs)
 
 
