@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.special import ndtr
 
-from measureapp.arrays import FloatArray
+from measureapp.arrays import FloatArray, ImageArray
 
 GAUSSIAN_RISE = 2.563  # from 10 to 90 % of an edge, over the standard deviation of its blur
 FIRST_BLUR_PX = 0.7
@@ -41,7 +41,7 @@ STRAIGHT = EdgeShape()
 
 
 def edge_blurs(
-    image: FloatArray, places: FloatArray, normals: FloatArray, reach: tuple[float, float], shape: EdgeShape = STRAIGHT
+    image: FloatArray | ImageArray, places: FloatArray, normals: FloatArray, reach: tuple[float, float], shape: EdgeShape = STRAIGHT
 ) -> FloatArray:
     """Return the standard deviations of the blur at edges, pixel and lens together, (M,) px; M < N where edges lie at the border or are none.
 
@@ -74,7 +74,7 @@ def edge_blurs(
 
 
 def _near(
-    image: FloatArray, places: FloatArray, normals: FloatArray, reach: tuple[float, float], shape: EdgeShape
+    image: FloatArray | ImageArray, places: FloatArray, normals: FloatArray, reach: tuple[float, float], shape: EdgeShape
 ) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
     """Return distances across and along the edges and the values, (M, P) each, of the pixels within reach, and the widths (M, 1) of bright sides.
 
