@@ -1804,6 +1804,10 @@
       <translation>未证实</translation>
     </message>
     <message>
+      <source>offset plane</source>
+      <translation>偏置平面</translation>
+    </message>
+    <message>
       <source>point on axis</source>
       <translation>轴上的点</translation>
     </message>
@@ -7637,7 +7641,7 @@
     </message>
     <message>
       <source>explained by noise alone: one-sided, at most {v1} mm</source>
-      <translation>仅由噪声即可解释：单侧，至多 {v1} mm</translation>
+      <translation>仅由噪声即可解释：单侧，最多 {v1} mm</translation>
     </message>
     <message>
       <source>faces up to {v1} mm beside the edge</source>
@@ -9403,7 +9407,7 @@
     </message>
     <message>
       <source>robot's link {v1}</source>
-      <translation>机器人连杆 {v1}</translation>
+      <translation>机器人 {v1} 号连杆</translation>
     </message>
     <message>
       <source>rotary table</source>
@@ -19613,8 +19617,8 @@ The first run of this part counts.</source>
       <translation>至少 {limit}</translation>
     </message>
     <message>
-      <source>at least {limit}, measured to ± {u}</source>
-      <translation>至少 {limit}，测量不确定度 ± {u}</translation>
+      <source>at least {limit}, measured to {u}</source>
+      <translation>至少 {limit}，测量不确定度 {u}</translation>
     </message>
     <message>
       <source>at least {limit}: {past} too small</source>
@@ -19625,8 +19629,8 @@ The first run of this part counts.</source>
       <translation>最多 {limit}</translation>
     </message>
     <message>
-      <source>at most {limit}, measured to ± {u}</source>
-      <translation>至多 {limit}，测量不确定度 ± {u}</translation>
+      <source>at most {limit}, measured to {u}</source>
+      <translation>最多 {limit}，测量不确定度 {u}</translation>
     </message>
     <message>
       <source>at most {limit}: {past} too large</source>

@@ -26,11 +26,16 @@ def distances_along_normals(points_mm: FloatArray, normals: FloatArray, surface:
     sure : (N,) whether the result is valid: a hit within `REACH_MM` on a triangle of matching normal, with the foot of the
         perpendicular within `SLIDE_MM` of the hit; otherwise a closest-point query is required
     """
-    outwards, inwards = surface.hits(points_mm, normals), surface.hits(points_mm, -normals)
-    nearer = outwards.distances_mm < inwards.distances_mm
-    away = np.where(nearer, outwards.distances_mm, inwards.distances_mm)
-    triangles = np.where(nearer, outwards.triangles, inwards.triangles)
-    hit = np.isfinite(away) & (away < REACH_MM)
+    outwards = surface.hits(points_mm, normals)
+    away, triangles = outwards.distances_mm, outwards.triangles
+    doubtful: BoolArray = away >= REACH_MM
+    near = np.flatnonzero(~doubtful)
+    doubtful[near] = surface.has_hits(points_mm[near], -normals[near], REACH_MM + SLIDE_MM)
+    behind = np.flatnonzero(doubtful)  # rays inwards from elsewhere only cross the whole part
+    inwards = surface.hits(points_mm[behind], -normals[behind])
+    nearer = inwards.distances_mm <= away[behind]
+    away[behind[nearer]], triangles[behind[nearer]] = inwards.distances_mm[nearer], inwards.triangles[nearer]
+    hit = away < REACH_MM
     triangles = np.where(hit, triangles, 0)
     faces = surface.normals[triangles]
     corner = surface.vertices_mm[surface.triangles[triangles, 0]]
