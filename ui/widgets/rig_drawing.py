@@ -82,7 +82,7 @@ class RigDrawing(QWidget):
         canvas.circle(x, y, radius * 0.62)
         canvas.line((x - 40, y), (x + 40, y))
         canvas.line((x, y - 40), (x, y + 40))
-        canvas.text(x, y - radius, tr("Table ⌀ {value:.0f} mm", value=2 * radius), offset=(0, 14), clear=True)
+        canvas.text(x + radius, y, tr("Table ⌀ {value:.0f} mm", value=2 * radius), offset=(8, 0), centre=False)
         _robot_top(canvas, stand, x - rig.standoff_mm * 0.85, y)
 
 
@@ -125,8 +125,7 @@ def _sight(canvas: Canvas, head: tuple[float, float], goal: tuple[float, float],
     canvas.pen("accent", 1.0, Qt.PenStyle.DashLine)
     canvas.fill("accent", 0.08)
     canvas.polygon(head, (goal[0] - spread, goal[1] - 40), (goal[0] + spread, goal[1] + 30))
-    inside = ((head[0] + 2 * goal[0]) / 3, (head[1] + 2 * goal[1]) / 3)
-    canvas.text(*inside, f"{standoff_mm:.0f} mm", colour="accent_text", clear=True)
+    canvas.text(goal[0] + spread, goal[1] + 30, f"{standoff_mm:.0f} mm", offset=(8, 0), colour="accent_text", centre=False)
 
 
 def _robot_top(canvas: Canvas, stand: float, head_x: float, y: float) -> None:
