@@ -14654,10 +14654,6 @@ alignment = "{v2}"
   <context>
     <name>inspection</name>
     <message>
-      <source>   magnified x {gain}</source>
-      <translation>   放大 {gain} 倍</translation>
-    </message>
-    <message>
       <source> {lost} points lie farther than {search_mm} from the nominal.</source>
       <translation> {lost} 个点距名义模型超过 {search_mm}。</translation>
     </message>

@@ -47,3 +47,4 @@ class Label:
     point_mm: np.ndarray  # (3,)
     colour: tuple[int, int, int] = (24, 33, 38)
     background: tuple[int, int, int] = (255, 255, 255)
+    letters_px: float = 13.0

@@ -7,15 +7,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from ui.look.language.words import tr, translated
 from ui.look.theme import Theme
-from ui.look.wording import quantity
-from ui.pages.inspection.dimension_rows import dimension_words, features_of, unit_of
 from ui.pages.inspection.outlines import outline
 from ui.pages.inspection.section_lines import Whiskers, blade_layers
-from ui.pages.layers import rgb
-from ui.viewport.layers import Label, LineLayer
-from ui.widgets.data_table import VERDICT_WORDS
+from ui.viewport.layers import LineLayer
 
 if TYPE_CHECKING:
     from measureapp.data.dimension import Dimension
@@ -58,27 +53,3 @@ def _lines(feature: Feature, sections: SectionCurves | None) -> list[np.ndarray]
         return list(sections.blades[feature.name].outline)
     line = outline(feature)
     return [line] if len(line) else []
-
-
-def dimension_labels(
-    theme: Theme, dimensions: Sequence[Dimension], features: Sequence[Feature], sections: SectionCurves | None
-) -> list[Label]:
-    """Return value and verdict of each dimension that has features in the picture, in the colour of its verdict."""
-    known = {feature.name: feature for feature in features}
-    labels = []
-    for dimension in dimensions:
-        mine = [feature for name, feature in features_of(dimension, known) if feature is not None and name in dimension.features]
-        if not mine:
-            continue
-        measured, verdict = quantity(dimension.measured, unit_of(dimension), 3), VERDICT_WORDS.get(dimension.verdict, dimension.verdict)
-        words = f"{dimension_words(dimension.name)} {measured}   {translated(verdict)}"
-        if sections is not None and dimension.name in sections.profiles:
-            words += tr("   magnified x {gain}", gain=Whiskers.of(sections.profiles[dimension.name]).gain)
-        place = np.array([feature.point_mm for feature in (mine[:1] if len(mine) > 2 else mine)]).mean(axis=0)
-        labels.append(Label(_drawable(words), place, verdict_rgb(theme, dimension), rgb(theme, "surface")))
-    return labels
-
-
-def _drawable(words: str) -> str:
-    """Replace characters that the font of the 3-D view lacks."""
-    return words.replace("\u00a0", " ").replace("\u2009", " ").replace("\u2212", "-")

@@ -9,15 +9,16 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from measureapp.data.verdicts import worst_first
-from ui.look.language.words import tr
+from ui.look.language.words import tr, translated
 from ui.look.theme import Theme
 from ui.look.wording import NOTHING, quantity
 from ui.pages.inspection.dimension_rows import dimension_words, features_of, unit_of
-from ui.pages.inspection.feature_lines import dimension_labels, feature_lines, verdict_rgb
+from ui.pages.inspection.feature_lines import feature_lines, verdict_rgb
 from ui.pages.inspection.part_picture import GREYS
-from ui.pages.layers import mesh_layer, points_layer
+from ui.pages.layers import mesh_layer, points_layer, rgb
 from ui.pages.viewport_page import Composer, Picture
 from ui.viewport.layers import Label, LineLayer
+from ui.widgets.data_table import VERDICT_WORDS
 from ui.workers.job import Job
 
 if TYPE_CHECKING:
@@ -26,6 +27,7 @@ if TYPE_CHECKING:
     from measureapp.data.measurement import Inspection, Measurement
 
 MOST = 3
+LETTERS_PX = 20.0  # of labels: read from two metres
 OBLIQUE = np.array([-0.45, -0.5, 0.55])  # added to the direction of a feature, so that its edges show
 UPRIGHT = 0.3  # cosine between an axis and the vertical of the table, above which it has an upper end
 
@@ -80,7 +82,20 @@ def drawn(inspection: Inspection, theme: Theme) -> tuple[list[LineLayer], list[L
     lines: list[LineLayer] = []
     for dimension in reversed(shown):
         lines += feature_lines((), _features(inspection, dimension), dimension, None, verdict_rgb(theme, dimension))
-    return lines, dimension_labels(theme, shown, inspection.features, None)
+    return lines, _labels(inspection, theme)
+
+
+def _labels(inspection: Inspection, theme: Theme) -> list[Label]:
+    """Return name and verdict of the worst dimensions that have a place on the part; their values stand beside the picture."""
+    labels = []
+    for dimension in shown_dimensions(inspection.dimensions):
+        places = [feature.point_mm for feature in _features(inspection, dimension)]
+        if places:
+            verdict = translated(VERDICT_WORDS.get(dimension.verdict, dimension.verdict))
+            words = f"{dimension_words(dimension.name)}  {verdict}"
+            middle = np.mean(places[:1] if len(places) > 2 else places, axis=0)
+            labels.append(Label(words, middle, rgb(theme, "text"), rgb(theme, "surface"), LETTERS_PX))
+    return labels
 
 
 def part_composer(measurement: Measurement, shade: str) -> Composer | None:

@@ -13,7 +13,7 @@ from ui.viewport.overlay.camera_view import CameraView
 from ui.viewport.overlay.label_layout import place_labels
 from ui.viewport.overlay.style import OverlayStyle, use_letters
 
-PADDING, LETTERS_PX = 8.0, 13.0
+PADDING = 8.0
 
 
 def paint_labels(painter: QPainter, labels: Sequence[Label], camera: CameraView, style: OverlayStyle, right: float) -> None:
@@ -21,7 +21,7 @@ def paint_labels(painter: QPainter, labels: Sequence[Label], camera: CameraView,
     anchors = camera.pixels(np.array([label.point_mm for label in labels], float))
     sizes = []
     for label in labels:
-        size = style.measure(label.text, LETTERS_PX)
+        size = style.measure(label.text, label.letters_px)
         sizes.append((round(size.width() + 2 * PADDING * style.scale), round(size.height() + PADDING * style.scale)))
     upward = np.column_stack([anchors[:, 0], camera.height - anchors[:, 1]])
     offsets = place_labels(upward, sizes, (round(right), round(camera.height)))
@@ -35,11 +35,11 @@ def paint_labels(painter: QPainter, labels: Sequence[Label], camera: CameraView,
         painter.drawLine(QPointF(x, y), _edge(box, x, y))
         painter.setBrush(QColor(*label.colour))
         painter.drawEllipse(QPointF(x, y), 2.5 * style.scale, 2.5 * style.scale)
-    use_letters(painter, style, LETTERS_PX)
     for label, box in zip(labels, boxes, strict=True):
         painter.setPen(QPen(QColor(*label.colour), style.scale))
         painter.setBrush(QColor(*label.background))
         painter.drawRoundedRect(box, 3 * style.scale, 3 * style.scale)
+        use_letters(painter, style, label.letters_px)
         painter.drawText(box, Qt.AlignmentFlag.AlignCenter, label.text)
     painter.restore()
 
