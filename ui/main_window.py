@@ -33,6 +33,7 @@ from ui.settings.settings import Settings
 from ui.shell.commands import register_commands
 from ui.shell.drops import DropActions, DropTarget
 from ui.shell.header_state import HeaderState
+from ui.shell.next_frame import NextFrame
 from ui.shell.project_menu import ProjectMenu
 from ui.shell.support_log import save_support_log, support_lines
 from ui.shell.tour import Tour
@@ -69,6 +70,7 @@ class MainWindow(QMainWindow):
         self.properties = PropertiesPanel(look)
         self.strip = JobStrip(look)
         self.closing, self._may_stop = ClosingBar(look), False
+        self.next_frame = NextFrame(self)
         self.pages = Pages(PAGES, self._make_page)
         self.rail = Rail(look, self.pages.words)
         self.stack = QStackedWidget()
@@ -236,6 +238,8 @@ class MainWindow(QMainWindow):
         header.themeClicked.connect(self.change_theme)
         header.stopClicked.connect(controllers.rig.stop)
         header.role.valueChanged.connect(self._change_role)
+        controllers.startup.rigLoaded.connect(self.next_frame.wait)
+        self.next_frame.drawn.connect(controllers.startup.go_on)
         controllers.startup.imported.connect(self.make_pages)
         controllers.files.measured.connect(lambda: self.show_page("inspection"))
         header.operatorSetupClicked.connect(self.shell.set_up)

@@ -35,7 +35,7 @@ def register(app: typer.Typer) -> None:
         if reset_engineer_pin:
             _reset_pin(as_json=as_json)
             return
-        if project is not None and not project.is_dir():
+        if project is not None and not (project / "project.json").is_file():
             raise InputError(f"{project} is not a project folder.", "Name a folder made by `measureapp demo` or `measureapp scan`.")
         check_screen()
         code = _window().run(project, demo)

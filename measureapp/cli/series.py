@@ -14,6 +14,8 @@ from measureapp.language.languages import ENGLISH
 ProgramArgument = Annotated[str, typer.Argument(help="Name of the program, as `series list` shows it.")]
 RootOption = Annotated[Path | None, typer.Option("--results", help="Folder of all series; by default MeasureApp/results in your home.")]
 
+NONE_YET = "There is none yet: measure parts by this program, or add projects with `measureapp series add`."
+
 
 def register(app: typer.Typer) -> None:
     """Add the command group."""
@@ -48,7 +50,7 @@ def _add_show(group: typer.Typer) -> None:
 
         known = list_programs(results)
         if program not in known:
-            raise InputError(f"There is no series of {program}.", f"Name one of: {', '.join(known) or 'none yet'}.")
+            raise InputError(f"There is no series of {program}.", f"Name one of: {', '.join(known)}." if known else NONE_YET)
         runs = SeriesStore(program, results).runs(serial_number=serial, since=since)
         lines = [
             f"{run.measured_at}  {run.identification.serial_number or '-':20}  {run.verdict or 'no verdict'}"

@@ -29,6 +29,7 @@ PUNCTUATION = tuple(  # of sentences that were put together, as Chinese writes i
         (rf"(?:{AFTER_IDEOGRAPH}|(?<=\d[°%]))\. ?(?=$|[{IDEOGRAPHS[0]}-{IDEOGRAPHS[1]}])", "。"),
         (rf"(?<=[{IDEOGRAPHS[0]}-{IDEOGRAPHS[1]}]\s)([\d\s]*\d)\.$", r"\1。"),
         ("。 ", "。"),
+        ("(?<=或)(?=[A-Za-z0-9])", " "),
     )
 )
 BEGINS = {"lower": str.lower, "upper": str.upper}  # how a text begins, as the format of its placeholder

@@ -15,7 +15,7 @@ from measureapp.data.length_unit import LengthUnit
 from measureapp.data.pattern_sets import DEFAULT_NAME
 from measureapp.data.project_settings import DEFAULT_BOARD
 from measureapp.data.rig import Resolution, RigDescription
-from measureapp.data.sample_worlds import DEFAULT_WORLD, IDEAL
+from measureapp.data.sample_worlds import DEFAULT_WORLD, IDEAL, world_file
 from measureapp.errors import InputError
 from measureapp.pipeline.run import NewProject, ScanRequest
 from measureapp.planning.viewpoints import plan_around_part
@@ -112,9 +112,9 @@ def known_of(conditions: str) -> str:
     Raises
     ------
     InputError
-        The file cannot be read, or names something else.
+        There is no such world, or its file cannot be read or names something else.
     """
-    path = Path(conditions) if Path(conditions).suffix else resource(f"worlds/{conditions}.toml")
+    path = world_file(conditions)
     known = str(read_toml(path, "Give a TOML file such as those in resources/worlds.").get("known", IDEAL))
     if known not in (IDEAL, *KNOWN_OF_RIGS):
         raise InputError(f"{path} states known = {known!r}.", f"Name one of {', '.join((IDEAL, *KNOWN_OF_RIGS))}.")

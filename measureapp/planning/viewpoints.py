@@ -21,6 +21,7 @@ RINGS_DEG = ((0.0, 32.0), (8.0, 62.0), (-8.0, 47.0))  # azimuth and elevation, i
 RING_SHARES = {1: (1.0,), 2: (0.6, 0.4), 3: (0.4, 0.25, 0.35)}  # walls need more viewpoints than tops
 FIELD_RADIUS_MM = 140.0  # half the smaller side of the common field of view of the reference rig
 ELEVATION_STEP_DEG = 2.0
+MOST_VIEWPOINTS = 500
 LEAST_TARGET_MM = 55.0  # above the table, so that the calibration board on its stand is visible as well
 
 
@@ -77,17 +78,17 @@ def plan_around_part(
     rig : nominal description
     name : of the plan
     radius_mm, height_mm : of the enclosing cylinder of the part about the table's axis
-    count : number of viewpoints, at least 1
+    count : number of viewpoints, 1 to `MOST_VIEWPOINTS`
     patterns : name of a predefined pattern set
     arm : of the rig's robot, whose joint limits are then kept; None: its reach only
 
     Raises
     ------
     PlanError
-        ``count`` is below 1, there is no such pattern set, or a viewpoint cannot be reached at any elevation.
+        ``count`` is out of range, there is no such pattern set, or a viewpoint cannot be reached at any elevation.
     """
-    if count < 1:
-        raise PlanError(f"{count} viewpoints were requested.", "Request at least 1.")
+    if not 1 <= count <= MOST_VIEWPOINTS:
+        raise PlanError(f"{count} viewpoints were requested.", f"Request 1 to {MOST_VIEWPOINTS}.")
     sets = make_pattern_sets(rig.projector.width_px, rig.projector.height_px)
     if patterns not in sets:
         raise PlanError(f"There is no pattern set {patterns!r}.", f"Choose one of {', '.join(sets)}.")

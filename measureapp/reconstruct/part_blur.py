@@ -16,16 +16,17 @@ import numpy as np
 from measureapp.arrays import BoolArray, FloatArray, IntArray, read_only
 from measureapp.data.calibration import CameraArrayCalibration
 from measureapp.data.phase import PhaseMap
-from measureapp.geometry.edge_width import blur_of_edge
+from measureapp.geometry.edge_blur import edge_blurs
 
 PIXELS = 320_000  # of the rows examined, in bands over the whole image
 BAND_ROWS = 32
 SMOOTH_PX = 0.8
 LEAST_SLOPE, LEAST_STEP = 0.06, 0.12  # of the range of grey levels: per px, and from one side of an edge to the other
-REACH_PX, LEVEL_PX, STEP_PX = 4.0, 2.5, 0.25  # length of a profile to either side, where its levels begin, and its sampling
+REACH_PX, LEVEL_PX = 4.0, 2.5  # length of a profile to either side, and where its levels begin
+ALONG_PX = 2.0  # to either side of a profile, of an edge
 UNEVEN = 0.04  # change of a level along its side, relative to the step
-LEAST_EDGES = 100
-SCATTER = 0.12  # of the widths, half of them lie within: more is no blur of steps
+LEAST_EDGES, MOST_EDGES = 100, 400
+SCATTER = 0.12  # of the blurs of edges, half of them lie within: more is no blur of steps
 KNOWN = 0.05  # relative: by less, edges of part and board do not differ significantly
 MOST_PLACES = 30_000  # read at once: OpenCV takes fewer than 32 768 rows
 
@@ -47,15 +48,16 @@ def with_blur_of_part(phase_maps: Mapping[str, PhaseMap], cameras: CameraArrayCa
 
 
 def edge_blur_px(grey: FloatArray) -> float | None:
-    """Return the standard deviation of the blur in an image (H, W) float32 by the median width of its edges; None if they do not determine it."""
+    """Return the standard deviation of the blur in an image (H, W) float32, the median of its edges; None if they do not determine it."""
     low, high = np.percentile(grey[::4, ::4], (1.0, 99.5))
     if high <= low:
         return None
-    widths = np.concatenate([_widths(band, float(high - low)) for band in _bands(grey)])
-    if len(widths) < LEAST_EDGES:
+    bands = _bands(grey)
+    blurs = np.concatenate([_blurs(band, float(high - low), MOST_EDGES // len(bands)) for band in bands])
+    if len(blurs) < LEAST_EDGES:
         return None
-    lower, median, upper = np.percentile(widths, (25.0, 50.0, 75.0))
-    return blur_of_edge(float(median)) if upper - lower < SCATTER * median else None
+    lower, median, upper = np.percentile(blurs, (25.0, 50.0, 75.0))
+    return float(median) if upper - lower < SCATTER * median else None
 
 
 def _bands(grey: FloatArray) -> list[FloatArray]:
@@ -66,8 +68,8 @@ def _bands(grey: FloatArray) -> list[FloatArray]:
     return [grey[start : start + BAND_ROWS] for start in np.linspace(0, height - BAND_ROWS, number).astype(int)]
 
 
-def _widths(grey: FloatArray, contrast: float) -> FloatArray:
-    """Return the widths (N,) of the edges between even levels from 10 to 90 %, px."""
+def _blurs(grey: FloatArray, contrast: float, most: int) -> FloatArray:
+    """Return the blurs (N,) of edges between even levels, px; of many only as many as stated, evenly spread."""
     smooth = cv2.GaussianBlur(grey, (0, 0), SMOOTH_PX)
     across, down = (cv2.Sobel(smooth, cv2.CV_32F, *order, scale=0.125) for order in ((1, 0), (0, 1)))
     slope = np.hypot(across, down)
@@ -78,23 +80,15 @@ def _widths(grey: FloatArray, contrast: float) -> FloatArray:
     before, own, after = (_read(slope, column, row, normal, np.array([apart]), cv2.INTER_LINEAR)[:, 0] for apart in (-1.0, 0.0, 1.0))
     steepest: BoolArray = (own > before) & (own >= after)
     place = (0.5 * (before - after) / np.minimum(before - 2.0 * own + after, -1e-9))[steepest]
-    steps = np.arange(-REACH_PX, REACH_PX + STEP_PX / 2, STEP_PX)
-    profile = _read(grey, column[steepest], row[steepest], normal[steepest], place[:, None] + steps, cv2.INTER_LANCZOS4)
-    dark, bright = profile[:, steps <= -LEVEL_PX], profile[:, steps >= LEVEL_PX]
+    columns, rows, normals = column[steepest], row[steepest], normal[steepest]
+    sides = [np.arange(one * LEVEL_PX, one * REACH_PX + 0.1 * one, 0.5 * one) for one in (-1.0, 1.0)]
+    dark, bright = (_read(grey, columns, rows, normals, place[:, None] + side, cv2.INTER_LINEAR) for side in sides)
     rise = bright.mean(axis=1) - dark.mean(axis=1)
     change = np.maximum(abs(dark[:, -1] - dark[:, 0]), abs(bright[:, -1] - bright[:, 0]))
-    even = (rise > LEAST_STEP * contrast) & (change < UNEVEN * rise)
-    share = (profile[even] - dark[even].mean(axis=1)[:, None]) / rise[even][:, None]
-    share = np.maximum.accumulate(share, axis=1)
-    return (_reached(share, 0.9) - _reached(share, 0.1)) * STEP_PX
-
-
-def _reached(rising: FloatArray, level: float) -> FloatArray:
-    """Return where profiles (N, M) reach a level, (N,) as an index with a fraction."""
-    after = np.maximum(np.argmax(rising >= level, axis=1), 1)
-    row = np.arange(len(rising))
-    low, high = rising[row, after - 1], rising[row, after]
-    return np.asarray(after - 1 + np.clip((level - low) / np.maximum(high - low, 1e-9), 0.0, 1.0))
+    even = np.flatnonzero((rise > LEAST_STEP * contrast) & (change < UNEVEN * rise))
+    even = even[:: max(1, -(-len(even) // most))]
+    places = np.column_stack([columns[even], rows[even]]) + place[even, None] * normals[even]
+    return edge_blurs(grey, places, normals[even], (REACH_PX, ALONG_PX))
 
 
 def _read(image: FloatArray, column: IntArray, row: IntArray, normal: FloatArray, apart: FloatArray, how: int) -> FloatArray:

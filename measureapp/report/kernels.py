@@ -36,7 +36,7 @@ def draw_triangles(corners: Any, triangles: Any, depth: Any, shown: Any, weights
         i, j, k = triangles[t, 0], triangles[t, 1], triangles[t, 2]
         xi, yi, xj, yj, xk, yk = corners[i, 0], corners[i, 1], corners[j, 0], corners[j, 1], corners[k, 0], corners[k, 1]
         doubled = (xj - xi) * (yk - yi) - (xk - xi) * (yj - yi)
-        if doubled == 0.0:
+        if doubled == 0.0 or np.ceil(min(xi, xj, xk)) > np.floor(max(xi, xj, xk)):  # flat, or between two columns as most of a fine mesh
             continue
         first, last = max(int(np.ceil(min(yi, yj, yk))), 0), min(int(np.floor(max(yi, yj, yk))), height - 1)
         for row in range(first, last + 1):

@@ -27,8 +27,6 @@ def part_from_file(path: Path, unit: LengthUnit = LengthUnit.MM) -> Part:
     InputError
         The file is missing, of another type, damaged, truncated or empty, or its size is implausible.
     """
-    if path.suffix.lower() not in KINDS:
-        raise InputError(f"{path} is not a supported mesh file.", "Give an STL, PLY or OBJ file, or the name of a sample part.")
     vertices, triangles, closed = _read(path)
     vertices = vertices * unit.in_mm
     size = np.ptp(vertices, axis=0)
@@ -51,6 +49,8 @@ def _read(path: Path) -> tuple[FloatArray, IntArray, bool]:
     import trimesh
 
     again = "Export it again, or copy it again if the copy is incomplete."
+    if path.suffix.lower() not in KINDS:
+        raise InputError(f"{path} is not a supported mesh file.", "Give an STL, PLY or OBJ file, or the name of a sample part.")
     if not path.is_file():
         raise InputError(f"{path} does not exist.", "Give the path of an STL, PLY or OBJ file.")
     _refuse_truncated(path, again)

@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 from scipy.spatial.transform import Rotation
 
+from measureapp.errors import InputError
 from measureapp.geometry.transform import RigidTransform
 from measureapp.simulate.part import Part
 
@@ -23,7 +24,9 @@ def placed_from_nominal(part: Part, turn_deg: tuple[float, float, float]) -> Rig
 
 
 def place_part(part: Part, turn_deg: tuple[float, float, float]) -> Part:
-    """Return the part in the orientation of `placed_from_nominal`; unchanged if it is upright."""
+    """Return the part in the orientation of `placed_from_nominal`; unchanged if it is upright. Raises InputError for what is no angle."""
     if turn_deg == UPRIGHT_DEG:
         return part
+    if not np.isfinite(turn_deg).all():
+        raise InputError("The part cannot be turned by what is no number.", "Give three angles in degrees.")
     return replace(part, mesh=part.mesh.seen_from(placed_from_nominal(part, turn_deg)))

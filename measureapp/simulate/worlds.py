@@ -8,13 +8,12 @@ knows (`pipeline.sample`).
 from __future__ import annotations
 
 import tomllib
-from pathlib import Path
 
 from pydantic import ValidationError
 
 from measureapp.data.model import first_problem
+from measureapp.data.sample_worlds import world_file
 from measureapp.errors import InputError
-from measureapp.resources import resource
 from measureapp.simulate.options import WorldOptions
 
 KNOWN = "known"
@@ -28,7 +27,7 @@ def read_world(name_or_path: str) -> WorldOptions:
     InputError
         There is no such world, or its file cannot be read or states something unknown.
     """
-    path = _path_of(name_or_path)
+    path = world_file(name_or_path)
     try:
         stated = tomllib.loads(path.read_text(encoding="utf-8"))
         return WorldOptions.model_validate({name: value for name, value in stated.items() if name != KNOWN})
@@ -38,16 +37,3 @@ def read_world(name_or_path: str) -> WorldOptions:
         raise InputError(
             f"The world {path}: {first_problem(error, 'its values')}.", "Correct it; resources/worlds has examples."
         ) from error
-
-
-def world_names() -> tuple[str, ...]:
-    """Return the names of the worlds that the program has."""
-    return tuple(sorted(path.stem for path in resource("worlds").glob("*.toml")))
-
-
-def _path_of(name_or_path: str) -> Path:
-    if Path(name_or_path).suffix:
-        return Path(name_or_path)
-    if name_or_path not in world_names():
-        raise InputError(f"There is no world {name_or_path!r}.", f"Name one of {', '.join(world_names())}, or a TOML file.")
-    return resource(f"worlds/{name_or_path}.toml")

@@ -1804,6 +1804,10 @@
       <translation>未证实</translation>
     </message>
     <message>
+      <source>offset plane</source>
+      <translation>偏置平面</translation>
+    </message>
+    <message>
       <source>point on axis</source>
       <translation>轴上的点</translation>
     </message>
@@ -4980,6 +4984,10 @@
       <translation>测量机</translation>
     </message>
     <message>
+      <source>Name one of {v1}, or a TOML file.</source>
+      <translation>请指定 {v1} 之一，或一个 TOML 文件。</translation>
+    </message>
+    <message>
       <source>Name one of: {v1}.</source>
       <translation>请指定其一：{v1}。</translation>
     </message>
@@ -5034,6 +5042,10 @@
     <message>
       <source>The rotation axis is given in frame {v1}, not in the guide frame.</source>
       <translation>旋转轴以坐标系 {v1} 给出，而非导轨坐标系。</translation>
+    </message>
+    <message>
+      <source>There is no world {v1}.</source>
+      <translation>没有世界 {v1}。</translation>
     </message>
     <message>
       <source>Transform it to the guide frame.</source>
@@ -7629,7 +7641,7 @@
     </message>
     <message>
       <source>explained by noise alone: one-sided, at most {v1} mm</source>
-      <translation>仅由噪声即可解释：单侧，至多 {v1} mm</translation>
+      <translation>仅由噪声即可解释：单侧，最多 {v1} mm</translation>
     </message>
     <message>
       <source>faces up to {v1} mm beside the edge</source>
@@ -9194,8 +9206,8 @@
       <translation>请先重命名组，或取消分组。</translation>
     </message>
     <message>
-      <source>Request at least 1.</source>
-      <translation>请至少要求 1 个。</translation>
+      <source>Request 1 to {v1}.</source>
+      <translation>请要求 1 到 {v1} 个。</translation>
     </message>
     <message>
       <source>See `measureapp plan show` for its names.</source>
@@ -9395,7 +9407,7 @@
     </message>
     <message>
       <source>robot's link {v1}</source>
-      <translation>机器人连杆 {v1}</translation>
+      <translation>机器人 {v1} 号连杆</translation>
     </message>
     <message>
       <source>rotary table</source>
@@ -14174,12 +14186,16 @@ alignment = "{v2}"
       <translation>请给出 STL、PLY 或 OBJ 文件的路径。</translation>
     </message>
     <message>
-      <source>Name one of {v1}, or a TOML file.</source>
-      <translation>请指定 {v1} 之一，或一个 TOML 文件。</translation>
+      <source>Give three angles in degrees.</source>
+      <translation>请给出三个以度为单位的角度。</translation>
     </message>
     <message>
       <source>Name one of {v1}, or a mesh file (STL, PLY, OBJ).</source>
       <translation>请指定 {v1} 之一，或一个网格文件（STL、PLY、OBJ）。</translation>
+    </message>
+    <message>
+      <source>The part cannot be turned by what is no number.</source>
+      <translation>零件无法按非数字的角度转动。</translation>
     </message>
     <message>
       <source>The world {v1} cannot be read: {v2}.</source>
@@ -14192,10 +14208,6 @@ alignment = "{v2}"
     <message>
       <source>There is no sample part {v1}.</source>
       <translation>没有示例工件 {v1}。</translation>
-    </message>
-    <message>
-      <source>There is no world {v1}.</source>
-      <translation>没有世界 {v1}。</translation>
     </message>
     <message>
       <source>an outline is sampled too coarsely to be triangulated</source>
@@ -19605,8 +19617,8 @@ The first run of this part counts.</source>
       <translation>至少 {limit}</translation>
     </message>
     <message>
-      <source>at least {limit}, measured to ± {u}</source>
-      <translation>至少 {limit}，测量不确定度 ± {u}</translation>
+      <source>at least {limit}, measured to {u}</source>
+      <translation>至少 {limit}，测量不确定度 {u}</translation>
     </message>
     <message>
       <source>at least {limit}: {past} too small</source>
@@ -19617,8 +19629,8 @@ The first run of this part counts.</source>
       <translation>最多 {limit}</translation>
     </message>
     <message>
-      <source>at most {limit}, measured to ± {u}</source>
-      <translation>至多 {limit}，测量不确定度 ± {u}</translation>
+      <source>at most {limit}, measured to {u}</source>
+      <translation>最多 {limit}，测量不确定度 {u}</translation>
     </message>
     <message>
       <source>at most {limit}: {past} too large</source>

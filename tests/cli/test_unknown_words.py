@@ -17,8 +17,25 @@ def test_an_unknown_option_is_refused(command: tuple[str, ...], capsys) -> None:
 
 
 def test_gui_refuses_what_is_no_project_and_an_unknown_option(tmp_path: Path, capsys) -> None:
-    assert main(["gui", str(tmp_path / "absent")]) == main(["gui", "--no-such-option"]) == 2
-    assert capsys.readouterr().err.count("\n") == 2
+    assert main(["gui", str(tmp_path / "absent")]) == main(["gui", str(tmp_path)]) == main(["gui", "--no-such-option"]) == 2
+    assert capsys.readouterr().err.count("\n") == 3
+
+
+@pytest.mark.parametrize(
+    ("given", "answer"),
+    [
+        (["--rig", "no_such"], "There is no world 'no_such'. Name one of "),
+        (["--part", "notes.txt"], "notes.txt is not a supported mesh file."),
+        (["--viewpoints", "0"], "Request 1 to 500."),
+        (["--viewpoints", "1000000"], "Request 1 to 500."),
+        (["--turn-deg", "nan", "0", "0"], "Give three angles in degrees."),
+    ],
+)
+def test_the_demo_refuses_what_it_cannot_show(given: list[str], answer: str, tmp_path: Path, monkeypatch, capsys) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "notes.txt").write_text("no mesh")
+    assert answer in refused(capsys, ["demo", "--out", str(tmp_path / "new"), *given])
+    assert not (tmp_path / "new").exists()
 
 
 def test_an_unknown_command_is_refused(capsys) -> None:

@@ -165,6 +165,7 @@ def test_a_project_that_is_no_folder_is_refused_before_the_window_opens(capsys, 
 def test_the_window_gets_the_project_and_its_answer_is_the_exit_code(monkeypatch, tmp_path) -> None:
     calls = []
     window = type("window", (), {"run": staticmethod(lambda project, demo: calls.append((project, demo)) or 7)})
+    (tmp_path / "project.json").write_text("{}")
     monkeypatch.setattr("measureapp.cli.gui._window", lambda: window)
     assert main(["gui", str(tmp_path), "--demo"]) == 7
     assert calls == [(tmp_path, True)]

@@ -183,6 +183,12 @@ def test_no_word_of_the_page_is_left_in_english(reported, bracketed) -> None:
     assert not english_left(visible(page))
 
 
+def test_sentences_of_a_chinese_page_follow_each_other_without_a_space(reported) -> None:
+    texts = list(visible(html_text(reported("zh_CN"))))
+    assert any("。" in text[:-1] for text in texts)
+    assert not [text for text in texts if "。 " in text]
+
+
 def test_no_word_of_the_workbook_is_left_in_english(reported, bracketed, tmp_path: Path, monkeypatch) -> None:
     monkeypatch.setattr("measureapp.report.xlsx.DIMENSIONS", "Kind")  # as names of sheets cannot have 32 letters or brackets in brackets
     book = openpyxl.load_workbook(write_xlsx(reported("zh_CN"), tmp_path / "r.xlsx"))

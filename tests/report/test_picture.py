@@ -78,6 +78,14 @@ def test_each_pixel_shows_the_triangle_that_a_ray_meets_first() -> None:
     assert np.array_equal(cv2.morphologyEx(filled, cv2.MORPH_CLOSE, np.ones((3, 3), np.uint8)), filled)  # nothing shows between triangles
 
 
+def test_a_view_of_several_pictures_is_drawn_once(block: Mesh) -> None:
+    scene, from_above = SurfaceScene(block), ViewDirection(-58, 34)
+    seen = scene.see(from_above, 60, 40)
+    assert scene.see(from_above, 60, 40) is seen
+    assert scene.see(from_above, 40, 60).depth.shape == (120, 80)
+    assert not np.array_equal(scene.see(ViewDirection(32, 34), 60, 40).depth, seen.depth)
+
+
 def test_smooth_normals_are_those_of_their_statement() -> None:
     """Σ area · n (n·own) over the triangles at a corner: what faces another way does not contribute."""
     import trimesh

@@ -10,10 +10,12 @@ import pytest
 from PIL import Image
 
 from measureapp.data.identification import Identification
+from measureapp.data.report_template import ReportTemplate
 from measureapp.report.compose import compose
 from measureapp.report.fonts import covered, missing_letters, spell_out
-from measureapp.report.model import Details, DimensionPicture
+from measureapp.report.model import Details, DimensionPicture, Fact, Section
 from measureapp.report.pdf import page_images, pdf_bytes
+from measureapp.report.template import Template
 
 AT = "2026-05-04T12:00:00+00:00"
 
@@ -72,3 +74,21 @@ def test_a_page_with_pictures_of_failing_dimensions_goes_on_with_the_deviation(f
     page = np.asarray(Image.open(io.BytesIO(page_images(replace(model, failing=drawn), ppi=40)[1])).convert("L"))
     text_mm = np.flatnonzero((page < 200).any(axis=1)) / page.shape[0] * 297
     assert text_mm[text_mm < 275].max() > 225  # above the footer
+
+
+def test_no_row_of_a_table_of_facts_is_alone_on_a_page(measured) -> None:
+    whole = compose(measured(), details=Details(template=Template(ReportTemplate(pages=("settings",))), created_at=AT), pictures=False)
+    seen = set()
+    for count in range(56, 62):  # about as many as a page has room for
+        facts = tuple(Fact(f"setting {place}", "as planned") for place in range(count))
+        pages = page_images(replace(whole, sections=(Section("Settings", facts),)), ppi=100)
+        seen |= {len(text_lines(page)) for page in pages[1:]}
+    assert seen >= {1, 3, 4}  # at least the line that says when the report was written
+    assert 2 not in seen
+
+
+def text_lines(page: bytes) -> list[int]:
+    """Return where lines of text begin in the left third of a page, without head and foot."""
+    ink = np.asarray(Image.open(io.BytesIO(page)).convert("L"))
+    inside = (ink[int(0.06 * len(ink)) : int(0.9 * len(ink)), : ink.shape[1] // 3] < 140).any(axis=1)
+    return [int(row) for row in np.flatnonzero(np.diff(inside.astype(int)) == 1)]

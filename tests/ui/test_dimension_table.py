@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QLabel, QLineEdit
+from PySide6.QtWidgets import QLineEdit
 
 from measureapp.inspection.dimensions import inspect
 from measureapp.inspection.programming import edits
@@ -330,7 +330,9 @@ def test_selected_features_propose_a_dimension_and_constructions_that_fit(applic
     assert [action.text() for action in bar.menu.actions()] == ["Offset plane"]
     bar.menu.actions()[0].trigger()
     settled(application, qtbot)
-    assert page.side.features.names() == ("offset 1",) and "offset 1" in [one.name for one in application.session.inspection.features]
+    assert page.side.features.names() == ("offset plane 1",) and "offset plane 1" in [
+        one.name for one in application.session.inspection.features
+    ]
 
 
 def test_a_construction_is_drawn_in_the_picture_before_it_is_made(application, page, qtbot):
@@ -347,34 +349,6 @@ def test_a_construction_is_drawn_in_the_picture_before_it_is_made(application, p
     menu.aboutToHide.emit()
     qtbot.waitUntil(lambda: len(drawn[-1]) == before)
     assert [one.name for one in application.session.inspection.features] == names and not application.controllers.programming.is_modified
-
-
-def test_an_alignment_that_would_be_refused_says_so_before_it_is_applied(page):
-    page.side.list.setValue("alignment")
-    panel = page.side.alignment
-    panel.method.setValue("3-2-1")
-    panel._add("ball")
-    said = " ".join(one.text() for one in panel.findChildren(QLabel))
-    assert "3-2-1 needs a plane there." in said and panel.lamps.fixed == 0
-    panel.method.setValue("datums")
-    assert panel.lamps.fixed == 3 and panel.apply.isEnabled()
-
-
-def test_the_alignment_is_chosen_by_its_elements_with_lamps_for_what_they_fix(application, page, qtbot):
-    page.side.list.setValue("alignment")
-    panel = page.side.alignment
-    panel.method.setValue("datums")
-    assert panel.lamps.fixed == 0 and not panel.apply.isEnabled()
-    panel._add("plate")
-    assert panel.lamps.fixed == 3 and panel.count.text().startswith("3/6; free: ") and panel.apply.isEnabled()
-    panel._add("ball")
-    assert panel.lamps.fixed == 5 and panel.value() == {"method": "datums", "datums": ["plate", "ball"]}
-    panel.apply.click()
-    settled(application, qtbot)
-    assert not application.session.inspection.alignment.name.startswith("none") and "plate" in panel.result.text().lower()
-    page.undo_last()
-    settled(application, qtbot)
-    assert application.session.inspection.alignment.name.startswith("none") and panel.value() == {"method": "none"}
 
 
 def test_a_datum_letter_is_changed_in_the_list_of_features_and_every_frame_follows(page, application, qtbot):

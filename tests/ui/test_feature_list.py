@@ -98,8 +98,8 @@ def test_new_entries_are_named_in_the_language_of_the_window_and_keep_their_name
     application.settings.set_text("language", "en")
     application.language.retranslation.finish()
     program = application.controllers.programming.state.program
-    assert (program.features[-1].name, program.dimensions[-1].name) == ("偏移 1", "ball 直径")
-    assert "偏移 1" in [row[0] for row in page.side.features.texts()]
+    assert (program.features[-1].name, program.dimensions[-1].name) == ("偏置平面 1", "ball 直径")
+    assert "偏置平面 1" in [row[0] for row in page.side.features.texts()]
 
 
 def test_a_constructed_feature_is_made_at_its_distance_and_listed_with_what_it_is_made_from(application, page, qtbot):
@@ -111,9 +111,9 @@ def test_a_constructed_feature_is_made_at_its_distance_and_listed_with_what_it_i
     bar.menu.actions()[0].trigger()
     settled(application, qtbot)
     entry = application.controllers.programming.state.program.features[-1]
-    assert (entry.name, entry.distance_mm) == ("offset 1", -2.5)
-    assert cells(page, "Offset 1")[2:] == ["plane, constructed", "–", "–", "–"]
-    assert page.side.features.constructed["offset 1"].of == ("plate",)
+    assert (entry.name, entry.distance_mm) == ("offset plane 1", -2.5)
+    assert cells(page, "Offset plane 1")[2:] == ["plane, constructed", "–", "–", "–"]
+    assert page.side.features.constructed["offset plane 1"].of == ("plate",)
     (group,) = page.properties.groups
     assert [(name, words.replace("\u00a0", " ")) for name, words in group.rows] == [
         ("Constructed from", "Plate"),
@@ -129,8 +129,8 @@ def test_the_distance_of_an_offset_plane_is_changed_from_its_menu(application, p
     assert "Distance…" not in offered(table)
     page.side.create.menu.actions()[0].trigger()
     settled(application, qtbot)
-    assert application.session.messages[-1].text == "Offset 1 added to the inspection program."
-    assert table.names() == ("offset 1",) and "Distance…" in offered(table)
+    assert application.session.messages[-1].text == "Offset plane 1 added to the inspection program."
+    assert table.names() == ("offset plane 1",) and "Distance…" in offered(table)
     page.side.feature_actions.change_distance()
     dialog = page.side.feature_actions.dialog
     assert dialog.field.value() == 10.0
@@ -138,7 +138,7 @@ def test_the_distance_of_an_offset_plane_is_changed_from_its_menu(application, p
     dialog.use.click()
     settled(application, qtbot)
     assert programming.state.program.features[-1].distance_mm == -4.25
-    moved = next(one for one in application.session.inspection.features if one.name == "offset 1")
+    moved = next(one for one in application.session.inspection.features if one.name == "offset plane 1")
     plate = next(one for one in application.session.inspection.features if one.name == "plate")
     assert (moved.point_mm - plate.point_mm) @ plate.direction == pytest.approx(-4.25)
     page.undo_last()
@@ -200,11 +200,11 @@ def test_what_is_new_is_scrolled_into_sight(application, page, qtbot):
     features.select_names(["plate 0"])
     page.side.create.menu.actions()[0].trigger()
     settled(application, qtbot)
-    assert features.names() == ("offset 1",) and features.verticalScrollBar().maximum() > 0
+    assert features.names() == ("offset plane 1",) and features.verticalScrollBar().maximum() > 0
     last = features.model().index(features.model().rowCount() - 1, 0)
     qtbot.waitUntil(lambda: is_in_sight(features, last))
-    features.select_names(["ball", "offset 1"])
+    features.select_names(["ball", "offset plane 1"])
     page.side.create.accept()
     settled(application, qtbot)
-    assert dimensions.current_row().name == "ball – offset 1" and dimensions.verticalScrollBar().maximum() > 0
+    assert dimensions.current_row().name == "ball – offset plane 1" and dimensions.verticalScrollBar().maximum() > 0
     qtbot.waitUntil(lambda: is_in_sight(dimensions, dimensions.currentIndex()))

@@ -12,11 +12,13 @@ import threading
 from pathlib import Path
 
 import pytest
+from PySide6.QtWidgets import QWidget
 
 from measureapp.errors import MeasureError
 from measureapp.progress import NoProgress
 from ui.app import keep_log
 from ui.controllers import startup
+from ui.shell.next_frame import NextFrame
 from ui.workers.job import LOG, unexpected
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -86,6 +88,36 @@ def test_what_is_imported_meanwhile_is_never_searched_for_garbage():
         kept.extend([one] for one in range(1000))
     assert gc.get_threshold() == usual
     assert gc.get_freeze_count() >= frozen + len(kept)
+
+
+@pytest.mark.parametrize("can_be_read", [True, False])
+def test_the_3_d_view_is_loaded_after_the_window_has_displayed_the_rig(can_be_read, application, window, qtbot, monkeypatch):
+    def refuse(_job):
+        raise MeasureError("The rig is damaged.", "Choose another one.")
+
+    happened = []
+    monkeypatch.setattr(startup, "load_graphics", lambda _job: happened.append("graphics") or "")
+    monkeypatch.setattr(startup, "import_all", lambda _progress: None)
+    monkeypatch.setattr(startup, "load_kernels", lambda _progress: None)
+    if not can_be_read:
+        monkeypatch.setattr(startup, "load_rig", refuse)
+    window.show()
+    qtbot.waitExposed(window)
+    monkeypatch.setattr(window.header, "paintEvent", lambda _event: happened.append("picture"))
+    controllers = application.controllers
+    controllers.startup.rigLoaded.connect(lambda: happened.append("rig"))
+    controllers.startup.begin()
+    qtbot.waitUntil(lambda: "graphics" in happened and not controllers.preparing.queue.busy, timeout=10_000)
+    after = happened[happened.index("rig") :]
+    assert "picture" in after[: after.index("graphics")]
+
+
+def test_a_window_that_is_not_shown_is_not_waited_for(qtbot):
+    hidden = QWidget()
+    qtbot.addWidget(hidden)
+    frame = NextFrame(hidden)
+    with qtbot.waitSignal(frame.drawn, timeout=1000):
+        frame.wait()
 
 
 def test_kernels_are_loaded_once_the_window_has_made_its_pages(application, window, qtbot, monkeypatch):

@@ -27,6 +27,7 @@ NAMES = {  # of constructed features, whose words no list has
     "midplane": later("midplane"),
     "projection": later("projection"),
     "common_datum": later("common datum"),
+    "offset": later("offset plane"),
     "point_on_axis": later("point on axis"),
     "best_fit_line": later("best fit line"),
     "best_fit_plane": later("best fit plane"),

@@ -32,7 +32,6 @@ WARM_UP = (
     *("measureapp.planning.coverage.head", "measureapp.acquire.control", "measureapp.acquire.time_left", "ui.charts.plotting"),
 )
 IMPORTED_SHARE = 0.3
-SHOWN_S = 0.15  # until the window has displayed the rig
 LONGEST_YIELD_S, YIELD_S = 20.0, 0.05
 DEFAULT_RIG = "paper"
 NEVER = 1_000_000
@@ -41,6 +40,7 @@ NEVER = 1_000_000
 class StartupController(QObject):
     """Loads everything that is not needed to show the window."""
 
+    rigLoaded = Signal()  # or that it could not be
     imported = Signal()  # all packages; no thread holds the interpreter for long any more
 
     def __init__(self, session: Session, runner: JobRunner, parent: QObject | None = None) -> None:
@@ -51,8 +51,12 @@ class StartupController(QObject):
 
     @Slot()
     def begin(self) -> None:
-        """Load the rig and the 3-D view, then prepare for the first measurement."""
-        self._runner.run("Loading the rig", load_rig, self._show_rig, quiet=True)
+        """Load the rig, which the window displays before it is told to `go_on`."""
+        self._runner.run("Loading the rig", load_rig, self._show_rig, on_stopped=self._lack_rig, quiet=True)
+
+    @Slot()
+    def go_on(self) -> None:
+        """Load the 3-D view, then prepare for the first measurement."""
         self._runner.run("Preparing the 3-D view", load_graphics, self._graphics_ready, on_stopped=self._graphics_failed, quiet=True)
         self._prepare(import_all, self._show_imported)
 
@@ -69,6 +73,11 @@ class StartupController(QObject):
             self._session.set_rig(rig, drivers)
         else:
             self._session.set_drivers(drivers)
+        self.rigLoaded.emit()
+
+    @Slot()
+    def _lack_rig(self) -> None:
+        self.rigLoaded.emit()
 
     @Slot(object)
     def _graphics_ready(self, problem: str) -> None:
@@ -111,7 +120,6 @@ def driver_row(found: PluginRow) -> DriverRow:
 
 def load_graphics(job: Job) -> str:
     """Import VTK, which takes a second; runs on a job's thread. Returns the problem, if any."""
-    time.sleep(SHOWN_S)
     job.check()
     with made_to_last():
         from ui.viewport.backend import missing_graphics

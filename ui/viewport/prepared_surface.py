@@ -9,7 +9,7 @@ import numpy as np
 from ui.viewport.layers import SurfaceLayer
 
 SHARP_RAD = np.radians(35.0)  # between triangles, from which on the edge stays sharp
-PART_TRIANGLES = 60_000  # drawn by a software renderer within a frame
+PART_TRIANGLES = 30_000  # drawn by a busy software renderer within a frame; an idle one draws several
 PROXY_TRIANGLES = 50_000
 CROWD = 64  # triangles around a vertex beyond which its edges are not searched
 

@@ -15,7 +15,7 @@ from measureapp.calibrate.boards.refine import apply_homography, homography, loc
 from measureapp.calibrate.boards.squares import DetectedSquares, blur, levels_at
 from measureapp.calibrate.sightings import BoardDetectionError
 from measureapp.data.board import BoardDescription, CharucoDescription, CheckerboardDescription, CirclesDescription
-from measureapp.geometry.edge_width import GAUSSIAN_RISE, blur_of_edge
+from measureapp.geometry.edge_blur import GAUSSIAN_RISE, STRAIGHT, EdgeShape, edge_blurs
 
 FULL_SCALE = 255
 CLIPPED_MARK = 0.35  # share of saturated pixels round a mark, half of which is white
@@ -26,9 +26,10 @@ WIDEST_EDGE_PX = 6.0  # from 10 to 90 %; a sharp lens and chip give 2 to 3
 WIDEST_EDGE_SHARE = 0.10  # of the distance of marks, where that allows more
 WORST_SIGMA_PX = 0.5
 WORST_FIT_SHARE = 0.25  # a mark may leave the homography of all by this share of the distance of marks; lenses distort by less
-STEP_PX = 0.125
-MOST_OFF_PX = 1.0  # by which an edge may lie off its place to be laid onto the others
-KERNEL_PX = 4  # to either side, of what profiles are read with
+MOST_EDGES = 50  # of each direction
+ACROSS_PX, ALONG_PX = 6.0, 2.0  # at most, of what is read to either side of a place on an edge
+ALONG_SHARE = 0.5  # of half a side, or of a radius
+BORDER = 0.05  # of a marker: less than half the width of its border
 STRIPS, STRIP_SHARE = 12, 4
 LEAST_SHARE = 0.15  # of a board's marks: fewer in a grid may be anything
 SIDE_SHARE = 0.4  # of a side from the middle of a square: between the marker of a ChArUco board and the edge
@@ -36,6 +37,8 @@ PRINTED_SQUARE = 0.35  # of the contrast: what the middles of white squares may 
 BLURRED = "Focus the camera, and keep board and camera still while the image is taken."
 EXPOSED_LESS = "Shorten the exposure or dim the light until the board's white is no longer clipped."
 EXPOSED_MORE = "Lengthen the exposure or add light until the board's white reaches half of full scale."
+
+Edges = tuple[FloatArray, FloatArray, tuple[float, float], EdgeShape]
 
 
 def require_usable(grey: ImageArray, board: BoardDescription, ids: IntArray, corners_px: FloatArray, sigma_px: FloatArray) -> float:
@@ -78,14 +81,16 @@ def require_usable(grey: ImageArray, board: BoardDescription, ids: IntArray, cor
 def edge_widths(grey: ImageArray, board: BoardDescription, corners_px: FloatArray, axes: FloatArray) -> tuple[float, ...]:
     """Return the distances over which edges at the marks rise from 10 to 90 %, px, in both directions of the board; 0 where none is seen.
 
-    Profiles across the edges of all marks are laid onto each other and averaged, as for the edge spread function of ISO 12233.
+    They are those of Gaussians with the median blur of the edges.
 
     Parameters
     ----------
-    corners_px : (N, 2)
+    corners_px : (N, 2), of which `MOST_EDGES` at most are examined, evenly spread
     axes : (N, 2 axes, 2), 1 mm along x and y of the board in the image
     """
-    return tuple(_profile_width(_align(_profiles(grey, *places))) for places in _edges(board, corners_px, axes))
+    some = slice(None, None, -(-len(corners_px) // MOST_EDGES) or 1)
+    blurs = [edge_blurs(grey, *edges) for edges in _edges(board, corners_px[some], axes[some])]
+    return tuple(GAUSSIAN_RISE * float(np.median(one)) if len(one) else 0.0 for one in blurs)
 
 
 def missing(grey: ImageArray, board: BoardDescription, squares: DetectedSquares | None = None) -> BoardDetectionError:
@@ -179,67 +184,37 @@ def require_plain(grey: ImageArray, grid: FloatArray) -> None:
         raise unexpected_markers()
 
 
-def _edges(board: BoardDescription, corners_px: FloatArray, axes: FloatArray) -> list[tuple[FloatArray, FloatArray, float]]:
-    """Places on edges of both directions, their normals and how far the profile may reach."""
+def _edges(board: BoardDescription, corners_px: FloatArray, axes: FloatArray) -> list[Edges]:
+    """Return places on edges of both directions, their normals, how far they are examined across and along, px, and their shape."""
+    scale = float(np.linalg.norm(axes, axis=2).min())
     found = []
     for along in (0, 1):
         run = axes[:, along]
+        tangent = axes[:, 1 - along] if isinstance(board, CirclesDescription) else run
+        length = np.linalg.norm(tangent, axis=1)
+        normal = np.column_stack([-tangent[:, 1], tangent[:, 0]]) / length[:, None]
+        shape = STRAIGHT
         if isinstance(board, CirclesDescription):  # the outline where the axis `along` leaves the circle; its tangent is the other axis
             radius, gap = board.diameter_mm / 2.0, (board.neighbour_mm - board.diameter_mm) / 2.0
-            places, tangent, free = corners_px + radius * run, axes[:, 1 - along], min(radius, gap)
+            places, straight, across = corners_px + radius * run, radius, min(radius, gap)
+            shape = EdgeShape(bend=-np.sum(run * normal, axis=1) / (radius * length**2))
         else:
-            side = board.neighbour_mm
-            free = (side - board.marker_mm) / 2.0 if isinstance(board, CharucoDescription) else 0.4 * side
-            places, tangent = corners_px + 0.5 * side * run, run
-        normal = np.column_stack([-tangent[:, 1], tangent[:, 0]])
-        scale = np.linalg.norm(normal, axis=1)
-        found.append((places, normal / scale[:, None], free * float(np.linalg.norm(axes, axis=2).min())))
+            straight = 0.5 * board.neighbour_mm
+            places, across = corners_px + straight * run, 0.4 * board.neighbour_mm
+            if isinstance(board, CharucoDescription):  # the border of a marker, which is black, ends the white of its square
+                margin = (board.neighbour_mm - board.marker_mm) / 2.0
+                across, shape = (
+                    margin + BORDER * board.marker_mm,
+                    EdgeShape(bright_px=margin * abs(np.sum(axes[:, 1 - along] * normal, axis=1))),
+                )
+        found.append((places, normal, (min(max(across * scale, 1.5), ACROSS_PX), min(ALONG_SHARE * straight * scale, ALONG_PX)), shape))
     return found
-
-
-def _profiles(grey: ImageArray, places: FloatArray, normals: FloatArray, reach_px: float) -> FloatArray:
-    steps = np.arange(-max(reach_px, 1.5), max(reach_px, 1.5) + STEP_PX / 2, STEP_PX)
-    at = (places[:, None, :] + steps[:, None] * normals[:, None, :]).astype(np.float32)
-    inside = np.all((at > KERNEL_PX) & (at < np.array(grey.shape[::-1]) - 1 - KERNEL_PX), axis=(1, 2))
-    if not inside.any():
-        return np.empty((0, len(steps)))
-    at = at[inside]
-    seen = cv2.remap(grey.astype(np.float32), at[..., 0], at[..., 1], cv2.INTER_LANCZOS4).astype(float)  # linear reading widens edges
-    return np.where((seen[:, -1] > seen[:, 0])[:, None], seen, seen[:, ::-1])
-
-
-def _align(profiles: FloatArray) -> FloatArray:
-    """Shift profiles by whole steps so that all rise in the middle: marks and edges lie a little off their places."""
-    if not len(profiles):
-        return profiles
-    low, high = _ends(profiles)
-    rise = (profiles - low[:, None]) / np.maximum(high - low, 1e-9)[:, None]
-    length = profiles.shape[1]
-    most = min(round(MOST_OFF_PX / STEP_PX), length // 4)
-    shifts = np.clip(np.rint(length / 2 - np.clip(rise, 0, 1).sum(axis=1)).astype(int), -most, most)
-    return np.asarray(np.take_along_axis(rise, shifts[:, None] + np.arange(most, length - most), axis=1))
-
-
-def _ends(profiles: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Return the levels before and behind edges, means over a tenth of their profiles (…, length)."""
-    end = max(1, profiles.shape[-1] // 10)
-    return np.asarray(profiles[..., :end].mean(axis=-1)), np.asarray(profiles[..., -end:].mean(axis=-1))
-
-
-def _profile_width(profiles: FloatArray) -> float:
-    if not len(profiles):
-        return 0.0
-    profile = np.median(profiles, axis=0)
-    low, high = _ends(profile)
-    rise = np.maximum.accumulate((profile - low) / np.maximum(high - low, 1e-9))
-    start, stop = np.interp([0.1, 0.9], rise, np.arange(len(rise)))
-    return float((stop - start) * STEP_PX)
 
 
 def blur_px(edges_px: Sequence[float]) -> float:
     """Return the standard deviation of the blur of a camera's images by how wide edges are in them; 0 where none is known."""
     known = [edge for edge in edges_px if edge > 0]
-    return blur_of_edge(float(np.median(known))) if known else 0.0
+    return float(np.median(known)) / GAUSSIAN_RISE if known else 0.0
 
 
 def is_blurred(grey: ImageArray) -> bool:

@@ -32,6 +32,8 @@ from measureapp.data.uncertainty import COVERAGE_FACTOR
 from measureapp.errors import CalibrationError
 from measureapp.progress import Progress
 
+ENOUGH_VIEWS = 24  # of a calibration that only has to tell parts of a board apart
+
 
 def lens_problem(draft: Draft, names: Sequence[str]) -> CameraArrayProblem:
     """Return the problem of the lenses of these names, of which the projector may be one."""
@@ -55,10 +57,22 @@ def camera_problem(draft: Draft, rejected: Sequence[Rejection] = ()) -> CameraAr
 
 
 def solve_cameras(draft: Draft, progress: Progress, *, roughly: bool = False) -> Solved:
-    """Calibrate the cameras of a draft; ``roughly``: with the board's marks where it has them. Raises CalibrationError."""
+    """Calibrate the cameras of a draft; ``roughly``: from some views, with the board's marks where it has them. Raises CalibrationError."""
+    if roughly:
+        draft = _some_views(draft)
     start = None if draft.solved is None else draft.solved.camera_solution
     solution = solve_array(replace(camera_problem(draft), free_marks=not roughly), progress, start)
     return solved_cameras(draft, with_devices(solution, draft.setup.serials))
+
+
+def _some_views(draft: Draft) -> Draft:
+    """Return a draft of few observations, evenly spread over those in which most cameras see the board; the same one if it has no more."""
+    most = max((len(one.seen) for one in draft.observations), default=0)
+    best = [one for one in draft.observations if len(one.seen) == most]
+    if len(best) <= ENOUGH_VIEWS:
+        return draft
+    chosen = np.linspace(0, len(best) - 1, ENOUGH_VIEWS).round().astype(int)
+    return replace(draft, observations=tuple(best[index] for index in chosen))
 
 
 def solved_cameras(draft: Draft, solution: CameraArraySolution) -> Solved:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from scipy.spatial import cKDTree
 
-from measureapp.arrays import FloatArray, read_only
+from measureapp.arrays import FloatArray, IntArray, read_only
 from measureapp.data.measurement import Alignment
 from measureapp.data.mesh import Mesh
 from measureapp.inspection.measured_points import HasPoints, MeasuredPoints, sample_mesh
@@ -17,6 +17,7 @@ from measureapp.inspection.surface.units import NEAR_SHARE, check_unit_against
 from measureapp.progress import NoProgress, Progress
 
 CHUNK = 200_000
+LEAF = 16  # points of a leaf
 COVERAGE_SAMPLES = 40_000
 NEAR_MM = 2.0  # the nominal counts as measured where a point lies closer than this
 
@@ -104,8 +105,8 @@ def compute_deviation(
 
 
 def search_tree(points_mm: FloatArray) -> cKDTree:
-    """Return a search tree of points (N, 3); unbalanced, which is three times faster to build."""
-    return cKDTree(points_mm, balanced_tree=False, compact_nodes=False)
+    """Return a search tree of points (N, 3); unbalanced, which is three times faster to build, with leaves in which millions are found soonest."""
+    return cKDTree(points_mm, LEAF, balanced_tree=False, compact_nodes=False)
 
 
 def signed_distances(points_mm: FloatArray, surface: NominalSurface) -> FloatArray:
@@ -124,12 +125,12 @@ def distances_and_normals(points_mm: FloatArray, normals: FloatArray | None, sur
     facing = surface.normals[triangles]
     rest = np.flatnonzero(~sure)
     if len(rest):
-        distances[rest], facing[rest] = _from_closest(points_mm[rest], surface)
+        distances[rest], facing[rest] = _from_closest(points_mm[rest], surface, triangles[rest])
     return distances, facing
 
 
-def _from_closest(points_mm: FloatArray, surface: NominalSurface) -> tuple[FloatArray, FloatArray]:
-    closest = surface.closest(points_mm)
+def _from_closest(points_mm: FloatArray, surface: NominalSurface, near: IntArray | None = None) -> tuple[FloatArray, FloatArray]:
+    closest = surface.closest(points_mm, near)
     offset = points_mm - closest.points_mm
     side = np.where(np.einsum("nd,nd->n", offset, closest.normals) < 0, -1.0, 1.0)
     return side * np.linalg.norm(offset, axis=1), closest.normals

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from scipy.spatial import cKDTree
 
-from measureapp.arrays import FloatArray, IntArray
+from measureapp.arrays import BoolArray, FloatArray, IntArray
 from measureapp.data.mesh import Mesh
 from measureapp.errors import InspectionError
 from measureapp.open3d_library import open3d
@@ -100,18 +100,29 @@ class NominalSurface:
 
         Which triangle is hit is found in single precision, how far it is along the ray in double precision.
         """
-        from_numpy = open3d().core.Tensor.from_numpy
+        found = self.rough_hits(points_mm, directions)
+        normals = self.normals[found.triangles]
+        slope = np.einsum("nd,nd->n", normals, directions)
+        away = np.einsum("nd,nd->n", normals, self.vertices_mm[self.triangles[found.triangles, 0]] - points_mm)
+        steep = np.isfinite(found.distances_mm) & (np.abs(slope) > STEEP)
+        found.distances_mm[steep] = away[steep] / slope[steep]
+        return found
+
+    def rough_hits(self, points_mm: FloatArray, directions: FloatArray) -> Hits:
+        """Return `hits` with their distances in single precision, too."""
+        answer = self._ray_scene.cast_rays(self._rays(points_mm, directions))
+        last = len(self.triangles) - 1  # a miss has an invalid id
+        return Hits(answer["t_hit"].numpy().astype(np.float64), np.minimum(answer["primitive_ids"].numpy().astype(np.int64), last))
+
+    def has_hits(self, points_mm: FloatArray, directions: FloatArray, reach_mm: float) -> BoolArray:
+        """Return whether rays hit the surface within ``reach_mm`` (N,), in single precision: many times faster than where they do."""
+        answer: BoolArray = self._ray_scene.test_occlusions(self._rays(points_mm, directions), 0.0, reach_mm).numpy()
+        return answer
+
+    def _rays(self, points_mm: FloatArray, directions: FloatArray) -> Any:
         rays = np.empty((len(points_mm), 6), np.float32)
         rays[:, :3], rays[:, 3:] = points_mm - self._offset, directions
-        answer = self._ray_scene.cast_rays(from_numpy(rays))
-        found = answer["t_hit"].numpy().astype(np.float64)
-        triangles = np.minimum(answer["primitive_ids"].numpy().astype(np.int64), len(self.triangles) - 1)  # a miss has an invalid id
-        normals = self.normals[triangles]
-        slope = np.einsum("nd,nd->n", normals, directions)
-        away = np.einsum("nd,nd->n", normals, self.vertices_mm[self.triangles[triangles, 0]] - points_mm)
-        steep = np.isfinite(found) & (np.abs(slope) > STEEP)
-        found[steep] = away[steep] / slope[steep]
-        return Hits(found, triangles)
+        return open3d().core.Tensor.from_numpy(rays)
 
     def _pseudo_normals(self, triangles: IntArray, weights: FloatArray) -> FloatArray:
         """Return the normals on edges (mean of both sides) and corners (angle-weighted)."""

@@ -7,11 +7,12 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial import cKDTree
 
-from measureapp.arrays import FloatArray, IntArray
+from measureapp.arrays import BoolArray, FloatArray, IntArray
 from measureapp.data.mesh import Mesh
 from measureapp.inspection.measured_points import sample_mesh
-from measureapp.inspection.surface.deviation import COVERAGE_SAMPLES, Deviation
+from measureapp.inspection.surface.deviation import COVERAGE_SAMPLES, Deviation, search_tree
 from measureapp.inspection.surface.deviation_index import SAME_SIDE, DeviationIndex
+from measureapp.inspection.surface.ray_distances import REACH_MM
 from measureapp.inspection.surface.round_numbers import round_up
 
 RANGE_PERCENTILE = 99.5  # of the absolute deviations: a scale never follows single extremes
@@ -173,21 +174,22 @@ def find_no_data(found: Deviation, nominal: Mesh, search_mm: float, surface: Mes
     if len(places) == 0 or sampled.normals is None:
         return NoData(0.0, 0.0, 0.0)
     far = np.flatnonzero(np.abs(found.distances_mm) > search_mm)
-    tree = index.tree if len(far) == 0 else cKDTree(np.delete(found.points_mm, far, axis=0), balanced_tree=False, compact_nodes=False)
-    away, _ = tree.query(places, distance_upper_bound=search_mm, workers=-1)
-    left = ~np.isfinite(away)
-    too_far = np.zeros(len(places), np.bool_)
-    if len(far):
-        away, near = cKDTree(found.points_mm[far]).query(places, distance_upper_bound=FAR_REACH * search_mm)
-        known = left & np.isfinite(away)
+    without = len(far) and search_mm < REACH_MM  # beyond, distances are those of the closest point: a far one is near no place
+    tree = search_tree(np.delete(found.points_mm, far, axis=0)) if without else index.tree
+    left = np.flatnonzero(~np.isfinite(tree.query(places, distance_upper_bound=search_mm, workers=-1)[0]))
+    too_far = np.zeros(len(left), np.bool_)
+    if len(far) and len(left):
+        away, near = cKDTree(found.points_mm[far]).query(places[left], distance_upper_bound=FAR_REACH * search_mm)
+        known = np.flatnonzero(np.isfinite(away))
         facing = found.nominal_normals[far[near[known]]]
-        too_far[known] = np.einsum("nd,nd->n", facing, sampled.normals[known]) > SAME_SIDE
-    filled = left & ~too_far & _is_filled(places, surface, search_mm)
-    not_seen = left & ~too_far & ~filled
-    return NoData(float(not_seen.mean()), float(filled.mean()), float(too_far.mean()))
+        too_far[known] = np.einsum("nd,nd->n", facing, sampled.normals[left[known]]) > SAME_SIDE
+    filled = ~too_far & _is_filled(places[left], surface, search_mm)
+    not_seen = ~too_far & ~filled
+    counts = (int(np.count_nonzero(some)) for some in (not_seen, filled, too_far))
+    return NoData(*(count / len(places) for count in counts))
 
 
-def _is_filled(places_mm: FloatArray, surface: Mesh | None, search_mm: float) -> FloatArray:
+def _is_filled(places_mm: FloatArray, surface: Mesh | None, search_mm: float) -> BoolArray:
     if surface is None or surface.measured is None or bool(np.all(surface.measured)):
         return np.zeros(len(places_mm), np.bool_)
     away, _ = cKDTree(surface.vertices_mm[~surface.measured]).query(places_mm, distance_upper_bound=search_mm)

@@ -20,7 +20,7 @@ from measureapp.data.board import BoardDescription
 from measureapp.data.fringe import AxisReadback
 from measureapp.data.plan import ScanPlan, Viewpoint
 from measureapp.data.rig import CameraDescription, RigDescription
-from measureapp.geometry.edge_width import GAUSSIAN_RISE
+from measureapp.geometry.edge_blur import GAUSSIAN_RISE
 from measureapp.geometry.kinematics.arm import ArmModel
 from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.geometry.transform import RigidTransform, rotation_about

@@ -12,7 +12,7 @@ from pathlib import Path
 import cv2
 import numpy as np
 
-from measureapp.arrays import ImageArray, read_only
+from measureapp.arrays import ImageArray, in_bands, read_only
 from measureapp.data.board import BoardView
 from measureapp.data.conditions import Conditions
 from measureapp.data.fringe import AxisReadback
@@ -57,12 +57,14 @@ def list_stored(folder: Path) -> tuple[str, ...]:
 
 def load_all(folder: Path, progress: Progress | None = None) -> tuple[BoardView, ...]:
     """Load all complete views below ``folder``, in the order of acquisition; cancelled between two views. Raises StorageError naming a damaged file."""
-    views = []
-    for one in _in_order(folder):
+    described = _in_order(folder)
+
+    def load(start: int, stop: int) -> list[BoardView]:
         if progress is not None:
             progress.check()
-        views.append(_load(folder / one.viewpoint_id, one))
-    return tuple(views)
+        return [_load(folder / one.viewpoint_id, one) for one in described[start:stop]]
+
+    return tuple(view for views in in_bands(load, len(described), len(described)) for view in views)
 
 
 def load_readbacks(folder: Path) -> dict[str, tuple[tuple[str, ...], AxisReadback]]:

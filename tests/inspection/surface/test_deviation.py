@@ -9,6 +9,7 @@ from measureapp.inspection.alignment.best_fit import no_alignment
 from measureapp.inspection.measured_points import MeasuredPoints, sample_mesh
 from measureapp.inspection.surface.deviation import compute_deviation, distances_and_normals, signed_distances
 from measureapp.inspection.surface.nominal import NominalSurface
+from measureapp.inspection.surface.ray_distances import REACH_MM, distances_along_normals
 
 
 def box_distance(points: np.ndarray, half: np.ndarray) -> np.ndarray:
@@ -98,6 +99,27 @@ def foot_distances(points: np.ndarray, corners: np.ndarray) -> np.ndarray:
         above = np.abs((points - a) @ normal) / np.linalg.norm(normal)
         nearest = np.minimum(nearest, np.where(inside, above, np.min(edges, axis=0)))
     return nearest
+
+
+def test_rays_stop_at_the_nearest_face_on_either_side_also_in_thin_walls_and_narrow_slots() -> None:
+    """Rays inwards are followed only where they may meet a nearer face; the answer is that of all rays in both directions."""
+    import trimesh
+
+    slabs = [trimesh.creation.box((40.0, 40.0, thick)).apply_translation((0, 0, up)) for thick, up in ((0.6, 0.0), (8.0, 5.0), (0.3, 9.6))]
+    made = trimesh.util.concatenate(slabs)
+    surface = NominalSurface(Mesh(made.vertices, made.faces, "nominal"))
+    rng = np.random.default_rng(5)
+    points = rng.uniform((-19.0, -19.0, -1.5), (19.0, 19.0, 11.5), (4000, 3))
+    normals = np.where(rng.random((4000, 1)) < 0.5, 1.0, -1.0) * np.array([0.0, 0.0, 1.0])
+    out, back = surface.hits(points, normals), surface.hits(points, -normals)
+    triangles = np.where(out.distances_mm < back.distances_mm, out.triangles, back.triangles)
+    away = np.minimum(out.distances_mm, back.distances_mm)
+    distances, found, sure = distances_along_normals(points, normals, surface)
+    near = away < REACH_MM
+    assert 0.3 < near.mean() < 0.7
+    np.testing.assert_array_equal(found[near], triangles[near])
+    np.testing.assert_allclose(np.abs(distances[near]), away[near], atol=1e-9)
+    np.testing.assert_array_equal(sure, near & (np.einsum("nd,nd->n", surface.normals[triangles], normals) > 0))
 
 
 def test_closest_points_on_long_narrow_triangles_are_as_near_as_in_double_precision() -> None:

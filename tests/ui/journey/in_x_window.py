@@ -38,9 +38,10 @@ class Loop:
             self.wait(POLL_MS)
 
 
-def keep(window: QWidget, file: Path) -> None:
+def keep(window: QWidget, file: Path, heart: Heartbeat) -> None:
     """Store what the screen shows of the window."""
-    assert QApplication.primaryScreen().grabWindow(window.winId()).save(str(file))
+    with heart.pause():
+        assert QApplication.primaryScreen().grabWindow(window.winId()).save(str(file))
 
 
 def main(folder: Path) -> None:
@@ -64,11 +65,11 @@ def main(folder: Path) -> None:
             user.wait(lambda: not built.controllers.drawing.queue.busy, 60.0, f"picture of {name}")
             stage = built.window.pages[name].view.stage
             user.wait(lambda stage=stage: stage is not None and stage.is_resting and stage.scene.is_complete, 60.0, f"points of {name}")
-            keep(built.window, folder / f"{name}.png")
+            keep(built.window, folder / f"{name}.png", heart)
         for name in ("clouds", "inspection"):  # the pages share one window of VTK, which must not show the former page's picture
             built.window.show_page(name)
             loop.wait(SOON_MS)
-            keep(built.window, folder / f"{name}_soon.png")
+            keep(built.window, folder / f"{name}_soon.png", heart)
         kinds = {type(widget).__name__ for widget in built.window.findChildren(QWidget)}
         print(f"platform {application.platformName()}, native {'NativeView' in kinds}", flush=True)  # noqa: T201
     print(heart.report(5), file=sys.stderr)  # noqa: T201

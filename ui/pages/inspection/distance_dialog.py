@@ -7,11 +7,9 @@ from PySide6.QtWidgets import QDialog, QWidget
 
 from ui.look.language.words import tr
 from ui.look.look import Look
-from ui.look.wording import sentence_case
+from ui.pages.inspection.asking import ask_in
 from ui.pages.inspection.create_bar import distance_field
-from ui.widgets.basic import Button, column, label, row
-
-WIDTH = 420
+from ui.widgets.basic import Button, label, row
 
 
 class DistanceDialog(QDialog):
@@ -26,14 +24,8 @@ class DistanceDialog(QDialog):
         self.field.setValue(distance_mm)
         self.field.selectAll()
         self.use = Button("Change distance", look, "", "primary", "What depends on the feature is measured again; it can be undone")
-        self.use.setDefault(True)
         self.use.clicked.connect(self._use)
-        cancel = Button("Cancel", look, "", "normal", "Change nothing")
-        cancel.clicked.connect(self.reject)
-        asked = row(label("Distance", "soft"), self.field, 0)
-        self.setLayout(column(label(sentence_case(name), "heading"), asked, 8, row(0, cancel, self.use), margin=24))
-        self.setFixedWidth(WIDTH)
-        self.setModal(True)
+        ask_in(self, look, name, [row(label("Distance", "soft"), self.field, 0)], self.use)
 
     def _use(self) -> None:
         self.accept()

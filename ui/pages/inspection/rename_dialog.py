@@ -9,10 +9,8 @@ from PySide6.QtWidgets import QDialog, QLineEdit, QWidget
 
 from ui.look.language.words import tr, translated
 from ui.look.look import Look
-from ui.look.wording import sentence_case
-from ui.widgets.basic import Button, column, label, row
-
-WIDTH = 420
+from ui.pages.inspection.asking import ask_in
+from ui.widgets.basic import Button, label
 
 
 class RenameDialog(QDialog):
@@ -29,14 +27,9 @@ class RenameDialog(QDialog):
         self.line.setAccessibleName(tr("Name"))
         self.line.selectAll()
         self.use = Button("Rename", look, "", "primary", "All that refers to the feature follows; it can be undone")
-        self.use.setDefault(True)
         self.use.clicked.connect(self._use)
-        cancel = Button("Cancel", look, "", "normal", "Change nothing")
-        cancel.clicked.connect(self.reject)
         self.line.textChanged.connect(self._show)
-        self.setLayout(column(label(sentence_case(name), "heading"), self.line, self.problem, 8, row(0, cancel, self.use), margin=24))
-        self.setFixedWidth(WIDTH)
-        self.setModal(True)
+        ask_in(self, look, name, [self.line, self.problem], self.use)
         self._show()
 
     def _show(self) -> None:

@@ -64,11 +64,11 @@ def _limit(dimension: Dimension, unit: str) -> str:
     bound = upper if above else lower
     words = {
         "limit": quantity(dimension.nominal + bound, unit),
-        "u": quantity(dimension.round_uncertainty(), unit),
+        "u": f"±\u00a0{quantity(dimension.round_uncertainty(), unit)}",
         "past": quantity(abs(deviation - bound), unit),
     }
     if dimension.verdict == "not proven":
-        return tr("at most {limit}, measured to ± {u}" if above else "at least {limit}, measured to ± {u}", **words)
+        return tr("at most {limit}, measured to {u}" if above else "at least {limit}, measured to {u}", **words)
     if dimension.verdict == "fail":
         return tr("at most {limit}: {past} too large" if above else "at least {limit}: {past} too small", **words)
     return tr("at most {limit}" if above else "at least {limit}", **words)

@@ -88,6 +88,20 @@ def test_results_read_in_chinese_how_they_were_obtained(text, chinese):
     assert own.renewed(text) == chinese
 
 
+def test_a_name_in_latin_letters_stands_apart_from_the_word_before_it():
+    own = Translator()
+    own.use(
+        Catalogue(
+            "zh_CN",
+            {
+                text: Entry(text, chinese)
+                for text, chinese in (("the roll", "滚转"), ("upper less than {v}", "upper 小于 {v}"), (" or ", "或"))
+            },
+        )
+    )
+    assert own.renewed("the roll or upper less than 0.1°") == "滚转或 upper 小于 0.1°"
+
+
 def test_what_is_translated_already_stays(translator):
     once = translator.renewed("Surface")
     assert translator.renewed(once) == once
