@@ -149,12 +149,11 @@ def _best(shape: Shape, points: FloatArray, weight: FloatArray, begin: list[Stat
     chosen = slice(None) if len(points) <= SAMPLE else np.random.default_rng(0).choice(len(points), SAMPLE, replace=False)
     few, few_weights = points[chosen], weight[chosen]
     solved = [refine(model, state, few, few_weights, START_ITERATIONS) for state in begin]
-    costs = [_cost(model, state, few, few_weights) for state in solved]
+    costs = [_cost(model.evaluate(state, few)[0], few_weights) for state in solved]
     return refine(model, solved[int(np.argmin(costs))], points, weight)
 
 
-def _cost(model: Model, state: State, points: FloatArray, weight: FloatArray) -> float:
-    distances, _ = model.evaluate(state, points)
+def _cost(distances: FloatArray, weight: FloatArray) -> float:
     cost = float(np.sum(weight * distances**2))
     return cost if np.isfinite(cost) else np.inf
 
@@ -162,39 +161,46 @@ def _cost(model: Model, state: State, points: FloatArray, weight: FloatArray) ->
 def refine(model: Model, state: State, points: FloatArray, weight: FloatArray, iterations: int = ITERATIONS) -> State:
     """Minimise the weighted sum of squares, starting at ``state`` (Levenberg-Marquardt by QR, then Gauss-Newton)."""
     damping = 1e-6
-    cost = _cost(model, state, points, weight)
+    here = model.evaluate(state, points)
+    cost = _cost(here[0], weight)
     for _ in range(iterations):
-        step = _step(model, state, points, weight, damping)
+        step = _step(model, here, weight, damping)
         trial = model.move(state, step)
-        trial_cost = _cost(model, trial, points, weight)
+        there = model.evaluate(trial, points)
+        trial_cost = _cost(there[0], weight)
         small = float(np.linalg.norm(step)) < CONVERGED * (1 + float(np.linalg.norm(state.sizes)))
         if trial_cost <= cost:
-            state, cost, damping = trial, trial_cost, max(damping * 0.05, 1e-30)
+            state, here, cost, damping = trial, there, trial_cost, max(damping * 0.05, 1e-30)
         else:
             damping = min(damping * 10, 1e12)
         if small or (trial_cost > cost and damping >= 1e12):
             break
-    return _polish(model, state, points, weight, cost, iterations)
+    return _polish(model, state, here, points, weight, iterations)
 
 
-def _polish(model: Model, state: State, points: FloatArray, weight: FloatArray, cost: float, iterations: int) -> State:
-    """Take full Gauss-Newton steps as long as they shrink.
+def _polish(
+    model: Model, state: State, here: tuple[FloatArray, FloatArray], points: FloatArray, weight: FloatArray, iterations: int
+) -> State:
+    """Take full Gauss-Newton steps as long as they shrink, from ``state`` with its distances and derivatives.
 
     The sum of squares cannot resolve differences below √ε of the scatter; the length of the steps can.
     """
-    shortest = np.inf
+    shortest, cost = np.inf, _cost(here[0], weight)
     for _ in range(iterations):
-        step = _step(model, state, points, weight, 0.0)
+        step = _step(model, here, weight, 0.0)
         length = float(np.linalg.norm(step))
+        if not length < SHRINKING * shortest:
+            break
         trial = model.move(state, step)
-        if not length < SHRINKING * shortest or _cost(model, trial, points, weight) > cost * (1 + ROUNDING) + ROUNDING**2:
+        here = model.evaluate(trial, points)
+        if _cost(here[0], weight) > cost * (1 + ROUNDING) + ROUNDING**2:
             break
         state, shortest = trial, length
     return state
 
 
-def _step(model: Model, state: State, points: FloatArray, weight: FloatArray, damping: float) -> FloatArray:
-    distances, derivatives = model.evaluate(state, points)
+def _step(model: Model, here: tuple[FloatArray, FloatArray], weight: FloatArray, damping: float) -> FloatArray:
+    distances, derivatives = here
     root = np.sqrt(weight)
     jacobian = (derivatives * root[None, :, None]).reshape(-1, model.parameters)
     q, r = np.linalg.qr(jacobian)

@@ -7,6 +7,7 @@ from collections import deque
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from functools import lru_cache
 
 import numpy as np
 
@@ -35,6 +36,13 @@ def no_fault(device: str, call: int) -> str:
     return ""
 
 
+@lru_cache(maxsize=8)
+def albedo(place: float) -> np.ndarray:
+    """What the part looks like from a place, (H, W)."""
+    y, x = np.mgrid[0:HEIGHT, 0:WIDTH]
+    return 0.55 + 0.4 * np.sin(0.11 * x + 0.07 * y + place) * np.cos(0.05 * y - place)
+
+
 @dataclass
 class Cell:
     """What is really where."""
@@ -51,10 +59,8 @@ class Cell:
     def mean(self, camera: str, exposure_us: int, pattern: int) -> np.ndarray:
         """Return the noise-free image of a pattern here and now, (H, W)."""
         place = self.robot.translation_mm.sum() * 0.031 + self.guide_mm * 0.17 + self.table_rad * 2.3 + len(camera)
-        y, x = np.mgrid[0:HEIGHT, 0:WIDTH]
-        albedo = 0.55 + 0.4 * np.sin(0.11 * x + 0.07 * y + place) * np.cos(0.05 * y - place)
         light = 0.6 if pattern == -1 else 0.0 if pattern < 0 else 0.1 + 0.8 * self.patterns[pattern, 300, COLUMNS] / 255.0
-        return np.minimum(255.0, 255.0 * exposure_us / FULL_LIGHT_US * albedo * light) * np.ones((HEIGHT, WIDTH))
+        return np.minimum(255.0, 255.0 * exposure_us / FULL_LIGHT_US * albedo(place) * light)
 
     def image(self, camera: str, exposure_us: int, pattern: int) -> np.ndarray:
         noisy = self.mean(camera, exposure_us, pattern) + self.random.normal(0.0, SIGMA, (HEIGHT, WIDTH))

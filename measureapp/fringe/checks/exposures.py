@@ -99,8 +99,9 @@ def _compare(sample: ImageArray, stack: FringeStack) -> Iterator[_Finding]:
     times = np.array(stack.exposures_us, np.float32)
     low, high = (share * stack.saturation for share in REFERENCE_LEVELS)
     radiance = np.where((levels > low) & (levels < high), levels / times[:, None, None, None], np.nan)
+    ordered = np.sort(radiance, axis=0)  # once for all exposures: sorting is most of the time
     for level, time in enumerate(times):
-        predicted = _median_of_others(radiance, level) * time
+        predicted = _median_of_others(radiance, ordered, level) * time
         clear = _is_clear(predicted, stack.saturation)
         off = clear & (np.abs(levels[level] - predicted) > _allowed(predicted, stack.saturation))
         counts, wrong = clear.sum(axis=-1), off.sum(axis=-1)
@@ -112,13 +113,13 @@ def _compare(sample: ImageArray, stack: FringeStack) -> Iterator[_Finding]:
             yield _Finding(level, int(image), share, float(rows[image].max()), ratio, float(np.median(ratios)))
 
 
-def _median_of_others(radiance: FloatArray, level: int) -> FloatArray:
-    """Return the median over the other exposures, (patterns, rows, pixels); NaN where none is usable."""
-    others = np.delete(radiance, level, axis=0)
-    ordered = np.sort(others, axis=0)  # NaN last
-    count = np.isfinite(ordered).sum(axis=0)
-    middle = np.maximum(count - 1, 0) // 2
-    return np.take_along_axis(ordered, middle[None], axis=0)[0]
+def _median_of_others(radiance: FloatArray, ordered: FloatArray, level: int) -> FloatArray:
+    """Return the median over the other exposures, (patterns, rows, pixels); NaN where none is usable. ``ordered``: all, NaN last."""
+    own = radiance[level]
+    known = np.isfinite(own)
+    middle = np.maximum(np.isfinite(ordered).sum(axis=0) - known - 1, 0) // 2
+    beside = known & ((ordered < own).sum(axis=0) <= middle)  # its own value lies before the one sought
+    return np.take_along_axis(ordered, (middle + beside)[None], axis=0)[0]
 
 
 def _is_clear(predicted: FloatArray, saturation: float) -> BoolArray:

@@ -11,6 +11,7 @@ from measureapp.arrays import FloatArray
 LEAST_POINTS = 20
 ROUNDS = 12
 STEPS = 6
+CONVERGED_MM = 1e-11  # where the next step is smaller by as much as the scatter is smaller than the radius
 DEPTH = 0.75  # of the radius: extent of the edge inwards from the apex
 ROUGH = 2.0  # times the scatter of the sides: above this the edge is not round
 GREATEST = 1.6  # times half the thickness beside the edge
@@ -71,6 +72,8 @@ def _circle(points_mm: FloatArray, centre: FloatArray, radius: float) -> tuple[F
         design = np.column_stack([-away / length[:, None], -np.ones(len(length))])
         step = np.linalg.lstsq(design, radius - length, rcond=1e-9)[0]
         centre, radius = centre + step[:2], float(radius + step[2])
+        if np.abs(step).max() < CONVERGED_MM:
+            break
     return centre, radius, np.linalg.norm(points_mm - centre, axis=1) - radius
 
 

@@ -27,8 +27,7 @@ class MeanLine:
 
     def heights(self, x_mm: FloatArray) -> FloatArray:
         """Return y (N,) at x."""
-        inside = np.clip(x_mm, self.first_mm, self.last_mm)
-        return np.asarray(self.height(inside) + (x_mm - inside) * self.slope(inside))
+        return self._heights_and_slopes(x_mm)[0]
 
     def slopes(self, x_mm: FloatArray) -> FloatArray:
         """Return dy/dx (N,) at x."""
@@ -47,9 +46,16 @@ class MeanLine:
         """Return x of the feet of the perpendiculars from points (N, 2), and signed distances (N,) along the normals."""
         x = points_mm[:, 0].copy()
         for _ in range(NEWTON_STEPS):
-            slopes = self.slopes(x)
-            x += ((points_mm[:, 0] - x) + (points_mm[:, 1] - self.heights(x)) * slopes) / (1 + slopes**2)
-        return x, np.einsum("nd,nd->n", points_mm - self.points(x), self.normals(x))
+            heights, slopes = self._heights_and_slopes(x)
+            x += ((points_mm[:, 0] - x) + (points_mm[:, 1] - heights) * slopes) / (1 + slopes**2)
+        heights, slopes = self._heights_and_slopes(x)
+        return x, ((points_mm[:, 1] - heights) - (points_mm[:, 0] - x) * slopes) / np.sqrt(1 + slopes**2)
+
+    def _heights_and_slopes(self, x_mm: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """Both together: polynomials are most of the time that a section takes."""
+        inside = np.clip(x_mm, self.first_mm, self.last_mm)
+        slopes = np.asarray(self.slope(inside))
+        return np.asarray(self.height(inside) + (x_mm - inside) * slopes), slopes
 
     def lengths(self, x_mm: FloatArray) -> FloatArray:
         """Return arc lengths (N,) from x = 0 to x, negative before it."""

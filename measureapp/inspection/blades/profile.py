@@ -163,14 +163,18 @@ def _fit_sides(
     for side in (inside & (heights > 0), inside & (heights <= 0)):
         if side.sum() < LEAST_ON_SIDE:
             raise FitError("only one side of the blade was measured", "Scan its other side as well.")
-        used = side
+        # Rows of the side alone, taken once: to choose them among all points anew in every round takes most of the time.
+        of_side, over = basis[side], heights[side]
+        used = np.ones(len(over), bool)
         for _ in range(3):
-            solution = _solve(basis[used], heights[used])
-            residuals[side] = heights[side] - basis[side] @ solution
-            limit = TRIM * 1.4826 * float(np.median(np.abs(residuals[used]))) + 1e-9
-            used = side & (np.abs(residuals) <= limit)
+            everything = bool(used.all())
+            solution = _solve(of_side if everything else of_side[used], over if everything else over[used])
+            apart = over - of_side @ solution
+            limit = TRIM * 1.4826 * float(np.median(np.abs(apart[used]))) + 1e-9
+            used = np.abs(apart) <= limit
+        residuals[side] = apart
+        kept[side] = used
         solutions.append(solution)
-        kept |= used
     return Sides(float(first), float(last), roots, solutions[0], solutions[1]), kept, residuals[kept], lengths
 
 

@@ -28,9 +28,11 @@ def signed_distances(feature: Feature, points_mm: FloatArray) -> FloatArray:
         return np.linalg.norm(points_mm - centre, axis=1) - feature.radius_mm
     if direction is None:
         raise InspectionError(f"Feature {feature.name!r} has no direction.", "Measure it as a plane, cylinder or cone.")
-    along, off, _ = along_and_off(points_mm, centre, direction)
+    offset = points_mm - centre
+    along = offset @ direction
     if feature.shape == "plane":
         return along
+    off = np.linalg.norm(offset - along[:, None] * direction, axis=1)
     if feature.shape == "cylinder" and feature.radius_mm is not None:
         return off - feature.radius_mm
     if feature.shape == "cone" and feature.radius_mm is not None and feature.half_angle_rad is not None:

@@ -40,8 +40,20 @@ def checked(mesh: Mesh) -> Feasibility:
 
 
 @pytest.fixture(scope="module")
-def made() -> GeneratedPlan:
-    return generate_plan(casting(), checked(casting()), QUICK)
+def cell() -> Feasibility:
+    """What is free about the casting, which is checked once for all tests."""
+    return checked(casting())
+
+
+@pytest.fixture(scope="module")
+def made(cell: Feasibility) -> GeneratedPlan:
+    return generate_plan(casting(), cell, QUICK)
+
+
+@pytest.fixture(scope="module")
+def once(cell: Feasibility) -> GeneratedPlan:
+    """Every place seen once at least."""
+    return generate_plan(casting(), cell, QUICK.model_copy(update={"views": 1}))
 
 
 def test_a_plan_sees_what_it_states_and_98_percent_of_what_is_measurable(made: GeneratedPlan) -> None:
@@ -52,21 +64,18 @@ def test_a_plan_sees_what_it_states_and_98_percent_of_what_is_measurable(made: G
     assert made.problems == ()
 
 
-def test_a_plan_sees_places_twice_so_that_clouds_overlap(made: GeneratedPlan) -> None:
+def test_a_plan_sees_places_twice_so_that_clouds_overlap(made: GeneratedPlan, once: GeneratedPlan) -> None:
     areas = made.samples.areas_mm2
     twice = areas[made.seen.sum(axis=0) >= 2].sum() / areas[made.allowed].sum()
-    once = generate_plan(casting(), checked(casting()), QUICK.model_copy(update={"views": 1}))
     assert twice >= 0.9 > 1.5 * areas[once.seen.sum(axis=0) >= 2].sum() / areas[once.allowed].sum()
     assert len(once.plan) < len(made.plan) <= 2 * len(once.plan)
 
 
-def test_a_plan_needs_no_more_viewpoints_than_a_greedy_cover_of_the_same_candidates() -> None:
+def test_a_plan_needs_no_more_viewpoints_than_a_greedy_cover_of_the_same_candidates(cell: Feasibility, once: GeneratedPlan) -> None:
     scene = PartScene.of(placed(casting()), RIG)
-    cell = checked(casting())
-    made = generate_plan(casting(), cell, QUICK.model_copy(update={"views": 1}))
     grid, free = checked_grid(extent_on_table(scene.part, RIG), RIG, ARM, cell.is_free, NoProgress(), QUICK.candidates)
-    seen = seen_by(grid.subset(free).viewpoints, made.samples, RIG, scene).seen
-    assert len(made.plan) <= 1.1 * greedy_cover(seen, made.samples.areas_mm2, 0.98)
+    seen = seen_by(grid.subset(free).viewpoints, once.samples, RIG, scene).seen
+    assert len(once.plan) <= 1.1 * greedy_cover(seen, once.samples.areas_mm2, 0.98)
 
 
 def test_every_viewpoint_is_within_reach_and_touches_nothing_and_so_are_the_moves(made: GeneratedPlan) -> None:
@@ -111,15 +120,15 @@ def test_the_same_arguments_give_the_same_plan(made: GeneratedPlan) -> None:
     assert generate_plan(casting(), checked(casting()), QUICK).plan == made.plan
 
 
-def test_a_given_number_of_viewpoints_covers_less_the_fewer_they_are(made: GeneratedPlan) -> None:
-    few, more = (generate_plan(casting(), checked(casting()), QUICK.model_copy(update={"viewpoints": count})) for count in (2, 4))
+def test_a_given_number_of_viewpoints_covers_less_the_fewer_they_are(cell: Feasibility, made: GeneratedPlan) -> None:
+    few, more = (generate_plan(casting(), cell, QUICK.model_copy(update={"viewpoints": count})) for count in (2, 4))
     assert (len(few.plan), len(more.plan)) == (2, 4)
     assert few.planned_share < more.planned_share <= made.allowed_share
 
 
-def test_a_required_standard_deviation_needs_more_viewpoints_and_is_reached_where_it_can_be(made: GeneratedPlan) -> None:
+def test_a_required_standard_deviation_needs_more_viewpoints_and_is_reached_where_it_can_be(cell: Feasibility, made: GeneratedPlan) -> None:
     required = float(np.nanmedian(made.sigma_mm)) * 0.8
-    finer = generate_plan(casting(), checked(casting()), QUICK.model_copy(update={"sigma_mm": required}))
+    finer = generate_plan(casting(), cell, QUICK.model_copy(update={"sigma_mm": required}))
     assert len(finer.plan) > len(made.plan)
     areas = made.samples.areas_mm2
 
@@ -153,12 +162,12 @@ def test_where_only_mirror_directions_see_a_surface_the_reason_is_the_light() ->
     assert Cause.LIGHT in {area.cause for area in found.unreachable}
 
 
-def test_collisions_checked_for_all_angles_of_the_table_at_once_are_those_of_every_viewpoint() -> None:
+def test_collisions_checked_for_all_angles_of_the_table_at_once_are_those_of_every_viewpoint(cell: Feasibility) -> None:
     from measureapp.planning.collision.build import PartSolid
     from measureapp.planning.collision.cell import Cell
 
     part = placed(casting())
-    cell, exact = checked(casting()), Cell.of(RIG, ARM, PartSolid.of_points(part.vertices_mm))
+    exact = Cell.of(RIG, ARM, PartSolid.of_points(part.vertices_mm))
     grid, _ = checked_grid(extent_on_table(part, RIG), RIG, ARM, None, NoProgress(), 1500)
     some = [grid.viewpoints[place] for place in np.random.default_rng(4).choice(len(grid), 60, replace=False)]
     found = [cell.is_free(one) for one in some] if cell.is_free else []
@@ -177,7 +186,7 @@ def test_moves_that_are_not_free_are_avoided_by_another_order_or_stated() -> Non
     def never(first: object, second: object) -> str:
         return "the head would touch the table"
 
-    found = generate_plan(casting(), Feasibility(RIG, ARM, None, never), QUICK)
+    found = generate_plan(casting(), Feasibility(RIG, ARM, None, never), SMALL)
     assert len(found.problems) == len(found.plan) - 1
     assert "is not free: the head would touch the table" in found.problems[0]
 
