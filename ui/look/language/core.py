@@ -19,6 +19,18 @@ def name_of(node: ast.AST) -> str:
     return node.attr if isinstance(node, ast.Attribute) else node.id if isinstance(node, ast.Name) else ""
 
 
+def children(node: ast.AST) -> list[ast.AST]:
+    """Return the nodes right below one, in the order of the source; without operators and contexts, which are half of all."""
+    found: list[ast.AST] = []
+    for name in node._fields:
+        value = getattr(node, name, None)
+        if isinstance(value, list):
+            found += [one for one in value if isinstance(one, ast.AST) and one._fields]
+        elif isinstance(value, ast.AST) and value._fields:
+            found.append(value)
+    return found
+
+
 def reached_files() -> dict[str, ast.Module]:
     """Return the syntax of window and plugins, and of all files of the core that they import, directly or through others, by module."""
     paths = {_module(path): path for folder in ("measureapp", "plugins", "ui") for path in sorted((ROOT / folder).rglob("*.py"))}
@@ -45,7 +57,7 @@ def _imports(tree: ast.Module) -> Iterator[str]:
             yield from (one.name for one in node.names)
         elif isinstance(node, ast.ImportFrom) and node.module and not node.level:
             yield from (f"{node.module}.{one.name}" for one in node.names)
-        waiting += [child for child in ast.iter_child_nodes(node) if not isinstance(child, ast.expr)]  # nine nodes of ten, none an import
+        waiting += [child for child in children(node) if not isinstance(child, ast.expr)]  # nine nodes of ten, none an import
 
 
 class Core:
@@ -99,7 +111,7 @@ class Core:
         return [] if source is None or source == (module, name) else self.constants(*source)
 
     def _read(self, module: str, tree: ast.Module) -> None:
-        waiting: list[tuple[ast.AST, ast.AST, ast.ClassDef | None]] = [(child, tree, None) for child in ast.iter_child_nodes(tree)]
+        waiting: list[tuple[ast.AST, ast.AST, ast.ClassDef | None]] = [(child, tree, None) for child in children(tree)]
         while waiting:
             node, scope, owner = waiting.pop()
             self._modules[node], self._scopes[node] = module, scope
@@ -108,7 +120,7 @@ class Core:
                 scope, owner = node, None
             elif isinstance(node, ast.ClassDef):
                 owner = node
-            waiting += [(child, scope, owner) for child in ast.iter_child_nodes(node)]
+            waiting += [(child, scope, owner) for child in children(node)]
 
     def _note(self, module: str, node: ast.AST, scope: ast.AST, owner: ast.ClassDef | None) -> None:
         if isinstance(node, Function):

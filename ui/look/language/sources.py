@@ -9,7 +9,7 @@ from pathlib import Path
 from measureapp.report.language import layout_texts, read_layout
 from measureapp.resources import resource
 from ui.look.field_words import field_words, tip_words
-from ui.look.language.core import ROOT, Core, name_of, reached_files
+from ui.look.language.core import ROOT, Core, children, name_of, reached_files
 from ui.look.language.errors import told_texts
 from ui.look.language.templates import PLACEHOLDER, WORDS, escaped, has_sentence, is_text, template
 
@@ -136,9 +136,20 @@ def core_texts() -> dict[str, str]:
     return found
 
 
+def _nodes_and_parents(tree: ast.Module) -> tuple[list[ast.AST], dict[ast.AST, ast.AST]]:
+    """Return all nodes level by level, and the node that each stands in."""
+    nodes: list[ast.AST] = [tree]
+    parents: dict[ast.AST, ast.AST] = {}
+    for node in nodes:  # which grows meanwhile
+        below = children(node)
+        parents.update(dict.fromkeys(below, node))
+        nodes += below
+    return nodes, parents
+
+
 def _texts(tree: ast.Module) -> Iterator[str]:
-    parents = {child: node for node in ast.walk(tree) for child in ast.iter_child_nodes(node)}
-    for node in ast.walk(tree):
+    nodes, parents = _nodes_and_parents(tree)
+    for node in nodes:
         if not (isinstance(node, ast.Constant) and isinstance(node.value, str)) or isinstance(parents[node], ast.JoinedStr | ast.Expr):
             continue
         parent = parents[node]
@@ -153,8 +164,8 @@ def _texts(tree: ast.Module) -> Iterator[str]:
 
 def _sentences(tree: ast.Module) -> Iterator[str]:
     """Yield the texts with values in them, as templates."""
-    parents = {child: node for node in ast.walk(tree) for child in ast.iter_child_nodes(node)}
-    for node in ast.walk(tree):
+    nodes, parents = _nodes_and_parents(tree)
+    for node in nodes:
         is_part = isinstance(parents.get(node), ast.FormattedValue)
         if isinstance(node, ast.JoinedStr) and not is_part and not _is_internal(node, parents) and has_sentence(text := template(node)):
             yield text
