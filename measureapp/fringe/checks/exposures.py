@@ -101,7 +101,7 @@ def _compare(sample: ImageArray, stack: FringeStack) -> Iterator[_Finding]:
     radiance = np.where((levels > low) & (levels < high), levels / times[:, None, None, None], np.nan)
     ordered = np.sort(radiance, axis=0)  # once for all exposures: sorting is most of the time
     for level, time in enumerate(times):
-        predicted = _median_of_others(radiance, ordered, level) * time
+        predicted = median_of_others(radiance, ordered, level) * time
         clear = _is_clear(predicted, stack.saturation)
         off = clear & (np.abs(levels[level] - predicted) > _allowed(predicted, stack.saturation))
         counts, wrong = clear.sum(axis=-1), off.sum(axis=-1)
@@ -113,7 +113,7 @@ def _compare(sample: ImageArray, stack: FringeStack) -> Iterator[_Finding]:
             yield _Finding(level, int(image), share, float(rows[image].max()), ratio, float(np.median(ratios)))
 
 
-def _median_of_others(radiance: FloatArray, ordered: FloatArray, level: int) -> FloatArray:
+def median_of_others(radiance: FloatArray, ordered: FloatArray, level: int) -> FloatArray:
     """Return the median over the other exposures, (patterns, rows, pixels); NaN where none is usable. ``ordered``: all, NaN last."""
     own = radiance[level]
     known = np.isfinite(own)
