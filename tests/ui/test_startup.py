@@ -139,6 +139,7 @@ def test_nothing_waits_behind_the_preparation_which_takes_minutes_at_the_first_s
     monkeypatch.setattr(startup, "load_kernels", lambda _progress: done.wait(20.0))
     controllers = application.controllers
     controllers.startup.begin()
+    qtbot.waitUntil(lambda: controllers.preparing.queue.busy, timeout=10_000)
     controllers.background.run("Comparing with the nominal", lambda _job: "compared", reached.append, quiet=True)
     qtbot.waitUntil(lambda: reached == ["compared"], timeout=10_000)
     assert controllers.preparing.queue.busy
