@@ -133,13 +133,18 @@ def test_kernels_are_loaded_once_the_window_has_made_its_pages(application, wind
 
 
 def test_nothing_waits_behind_the_preparation_which_takes_minutes_at_the_first_start(application, window, qtbot, monkeypatch):
-    done, reached = threading.Event(), []
+    began, done, reached = threading.Event(), threading.Event(), []
+
+    def take_minutes(_progress):
+        began.set()
+        done.wait(60.0)
+
     monkeypatch.setattr(startup, "load_graphics", lambda _job: "")
     monkeypatch.setattr(startup, "import_all", lambda _progress: None)
-    monkeypatch.setattr(startup, "load_kernels", lambda _progress: done.wait(20.0))
+    monkeypatch.setattr(startup, "load_kernels", take_minutes)
     controllers = application.controllers
     controllers.startup.begin()
-    qtbot.waitUntil(lambda: controllers.preparing.queue.busy, timeout=10_000)
+    qtbot.waitUntil(began.is_set, timeout=20_000)
     controllers.background.run("Comparing with the nominal", lambda _job: "compared", reached.append, quiet=True)
     qtbot.waitUntil(lambda: reached == ["compared"], timeout=10_000)
     assert controllers.preparing.queue.busy
