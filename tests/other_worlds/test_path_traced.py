@@ -16,14 +16,13 @@ from measureapp.data.fringe import FringeStack
 from measureapp.fringe.decode import decode
 from measureapp.project.calibration.camera_file import read_cameras
 from measureapp.project.folder import ProjectFolder
-from measureapp.resources import resource
 from tests.other_worlds.figures import figures_of
 from tests.other_worlds.render import BRIGHT_US, FAINT_US
-from tests.other_worlds.world import describe, rendered
+from tests.other_worlds.world import OWN_PART, describe, rendered
 
 pytestmark = pytest.mark.slow
 VIEWS = 8
-PARTS = ("gypsum", "sphere_plate")
+PARTS = ("gypsum", "sphere_plate", OWN_PART)
 FAINT = FAINT_US[1]
 
 
@@ -31,7 +30,7 @@ FAINT = FAINT_US[1]
 def worlds(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
     """Folders of rendered images by part."""
     own = tmp_path_factory.mktemp("traced")
-    return {part: rendered(part, resource(f"parts/{part}/nominal.stl"), VIEWS, own) for part in PARTS}
+    return {part: rendered(part, VIEWS, own) for part in PARTS}
 
 
 def processed(folder: Path, name: str, exposures_us: tuple[int, ...], part: str, into: Path, capsys: pytest.CaptureFixture[str]) -> Any:

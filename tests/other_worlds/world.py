@@ -17,11 +17,13 @@ from tests.other_worlds.render import BRIGHT_US, FAINT_US
 
 RENDERER, CACHE = "MEASUREAPP_PATH_TRACER", "MEASUREAPP_PATH_TRACED"
 RENDER = Path(__file__).with_name("render.py")
+OWN_PART = "artefact"  # of the renderer: spheres on posts, a cylinder and a step on a plate
+OWN_PROGRAM = Path(__file__).with_name("artefact_program.toml")
 FOCAL_MM, PIXEL_UM, FULL_PX = 9.0, 2.2, (2592, 1944)
 AS_RENDERED = ("--scale", "0.25", "--spp", "25", "--boards", "14", "--axis", "7", "--seed", "1")
 
 
-def rendered(name: str, part: Path, views: int, own: Path) -> Path:
+def rendered(name: str, views: int, own: Path) -> Path:
     """Return the folder of a rendered part: that of the cache, or rendered into it, or into ``own`` without a cache; else skip the test.
 
     ``MEASUREAPP_PATH_TRACER`` is the renderer's Python and its program, with a space between; ``MEASUREAPP_PATH_TRACED`` the cache.
@@ -30,8 +32,9 @@ def rendered(name: str, part: Path, views: int, own: Path) -> Path:
     if not (folder / "truth.json").is_file():
         if RENDERER not in os.environ:
             pytest.skip(f"neither {RENDERER} (Python and program of the renderer) nor {CACHE} with a folder {name!r} is set")
+        part = name if name == OWN_PART else str(resource(f"parts/{name}/nominal.stl"))
         python, program = os.environ[RENDERER].split()
-        subprocess.run([python, str(RENDER), program, str(folder), *AS_RENDERED, "--views", str(views), "--part", str(part)], check=True)
+        subprocess.run([python, str(RENDER), program, str(folder), *AS_RENDERED, "--views", str(views), "--part", part], check=True)
     return folder
 
 
@@ -39,8 +42,13 @@ def describe(folder: Path, name: str, exposures_us: tuple[int, ...], part: str) 
     """Write a RECORDING.toml with these exposures of all views beside the images; return it."""
     truth = json.loads((folder / "truth.json").read_text(encoding="utf-8"))
     _write_rig(folder / "rig.toml", truth, exposures_us)
-    for kind in ("program.toml", "nominal.stl"):
-        (folder / kind).write_bytes(resource(f"parts/{part}/{kind}").read_bytes())
+    own = part == OWN_PART
+    documents = {
+        "program.toml": OWN_PROGRAM if own else resource(f"parts/{part}/program.toml"),
+        "nominal.stl": folder / "part.stl" if own else resource(f"parts/{part}/nominal.stl"),
+    }
+    for kind, source in documents.items():
+        (folder / kind).write_bytes(source.read_bytes())
     columns, rows = truth["board"]["inner_corners"]
     lines = ["schema_version = 1", 'rig = "rig.toml"', "[board]", 'kind = "checkerboard"', f"inner_corners = [{columns}, {rows}]"]
     lines += [f"square_mm = {truth['board']['square_mm']}"]
