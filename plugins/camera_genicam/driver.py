@@ -85,6 +85,7 @@ class GenicamCamera:
         self.exposure_limits_us, self.exposure_step_us = facts.exposure_limits_us, facts.exposure_step_us
         link.share(settings.buffers, -(-facts.payload_bytes // PAGE) * PAGE)
         self._armed: Trigger | None = None
+        self._started_by: Trigger = "software"  # images of the sequence, or of the last one
         self._stopped = threading.Event()
         self._numbers, self._sequence, self._wanted = FrameNumbers(), 0, 0
         self._exposure_us = self.exposure_us()  # as last read back
@@ -110,8 +111,8 @@ class GenicamCamera:
         self._stopped.clear()
         self._features.frame_trigger("Software" if trigger == "software" else self._settings.trigger_line)
         self._sequence += 1
-        self._numbers.begin()
-        self._exposures_us, self._wanted = [], frames
+        self._numbers.begin(self._triggers)
+        self._exposures_us, self._wanted, self._started_by = [], frames, trigger
         self._exposure_us = self.exposure_us()
         self._link.call("start", self._sequence, self._facts.exposure_chunk)
         self._armed = trigger
@@ -163,6 +164,11 @@ class GenicamCamera:
                 asked = now
             if now >= end:
                 raise self._timeout("sent no image", timeout_s)
+
+    @property
+    def _triggers(self) -> int:
+        """Number of images that the sequence, or the last one, should have given so far."""
+        return len(self._exposures_us) if self._started_by == "software" else self._wanted
 
     def disarm(self) -> None:
         """End the sequence; images not taken from it are discarded. Harmless without one."""
@@ -216,7 +222,7 @@ class GenicamCamera:
     def _frame(self, found: dict[str, Any]) -> Frame:
         """Copy an image out of the shared memory, check it, and let its place be filled again. Raises FrameError."""
         try:
-            triggers = len(self._exposures_us) if self._armed == "software" else self._wanted
+            triggers = self._triggers
             if found["status"] != 0 or not found["size"]:
                 self._numbers.damaged(found["block"], triggers)
                 reason = STATUSES.get(found["status"], "damaged")

@@ -22,10 +22,16 @@ class FrameNumbers:
         self._expected: tuple[int, ...] = ()  # identifiers of which one comes next; none: any may come
         self._number = -1
 
-    def begin(self) -> None:
-        """Begin a sequence: its first image has number 0."""
+    def begin(self, triggers: int) -> None:
+        """Begin a sequence: its first image has number 0.
+
+        Parameters
+        ----------
+        triggers : of the sequence before. If it lacks images, the camera may have counted those that never came: any identifier may be next
+        """
+        complete = self._number + 1 == triggers
         self._number = -1
-        self._expected += () if self._first is None else (self._first,)
+        self._expected = (*self._expected, *(() if self._first is None else (self._first,))) if complete else ()
 
     def number(self, identifier: int, triggers: int) -> int:
         """Return the number of an image; images lost before it count.
