@@ -29,9 +29,11 @@ class FrameNumbers:
         ----------
         triggers : of the sequence before. If it lacks images, the camera may have counted those that never came: any identifier may be next
         """
-        complete = self._number + 1 == triggers
+        if self._number + 1 != triggers:
+            self._expected = ()
+        elif self._first is not None:
+            self._expected += (self._first,)
         self._number = -1
-        self._expected = (*self._expected, *(() if self._first is None else (self._first,))) if complete else ()
 
     def number(self, identifier: int, triggers: int) -> int:
         """Return the number of an image; images lost before it count.
