@@ -16,6 +16,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 from dataclasses import replace
 
+import cv2
 import numpy as np
 
 from measureapp.arrays import FloatArray, IntArray, in_bands, read_only
@@ -71,12 +72,12 @@ def _correct(phase_map: PhaseMap, blur_px: float, step_rad: float, memory: Buffe
     blur = Blur(
         read_only(phase_map.phase_rad, np.float32).reshape(-1),
         read_only(phase_map.sigma_rad, np.float32).reshape(-1),
-        read_only(phase_map.grey, np.uint16).reshape(-1),
+        read_only(projected_light(phase_map, variance), np.uint16).reshape(-1),
         read_only(phase_map.state, np.uint8).reshape(-1),
         np.float32(variance),
         np.float32(INTERPOLATION_PX2 / variance if interpolated else 0.0),
         np.float32(step_rad),
-        np.float32(estimate_ambient_light(phase_map, variance)),
+        np.float32(0.0),
         *shape,
     )
     phase, sigma = memory.empty(phase_map.state.size, np.float32), memory.empty(phase_map.state.size, np.float32)
@@ -84,6 +85,37 @@ def _correct(phase_map: PhaseMap, blur_px: float, step_rad: float, memory: Buffe
     orthogonal = None if phase_map.orthogonal is None else _correct(phase_map.orthogonal, blur_px, step_rad, memory, interpolated)
     return replace(phase_map, phase_rad=read_only(phase.reshape(shape)), sigma_rad=read_only(sigma.reshape(shape)), orthogonal=orthogonal)
 
+
+def projected_light(phase_map, variance_px2):
+    ambient, ratio = estimate_ambient_light(phase_map, variance_px2), 1.1
+    step=2
+    h,w=phase_map.state.shape
+    sl=np.s_[::step,::step]
+    ph=np.asarray(phase_map.phase_rad[sl],np.float32)
+    scale = np.array([phase_map.exposures_us[0] / exposure for exposure in phase_map.exposures_us] or [1.0])
+    ex=np.clip(phase_map.exposure_index[sl].astype(int),0,len(scale)-1)
+    m=phase_map.modulation[sl]*scale[ex].astype(np.float32)
+    g=phase_map.grey[sl].astype(np.float32)
+    ok=phase_map.state[sl]==0
+    dx=np.zeros_like(ph); dy=np.zeros_like(ph)
+    dx[:,1:-1]=(ph[:,2:]-ph[:,:-2])/4; dy[1:-1]=(ph[2:]-ph[:-2])/4
+    inside=np.zeros_like(ok); inside[1:-1,1:-1]=ok[1:-1,1:-1]&ok[1:-1,2:]&ok[1:-1,:-2]&ok[2:,1:-1]&ok[:-2,1:-1]
+    s2=dx*dx+dy*dy
+    inside&=s2<MAX_SLOPE**2
+    A=g-ratio_of(phase_map,variance_px2)*m*np.exp(np.minimum(variance_px2*s2/2,3))
+    known=inside.astype(np.float32)
+    A=np.where(inside,np.clip(A,0,None),0).astype(np.float32)
+    num=cv2.blur(A,(5,5)); den=cv2.blur(known,(5,5))
+    num2=cv2.blur(A,(15,15)); den2=cv2.blur(known,(15,15))
+    fill=np.where(den>0.05,num/np.maximum(den,1e-6),np.where(den2>0.01,num2/np.maximum(den2,1e-6),ambient)).astype(np.float32)
+    A=np.where(inside,A,fill).astype(np.float32)
+    A=cv2.medianBlur(A,5)
+    A=np.minimum(cv2.resize(A,(w,h),interpolation=cv2.INTER_LINEAR),0.9*phase_map.grey)
+    return np.maximum(phase_map.grey-A,0).astype(np.uint16)
+
+def ratio_of(phase_map,v):
+    return LINE[0]
+LINE=[1.1,0]
 
 def estimate_ambient_light(phase_map: PhaseMap, variance_px2: float) -> float:
     """Estimate the grey level without the projector's light: ambient light and the camera's black level; 0 where it is undetermined.
@@ -102,6 +134,7 @@ def estimate_ambient_light(phase_map: PhaseMap, variance_px2: float) -> float:
         line = np.linalg.solve((columns * weight[:, None]).T @ columns, (columns * weight[:, None]).T @ grey)
         residual = grey - columns @ line
         weight = 1 / (1 + (residual / (CAUCHY * np.median(np.abs(residual)) + TINY)) ** 2)
+    LINE[:]=list(line)
     return float(np.clip(line[1], 0.0, np.percentile(grey, DARKEST_PERCENT)))
 
 

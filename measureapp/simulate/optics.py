@@ -112,5 +112,5 @@ def expose(
     lamp = settings.lamp if pattern is None else 0.0
     kernels.in_bands(kernels.expose, 0, mean.size, light.reshape(-1, 4), shown, lamp, settings.ambient, scale, FLOOR, mean.reshape(-1))
     if second is not None:
-        mean += np.float32(scale) * second.light(None if pattern is None else shown, settings.lamp, mean.shape)  # type: ignore[arg-type]
+        mean += np.float32(scale) * second.light(None if pattern is None else shown, settings.lamp)
     return gaussian(mean, hypot(settings.lens_blur_px, width_px))

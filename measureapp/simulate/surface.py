@@ -12,7 +12,7 @@ from measureapp.arrays import BoolArray, FloatArray, IntArray
 from measureapp.geometry.transform import RigidTransform
 from measureapp.open3d_library import open3d
 from measureapp.simulate import kernels
-from measureapp.simulate.effects.bounce import SENDERS, Bounce, Places, bounce
+from measureapp.simulate.effects.bounce import MOST_CELLS, Bounce, Cells, Exchange, Places, bounce, exchange
 from measureapp.simulate.optics import OUTLINE_SAMPLES, ProjectorLight, SeeingCamera, image_box, lens_parameters
 from measureapp.simulate.part import Part
 
@@ -20,7 +20,8 @@ PIXELS_AT_ONCE = 2**19
 SHADOW_OFFSET_MM = 0.02
 PIXEL_BLUR_PX = sqrt(1.0 / 12.0)  # standard deviation of the uniform distribution over a pixel
 SAMPLE = 400
-CANDIDATES = 20 * SENDERS  # places on the surface, of which the lit ones become patches
+CELL_PX = 10.0  # width of a cell of the projector's image; more where the part fills it
+FLAT_COSINE = 0.05  # keeps the area that a grazing ray lights finite
 
 
 class Surface:
@@ -36,7 +37,6 @@ class Surface:
         self._depth_mm = depth_mm
         corners = part.mesh.vertices_mm[part.mesh.triangles]
         normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
-        self._corners, self._areas = corners, 0.5 * np.linalg.norm(normals, axis=1)
         self._middles = corners.mean(axis=1)
         self._corner = np.ascontiguousarray(corners[:, 0])
         self._normals = normals / np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-30)
@@ -90,9 +90,15 @@ class Surface:
         )
         kernels.in_bands(kernels.darken_shadows, 0, len(rays), self._hidden(shadow_rays), out)
 
+    def exchange(self, light: ProjectorLight) -> Exchange | None:
+        """Return what the surface that the projector lights scatters to itself; None if nothing of it faces the rest."""
+        coarse = self._cells(light, CELL_PX)
+        size = CELL_PX * sqrt(max(1.0, len(coarse.rows) / MOST_CELLS))
+        return exchange(coarse if size == CELL_PX else self._cells(light, size), self._hidden)
+
     def second_light(
-        self, camera: SeeingCamera, scene_from_camera: RigidTransform, light: ProjectorLight, light_map: FloatArray, strength: float
-    ) -> Bounce | None:
+        self, camera: SeeingCamera, scene_from_camera: RigidTransform, between: Exchange, light_map: FloatArray, strength: float
+    ) -> Bounce:
         """Return the light that a camera sees by way of other surfaces."""
         pose = np.array(scene_from_camera.matrix)
 
@@ -100,34 +106,37 @@ class Surface:
             rays = np.empty((len(rows), 6), np.float32)
             for i, (row, column) in enumerate(zip(rows, columns, strict=True)):
                 kernels.pixel_rays(0, 1, np.array([row, row + 1, column, column + 1]), *camera.parameters, pose, rays[i : i + 1])
-            hit = self._scene.cast_rays(self._tensor(rays))
-            triangles = np.minimum(hit["primitive_ids"].numpy(), len(self._normals) - 1)
-            normals = self._normals[triangles]
-            facing = np.sign(-np.einsum("ij,ij->i", normals, rays[:, 3:]))[:, None]
-            points = rays[:, :3] + hit["t_hit"].numpy()[:, None] * rays[:, 3:]
-            return Places(points, normals * facing, -rays[:, 3:], self._materials[self._material[triangles]])
+            return self._places(rays)[0]
 
-        return bounce(light_map, places, self._hidden, self._lit_patches(light), strength)
+        return bounce(between, light_map, places, pose[:3, 3], self._hidden, strength)
 
-    def _lit_patches(self, light: ProjectorLight) -> tuple[FloatArray, FloatArray, FloatArray, FloatArray]:
-        """Return points, normals, projector pixels and power of patches of the surface that the projector lights."""
-        rng = np.random.default_rng(1)  # of the sampling; no error of the rig
-        share = self._areas / self._areas.sum()
-        chosen = rng.choice(len(share), CANDIDATES, p=share)
-        weights = rng.dirichlet(np.ones(3), CANDIDATES)
-        points = np.einsum("nk,nkj->nj", weights, self._corners[chosen])
-        normals = self._normals[chosen]
-        towards = light.position - points
-        distance = np.linalg.norm(towards, axis=1)
-        cosine = np.einsum("ij,ij->i", normals, towards) / distance
-        lit = cosine > 0.0
-        lit[lit] = ~self._hidden(np.hstack([points + SHADOW_OFFSET_MM * normals, towards])[lit].astype(np.float32))
-        some = np.flatnonzero(lit)[:SENDERS]
-        area = self._areas.sum() * np.count_nonzero(lit) / CANDIDATES / max(1, len(some))
-        albedo = self._materials[self._material[chosen[some]], 0]
-        pixels = light.pinhole.project(light.scene_from_projector.inverse().apply(points[some]))
-        power = area * albedo * cosine[some] * (light.standoff_mm / distance[some]) ** 2
-        return points[some], normals[some], pixels, power
+    def _cells(self, light: ProjectorLight, size_px: float) -> Cells:
+        """Divide the projector's image into cells of about ``size_px``, and return those that light the surface."""
+        pinhole = light.pinhole
+        grid = round(pinhole.height_px / size_px), round(pinhole.width_px / size_px)
+        row, column = (index.ravel() for index in np.indices(grid))
+        height, width = pinhole.height_px / grid[0], pinhole.width_px / grid[1]
+        directions = light.scene_from_projector.rotate(pinhole.rays(np.column_stack([(column + 0.5) * width, (row + 0.5) * height]) - 0.5))
+        rays = np.hstack([np.broadcast_to(light.position, directions.shape), directions]).astype(np.float32)
+        places, distance = self._places(rays)
+        met = np.isfinite(distance)
+        places, distance = Places(*(values[met] for values in places)), distance[met]
+        along_axis = directions[met] @ light.scene_from_projector.rotation[:, 2]
+        solid_angle = along_axis**3 * width * height / (pinhole.matrix[0, 0] * pinhole.matrix[1, 1])
+        cosine = np.maximum(-np.einsum("ij,ij->i", places.normals, directions[met]), FLAT_COSINE)
+        irradiance = cosine * (light.standoff_mm / distance) ** 2
+        area = solid_angle * distance**2 / cosine
+        return Cells(grid, (pinhole.height_px, pinhole.width_px), row[met], column[met], places, area, places.materials[:, 0] * irradiance)
+
+    def _places(self, rays: FloatArray) -> tuple[Places, FloatArray]:
+        """Return where rays (N, 6) meet the surface, and after which distance (N,), infinite where they do not."""
+        hit = self._scene.cast_rays(self._tensor(rays))
+        distance = hit["t_hit"].numpy()
+        triangles = np.minimum(hit["primitive_ids"].numpy(), len(self._normals) - 1)
+        normals = self._normals[triangles]
+        facing = np.sign(-np.einsum("ij,ij->i", normals, rays[:, 3:]))[:, None]
+        points = rays[:, :3] + np.where(np.isfinite(distance), distance, 0.0)[:, None] * rays[:, 3:]
+        return Places(points, normals * facing, self._materials[self._material[triangles]]), distance
 
     def _triangles(self, rays: FloatArray) -> IntArray:
         return self._scene.cast_rays(self._tensor(rays))["primitive_ids"].numpy()

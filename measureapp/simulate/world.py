@@ -15,7 +15,7 @@ from measureapp.data.rig import RigDescription
 from measureapp.geometry.pinhole import PinholeCamera
 from measureapp.geometry.transform import RigidTransform, rotation_about
 from measureapp.simulate.effects.bit_planes import shown_levels
-from measureapp.simulate.effects.bounce import Bounce
+from measureapp.simulate.effects.bounce import Bounce, Exchange
 from measureapp.simulate.effects.effects import draw_effects
 from measureapp.simulate.effects.motions import Settling, begin_settling, flange_play, play
 from measureapp.simulate.effects.shake import displaced
@@ -91,6 +91,7 @@ class World:
         self._triggers = np.random.default_rng([seed, 106])
         self._light_maps: dict[str, tuple[tuple[int, int], FloatArray]] = {}
         self._second: dict[str, Bounce | None] = {}
+        self._exchanges: tuple[int, Exchange | None] = (-1, None)  # with the state that it belongs to; settling does not change it
         self._depths: dict[str, FloatArray] = {}
         self._commanded = AxisReadback(_home(), 0.0, 0.0)
         self._base_from_flange = self._flange_reached(self._commanded.base_from_flange)
@@ -282,7 +283,11 @@ class World:
         seen.illuminate(seeing, scene_from_camera, projector, light)
         self._depths[camera] = object_depth(seeing.pinhole, scene_from_camera.inverse().apply(seen.sample_mm()))
         if isinstance(seen, Surface) and self.options.part.bounce:
-            self._second[camera] = seen.second_light(seeing, scene_from_camera, projector, light, self.options.part.bounce)
+            if self._exchanges[0] != self._state:
+                self._exchanges = (self._state, seen.exchange(projector))
+            between = self._exchanges[1]
+            if between is not None:
+                self._second[camera] = seen.second_light(seeing, scene_from_camera, between, light, self.options.part.bounce)
 
     def _pinhole(self, camera: str) -> PinholeCamera:
         pinhole = self._truth.calibration.cameras.cameras[camera].pinhole

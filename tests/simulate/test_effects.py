@@ -8,7 +8,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from measureapp.data.mesh import Mesh
 from measureapp.data.rig import RigDescription
 from measureapp.simulate.effects.board_print import draw_print
 from measureapp.simulate.effects.form import made_part, with_surroundings
@@ -30,7 +29,7 @@ from measureapp.simulate.options import (
     WarmthEffects,
     WorldOptions,
 )
-from measureapp.simulate.part import MATT_WHITE, Part
+from measureapp.simulate.part import Part
 from measureapp.simulate.parts import make_part
 from measureapp.simulate.world import PLAIN_LIGHT, World
 from measureapp.simulate.worlds import read_world
@@ -292,29 +291,6 @@ def test_the_table_and_clamps_are_in_the_picture_and_not_of_the_part(paper: RigD
     assert np.count_nonzero(surrounded > 0.02) > 1.5 * np.count_nonzero(alone > 0.02)
     assert World(paper, part, 1, options=options).part is part
     assert len(with_surroundings(part).mesh.triangles) == len(with_surroundings(part).material)
-
-
-def corner(albedo: float) -> Part:
-    """Two walls at a right angle, open towards the head."""
-    corners = [[0, -50, 0], [0, 50, 0], [0, 50, 100], [0, -50, 100], [-100, -50, 0], [-100, 50, 0]]
-    mesh = Mesh(np.array(corners, float), np.array([[0, 2, 1], [0, 3, 2], [4, 0, 1], [4, 1, 5]]), "nominal")
-    return Part("corner", mesh, (replace(MATT_WHITE, albedo=albedo),), np.zeros(4, np.uint8), watertight=False)
-
-
-def test_walls_of_a_corner_light_each_other_by_the_square_of_their_albedo(paper: RigDescription, look_from: Callable[..., None]) -> None:
-    added = {}
-    for albedo in (0.8, 0.4):
-        without, with_it = (
-            lit(paper, look_from, WorldOptions(part=PartEffects(bounce=strength)), corner(albedo)) for strength in (0.0, 1.0)
-        )
-        gain = with_it - without
-        assert gain.min() > -1e-4
-        added[albedo] = gain[without > 0.02].mean()
-    flat = make_part("flat")
-    bare, same = (lit(paper, look_from, WorldOptions(part=PartEffects(bounce=strength)), flat) for strength in (0.0, 1.0))
-    assert added[0.8] == pytest.approx(4 * added[0.4], rel=0.25)
-    assert added[0.8] > 0.05 * 0.8 * bare.max()
-    assert np.abs(same - bare)[bare > 0.02].mean() < 0.1 * added[0.8]
 
 
 def test_light_from_below_the_surface_moves_the_projector_pixel(paper: RigDescription, look_from: Callable[..., None]) -> None:

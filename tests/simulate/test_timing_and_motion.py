@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -14,10 +13,10 @@ from measureapp.simulate.effects.effects import draw_effects
 from measureapp.simulate.effects.motions import flange_play
 from measureapp.simulate.kernels import pixel_rays
 from measureapp.simulate.optics import SeeingCamera
-from measureapp.simulate.options import AxisEffects, LensEffects, PartEffects, RigErrors, TimingEffects, WorldOptions
+from measureapp.simulate.options import AxisEffects, LensEffects, RigErrors, TimingEffects, WorldOptions
 from measureapp.simulate.parts import make_part
 from measureapp.simulate.world import PLAIN_LIGHT, World
-from tests.simulate.test_effects import EXPOSURE_US, corner
+from tests.simulate.test_effects import EXPOSURE_US
 
 
 def test_bit_planes_give_even_levels_in_whole_frames_and_uneven_ones_in_parts() -> None:
@@ -98,23 +97,3 @@ def test_the_flange_creeps_after_a_move_and_comes_to_rest(paper: RigDescription,
 def test_the_flange_stays_behind_by_half_its_play_along_every_axis_that_moved() -> None:
     behind = flange_play(np.array([0.0, 10.0, 5.0]), np.array([3.0, -10.0, 5.0]), 0.1)
     np.testing.assert_allclose(behind, [-0.05, 0.05, 0.0])
-
-
-def test_second_light_on_gloss_is_another_one_for_every_camera(paper: RigDescription, look_from: Callable[..., None]) -> None:
-    """Two walls of a corner: what the glossy one adds is brighter, and its ratio between two cameras is not that of matt walls."""
-    matt, glossy = corner(0.5), corner(0.5)
-    glossy = replace(glossy, materials=(replace(glossy.materials[0], gloss=3.0, sharpness=15.0),))
-    added = {}
-    for name, part in (("matt", matt), ("glossy", glossy)):
-        for camera in ("left", "upper"):
-            gain = []
-            for strength in (0.0, 1.0):
-                world = World(paper, part, 1, options=WorldOptions(part=PartEffects(bounce=strength)))
-                world.table_holds = "part"
-                look_from(world, 5.0, 40.0)
-                world.show(PLAIN_LIGHT)
-                gain.append(world.mean_image(camera, EXPOSURE_US))
-            added[name, camera] = float((gain[1] - gain[0])[gain[0] > 0.02].mean())
-    assert added["glossy", "left"] > 1.2 * added["matt", "left"]
-    ratios = [added[name, "left"] / added[name, "upper"] for name in ("matt", "glossy")]
-    assert abs(ratios[1] / ratios[0] - 1.0) > 0.05
