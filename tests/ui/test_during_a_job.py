@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import threading
-
-import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QFileDialog
@@ -13,20 +10,6 @@ from tests.ui.test_dimension_table import page, project, settled, type_in  # noq
 from ui.pages.inspection.dimension_model import Column
 
 PATIENCE_MS = 60_000
-
-
-@pytest.fixture
-def working(application, qtbot):
-    """A function that begins a job, which works until the test has ended; the project must be open by then."""
-    go_on = threading.Event()
-
-    def begin() -> None:
-        application.controllers.jobs.run("Recomputing", lambda _job: go_on.wait(60), lambda _found: None)
-        qtbot.waitUntil(lambda: application.session.busy_with == "Recomputing")
-
-    yield begin
-    go_on.set()
-    qtbot.waitUntil(lambda: not application.controllers.jobs.queue.busy)
 
 
 def last(application) -> tuple[str, str, str]:
