@@ -884,6 +884,10 @@
       <translation>最多预测 {most_viewpoints} 个视点的覆盖率。</translation>
     </message>
     <message>
+      <source>Ctrl+Y makes the change again.</source>
+      <translation>按 Ctrl+Y 可重做此更改。</translation>
+    </message>
+    <message>
       <source>Current</source>
       <translation>当前</translation>
     </message>
@@ -1020,10 +1024,6 @@
       <translation>最大残差</translation>
     </message>
     <message>
-      <source>Last change undone.</source>
-      <translation>已撤销上一次更改。</translation>
-    </message>
-    <message>
       <source>Last filter undone.</source>
       <translation>已撤销上一次过滤。</translation>
     </message>
@@ -1042,6 +1042,10 @@
     <message>
       <source>Looking for what is stored</source>
       <translation>正在查看已存储的内容</translation>
+    </message>
+    <message>
+      <source>Made again: {words}</source>
+      <translation>已重做：{words}</translation>
     </message>
     <message>
       <source>Make one on the page Plan, or choose a plan file.</source>
@@ -1672,8 +1676,16 @@
       <translation>{name} 的公差已更改。</translation>
     </message>
     <message>
+      <source>Undo (Ctrl+Z) brings it back.</source>
+      <translation>按 Ctrl+Z 撤销即可恢复。</translation>
+    </message>
+    <message>
       <source>Undoing the filter</source>
       <translation>正在撤销过滤</translation>
+    </message>
+    <message>
+      <source>Undone: {words}</source>
+      <translation>已撤销：{words}</translation>
     </message>
     <message>
       <source>Unpacking the sample project</source>
@@ -15854,6 +15866,10 @@ alignment = "{v2}"
       <translation>撤销上一个点、距离、特征或程序更改</translation>
     </message>
     <message>
+      <source>Undo: {undotext}</source>
+      <translation>撤销：{undotext}</translation>
+    </message>
+    <message>
       <source>What depends on the feature is measured again; it can be undone</source>
       <translation>依赖该特征的内容将重新测量；可以撤销</translation>
     </message>
@@ -20739,10 +20755,6 @@ The first run of this part counts.</source>
       <translation>两次 {percent}</translation>
     </message>
     <message>
-      <source>Undo: {undotext}</source>
-      <translation>撤销：{undotext}</translation>
-    </message>
-    <message>
       <source>Ungroup</source>
       <translation>取消分组</translation>
     </message>
@@ -23727,8 +23739,8 @@ Click to see all messages.</source>
       <translation>之前的标定</translation>
     </message>
     <message>
-      <source>Redo the change (Ctrl+Shift+Z)</source>
-      <translation>重做更改 (Ctrl+Shift+Z)</translation>
+      <source>Redo the change (Ctrl+Y)</source>
+      <translation>重做更改 (Ctrl+Y)</translation>
     </message>
     <message>
       <source>Remove the chosen view (Delete)</source>

@@ -7,7 +7,8 @@ import os
 os.environ["QT_QPA_PLATFORM"] = "offscreen"
 os.environ.pop("DISPLAY", None)
 
-from collections.abc import Iterator
+import threading
+from collections.abc import Callable, Iterator
 from datetime import UTC, datetime
 from functools import cache
 from pathlib import Path
@@ -242,3 +243,17 @@ def heartbeat(qapp) -> Iterator[Heartbeat]:
     """A running heartbeat of the window's thread; the test calls its `check`."""
     with Heartbeat() as heart:
         yield heart
+
+
+@pytest.fixture
+def working(application: Application, qtbot) -> Iterator[Callable[[], None]]:
+    """A function that begins a job, which works until the test has ended; the project must be open by then."""
+    go_on = threading.Event()
+
+    def begin() -> None:
+        application.controllers.jobs.run("Recomputing", lambda _job: go_on.wait(60), lambda _found: None)
+        qtbot.waitUntil(lambda: application.session.busy_with == "Recomputing")
+
+    yield begin
+    go_on.set()
+    qtbot.waitUntil(lambda: not application.controllers.jobs.queue.busy)

@@ -13,7 +13,7 @@ from measureapp import __version__
 from measureapp.inspection.programming import edits
 from tests.ui.test_dimension_table import page, project, row_named, settled, type_in  # noqa: F401 - fixtures
 from ui.pages.inspection.dimension_model import Column
-from ui.pages.inspection.dimension_table import CELL_ROOM, WIDEST_TOLERANCE
+from ui.pages.inspection.dimension_table import CELL_ROOM, LEAST_NAME_WIDTH, NAME_SHARE, STATUS_WIDTH, WIDEST_NAME, WIDEST_TOLERANCE
 
 READ_AT_ONCE = (Column.NAME, Column.NOMINAL, Column.MEASURED, Column.UNCERTAINTY, Column.VERDICT)
 
@@ -41,6 +41,22 @@ def test_one_long_tolerance_does_not_take_the_room_of_the_other_columns(applicat
     assert usual <= table.columnWidth(Column.TOLERANCE) <= widest and not table.isColumnHidden(Column.VERDICT)
     place = next(number for number, row in enumerate(table.shown_rows) if row.name == "size")
     assert table.shown.index(place, Column.TOLERANCE).data(Qt.ItemDataRole.ToolTipRole) == table.texts()[0][2]
+
+
+def test_the_tolerance_stays_in_sight_where_only_a_few_pixels_of_the_names_are_missing(application, page, qtbot):  # noqa: F811
+    table = page.side.table
+    type_in(page, qtbot, "half", Column.NAME, "radius of the half of the ball")
+    settled(application, qtbot)
+    shown = (Column.NOMINAL, Column.TOLERANCE, Column.MEASURED, Column.UNCERTAINTY, Column.VERDICT)
+    names = min(table._needs[Column.NAME], WIDEST_NAME)
+    room = STATUS_WIDTH + names + sum(map(table._width_for, shown))
+    spare = (names - LEAST_NAME_WIDTH) // NAME_SHARE
+    assert spare > 3
+    for missing, is_hidden in ((0, False), (3, False), (spare + 1, True)):
+        table.setFixedWidth(room - missing + table.width() - table.viewport().width())
+        qtbot.waitUntil(lambda missing=missing: table.viewport().width() == room - missing)
+        assert table.isColumnHidden(Column.TOLERANCE) == is_hidden, missing
+        assert table.isColumnHidden(Column.DEVIATION)
 
 
 @pytest.mark.parametrize("language", ["en", "zh_CN"])

@@ -333,7 +333,7 @@ def test_a_view_that_registration_excluded_says_so_with_its_reason(measurement):
 
 
 def test_the_name_of_a_dimension_is_words_but_a_letter_of_the_drawing_stays():
-    from ui.pages.inspection.dimension_rows import dimension_words
+    from ui.look.wording import dimension_words
 
     assert dimension_words("sphere_5_diameter") == "Sphere 5 diameter"
     assert dimension_words("a") == "a"

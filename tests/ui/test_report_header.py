@@ -36,7 +36,8 @@ def header_of(identification: Identification, company: str = "Works") -> ReportH
 
 
 def settled(qtbot, application):
-    qtbot.waitUntil(lambda: not application.controllers.jobs.queue.busy, timeout=PATIENCE_MS)
+    runners = (application.controllers.jobs, application.controllers.background)
+    qtbot.waitUntil(lambda: not any(one.queue.busy for one in runners), timeout=PATIENCE_MS)
 
 
 @pytest.fixture

@@ -101,6 +101,13 @@ def test_delete_removes_a_view_and_ctrl_z_brings_it_back(qtbot, wizard, recorded
     QTest.keyClick(wizard, Qt.Key.Key_Z, Qt.KeyboardModifier.ControlModifier)
     settle(qtbot, wizard)
     assert [view.verdict for view in wizard.collecting.views] == ["pass"] * 8
+    control = Qt.KeyboardModifier.ControlModifier
+    for key, modifiers in ((Qt.Key.Key_Y, control), (Qt.Key.Key_Z, control | Qt.KeyboardModifier.ShiftModifier)):
+        QTest.keyClick(wizard, key, modifiers)
+        settle(qtbot, wizard)
+        assert wizard.collecting.views[3].removed
+        wizard.collecting.undo()
+        settle(qtbot, wizard)
 
 
 def test_closing_loses_nothing_and_the_work_goes_on(qtbot, calibration_page, wizard, recorded):

@@ -13,6 +13,7 @@ from ui.actions.search import score
 from ui.look.language.words import translated
 
 EVERYWHERE = ""
+REDO_KEYS = ("Ctrl+Y", "Ctrl+Shift+Z")  # both on every system: which of them is usual differs
 ENGINEERS = "This needs the engineer's role."
 UNUSABLE = 1.0  # points less for what cannot be used at the moment
 

@@ -42,10 +42,11 @@ class DocumentsController(QObject):
     pagesFailed = Signal()
     headerReady = Signal(object)  # ReportHeader
 
-    def __init__(self, session: Session, runner: JobRunner, parent: QObject | None = None) -> None:
+    def __init__(self, session: Session, runner: JobRunner, drawing: JobRunner, parent: QObject | None = None) -> None:
+        """``drawing``: draws the pages, also while another job runs."""
         super().__init__(parent)
         self._session = session
-        self._runner = runner
+        self._runner, self._drawing = runner, drawing
 
     @property
     def _is_stored(self) -> bool:
@@ -68,17 +69,18 @@ class DocumentsController(QObject):
         """Draw the pages of the report."""
         measurement, folder = self._session.measurement, self._session.folder
         if measurement is not None:
-            self._runner.run(
+            self._drawing.run(
                 "Rendering the report",
-                lambda job: page_images(measurement, folder, job),
+                lambda job: (measurement, page_images(measurement, folder, job)),
                 self._show_pages,
                 on_stopped=self._no_pages,
                 quiet=True,
             )
 
     @Slot(object)
-    def _show_pages(self, pages: tuple[QImage, ...]) -> None:
-        self.pagesReady.emit(pages)
+    def _show_pages(self, drawn: tuple[Measurement, tuple[QImage, ...]]) -> None:
+        if drawn[0] is self._session.measurement:  # else those of the present one follow
+            self.pagesReady.emit(drawn[1])
 
     @Slot()
     def _no_pages(self) -> None:
@@ -88,7 +90,7 @@ class DocumentsController(QObject):
     def ask_header(self) -> None:
         """Read what the header states, to be edited; `headerReady` follows."""
         folder = self._session.folder
-        if folder is not None:
+        if folder is not None and not self._session.refuse_during_job():
             self._runner.run("Reading the report header", lambda job: read_header(folder, job), self._show_header, quiet=True)
 
     @Slot(object)
@@ -106,16 +108,18 @@ class DocumentsController(QObject):
     def _header_saved(self, _nothing: object) -> None:
         self.preview()
 
-    @Slot(str)
-    def set_language(self, name: str) -> None:
-        """Choose the language of reports, write the project's documents in it, and draw the pages again."""
+    def set_language(self, name: str) -> bool:
+        """Choose the language of reports, write the project's documents in it, and draw the pages again; return whether it was done."""
         session = self._session
+        if session.refuse_during_job():
+            return False
         session.settings.set_text("report_language", name)
         folder, measurement = session.folder, session.measurement
         if measurement is not None and folder is not None and self._is_stored:
             self._runner.run("Writing the report", lambda job: save_documents(folder, measurement, job), self._language_changed)
         else:
             self.preview()
+        return True
 
     @Slot(object)
     def _language_changed(self, files: dict[str, Path]) -> None:
@@ -127,7 +131,8 @@ class DocumentsController(QObject):
         """Open the PDF in the default viewer."""
         path, folder, measurement = self._session.files.get("report_pdf"), self._session.folder, self._session.measurement
         if measurement is not None and folder is not None and self._is_stored and not _is_current(path, self._session.report_language):
-            self._runner.run("Writing the report", lambda job: save_documents(folder, measurement, job), self._open_written)
+            if not self._session.refuse_during_job():
+                self._runner.run("Writing the report", lambda job: save_documents(folder, measurement, job), self._open_written)
         elif path is None or not path.exists():
             self._session.tell("There is no PDF report yet.", "Run the demo, or recompute the project.", "warning")
         else:
@@ -151,8 +156,10 @@ class DocumentsController(QObject):
 
     @Slot(str, object)
     def export(self, kind: str, target: Path) -> None:
-        """Write one document to ``target``."""
+        """Write one document to ``target``; refused while a job runs, after which there may be another measurement."""
         measurement = self._session.measurement
+        if self._session.refuse_during_job():
+            return
         if measurement is None:
             self._session.tell("There is no measurement yet.", "Run the demo, or open a project.", "warning")
             return

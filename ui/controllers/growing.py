@@ -56,7 +56,7 @@ class GrowingController(QObject):
     def grow(self, place_mm: np.ndarray, shape: GrownShape) -> None:
         """Grow a feature of this shape from a point in the nominal's frame."""
         stitched, inspection = self._session.stitched, self._session.inspection
-        if stitched is None or inspection is None:
+        if stitched is None or inspection is None or self._session.refuse_during_job():
             return
         self._of = stitched
         taken = {one.name for one in inspection.features} | {one.feature.name for one in self.grown}

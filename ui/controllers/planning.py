@@ -39,9 +39,10 @@ class PlanningController(QObject):
     changed = Signal()
     selectAsked = Signal(tuple)  # names
 
-    def __init__(self, session: Session, runner: JobRunner, background: JobRunner, parent: QObject | None = None) -> None:
+    def __init__(self, session: Session, runner: JobRunner, background: JobRunner, files: JobRunner, parent: QObject | None = None) -> None:
+        """``files``: reads and writes plans, also while another job runs."""
         super().__init__(parent)
-        self._session, self._runner = session, runner
+        self._session, self._runner, self._files = session, runner, files
         self.plan: ScanPlan | None = None
         self.file: Path | None = None
         self.stack = QUndoStack(self)
@@ -205,6 +206,8 @@ class PlanningController(QObject):
         if rig is None or part is None:
             self._session.tell(*NO_RIG, "warning", remedy=SHOW_RIG)
             return
+        if self._session.refuse_during_job():
+            return
         asked = Wanted(self.plan, viewpoints, coverage)
         self._runner.run("Generating a plan", lambda job: generate(asked, rig, part, job), self._show_generated)
 
@@ -226,7 +229,7 @@ class PlanningController(QObject):
     def shorten(self) -> None:
         """Order the viewpoints so that the axes move least."""
         plan, rig = self.plan, self._session.rig
-        if plan is not None and rig is not None:
+        if plan is not None and rig is not None and not self._session.refuse_during_job():
             arm = self.prediction.arm_model
             self._runner.run("Ordering the viewpoints", lambda job: order(plan, rig, arm, job), self._show_ordered)
 
@@ -248,7 +251,7 @@ class PlanningController(QObject):
             job.report(0, 1, path.name)
             return path, read_plan(path)
 
-        self._runner.run(tr("Opening {name}", name=path.name), work, self._opened, quiet=True)
+        self._files.run(tr("Opening {name}", name=path.name), work, self._opened, quiet=True)
 
     @Slot(object)
     def _opened(self, found: tuple[Path, ScanPlan]) -> None:
@@ -270,7 +273,7 @@ class PlanningController(QObject):
             write_plan(path, plan)
             return path
 
-        self._runner.run(tr("Saving {name}", name=path.name), work, self._saved, quiet=True)
+        self._files.run(tr("Saving {name}", name=path.name), work, self._saved, quiet=True)
 
     @Slot(object)
     def _saved(self, path: Path) -> None:
@@ -282,7 +285,7 @@ class PlanningController(QObject):
     def use(self) -> None:
         """Scan with this plan; it is stored in the open project, if there is one."""
         plan, folder = self.plan, self._session.folder
-        if plan is None:
+        if plan is None or self._session.refuse_during_job():
             return
 
         def work(job: Job) -> ScanPlan:

@@ -24,7 +24,7 @@ from ui.controllers.program_jobs import (
 from ui.controllers.program_measuring import ProgramMeasuring
 from ui.controllers.program_rows import DimensionRow, ProgramEntries, Status, changed_names
 from ui.look.language.words import tr
-from ui.look.wording import sentence_case, several
+from ui.look.wording import dimension_words, sentence_case, several
 from ui.messages import MOMENT
 from ui.session import Session
 
@@ -37,6 +37,7 @@ if TYPE_CHECKING:
 
 
 UNSAVED = "The inspection program has edits that are not saved."
+BRINGS_BACK = "Undo (Ctrl+Z) brings it back."
 
 
 class EditCommand(QUndoCommand):
@@ -157,20 +158,21 @@ class ProgrammingController(QObject):
         from measureapp.inspection.session.graph import Node
 
         count = len(entries.names)
-        name = sentence_case(entries.names[0]) if count == 1 else several(count, entries.kind)
+        name = dimension_words(entries.names[0]) if count == 1 else several(count, entries.kind)
         nodes = [Node(entries.kind, one) for one in entries.names]
         if nodes:
-            self.edit(lambda program: edits.remove(program, nodes), tr("{name} removed from the inspection program.", name=name))
+            words = tr("{name} removed from the inspection program.", name=name)
+            self.edit(lambda program: edits.remove(program, nodes), words, BRINGS_BACK)
 
     def replace(self, text: str) -> None:
         """Use another text. Raises InputError if it is not valid."""
         if self.state is not None:
             self._push(ProgramState.of(text, self.state), "Inspection program changed.")
 
-    def edit(self, change: Edit, words: str) -> bool:
+    def edit(self, change: Edit, words: str, hint: str = "") -> bool:
         """Edit the program; an edit that is not possible is refused with a message. Return whether it was made."""
         if self.state is None or not self.can_change:
-            _tell_if_gone(self._session)
+            _tell_why_not(self._session)
             return False
         try:
             after = change(self.state.program)
@@ -178,14 +180,14 @@ class ProgrammingController(QObject):
             self._session.tell(error.message, error.hint, "error", cause=MOMENT)
             return False
         if after != self.state.program:
-            self._push(self.state.edited(after), words)
+            self._push(self.state.edited(after), words, hint)
         return True
 
-    def _push(self, after: ProgramState, words: str) -> None:
+    def _push(self, after: ProgramState, words: str, hint: str = "") -> None:
         assert self.state is not None
         self.stack.push(EditCommand(self._use, self.state, after, words))
         self._show_edit()
-        self._session.tell(words, "", "done")
+        self._session.tell(words, hint, "done")
 
     def _show_edit(self) -> None:
         """Show what the stack of edits says now; while an edit is made it is still that of before."""
@@ -216,23 +218,26 @@ class ProgrammingController(QObject):
     def undo(self) -> None:
         """Undo the last edit."""
         if self.can_undo:
+            words = self.stack.undoText()
             self.stack.undo()
             self._show_edit()
-            self._session.tell("Last change undone.", "", "done")
+            self._session.tell(tr("Undone: {words}", words=words), "Ctrl+Y makes the change again.", "done")
 
     @Slot()
     def redo(self) -> None:
         """Make the edit again that was undone last."""
         if self.stack.canRedo() and self.can_change:
+            words = self.stack.redoText()
             self.stack.redo()
             self._show_edit()
+            self._session.tell(tr("Made again: {words}", words=words), "", "done")
 
     @Slot()
     def save(self) -> None:
         """Save the edited program with the project, and the results with the report if they belong to it."""
         folder, measurement, state = self.folder, self._session.measurement, self.state
         if folder is None or measurement is None or state is None or not self.can_change:
-            _tell_if_gone(self._session)
+            _tell_why_not(self._session)
             return
         current = self.is_current
         self._runner.run(
@@ -334,8 +339,10 @@ def added_words(name: str) -> str:
     return tr("{name} added to the inspection program.", name=sentence_case(name))
 
 
-def _tell_if_gone(session: Session) -> None:
-    """Say that the project's folder is gone, where that is why nothing can be changed; the edits are kept in the window."""
+def _tell_why_not(session: Session) -> None:
+    """Say why nothing can be changed: another job runs, or the project's folder is gone; the edits are kept in the window."""
+    if session.refuse_during_job():
+        return
     folder = session.folder
     if folder is not None and session.measurement is not None and not (folder / "project.json").exists():
         words = tr("The project folder {folder} is gone.", folder=folder)

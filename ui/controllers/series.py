@@ -34,18 +34,19 @@ class SeriesController(QObject):
     read = Signal(object)  # ReadSeries
     refused = Signal(object)  # MeasureError
 
-    def __init__(self, session: Session, runner: JobRunner, parent: QObject | None = None) -> None:
+    def __init__(self, session: Session, runner: JobRunner, reader: JobRunner, parent: QObject | None = None) -> None:
+        """``reader``: reads what is stored, also while another job runs."""
         super().__init__(parent)
-        self._session, self._runner = session, runner
+        self._session, self._runner, self._reader = session, runner, reader
 
     @Slot()
     def find(self) -> None:
         """List the programs that have a series."""
-        self._runner.run("Reading the series", _programs, self.listed.emit, on_failed=self.refused.emit, quiet=True)
+        self._reader.run("Reading the series", _programs, self.listed.emit, on_failed=self.refused.emit, quiet=True)
 
     def choose(self, program: str) -> None:
         """Read the series of a program."""
-        self._runner.run(
+        self._reader.run(
             "Reading the series", lambda job: read_series(program, job), self.read.emit, on_failed=self.refused.emit, quiet=True
         )
 

@@ -154,6 +154,11 @@ def sentence_case(text: str) -> str:
     return shown_name(text)
 
 
+def dimension_words(name: str) -> str:
+    """Return the name of a dimension as words; single letters are unchanged."""
+    return name if len(name) == 1 else sentence_case(name)
+
+
 def point_reason(name: str) -> str:
     """Format the reason why a pixel has no point."""
     return translated(POINT_REASONS.get(name) or sentence_case(name))

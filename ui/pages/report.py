@@ -66,7 +66,7 @@ class ReportPage(Page):
         for name, words in LANGUAGE_CHOICES.items():  # languages are named in their own letters
             load_fonts(name)
             self.language.addItem(translated(words), name)
-        self.language.setCurrentIndex(self.language.findData(session.settings.text("report_language")))
+        self._show_language()
         self.language.activated.connect(self._choose_language)
         self._drawn_in = ""  # the language of the pages on display
         folder = Button("Show in folder", look, "open", "quiet")
@@ -103,8 +103,14 @@ class ReportPage(Page):
 
     def _choose_language(self, place: int) -> None:
         """Write and draw the report in another language; ``place`` in the list of choices."""
-        self.controllers.documents.set_language(self.language.itemData(place))
-        self._drawn_in = self.session.report_language
+        if self.controllers.documents.set_language(self.language.itemData(place)):
+            self._drawn_in = self.session.report_language
+        else:
+            self._show_language()
+
+    def _show_language(self) -> None:
+        """Show the language that is chosen."""
+        self.language.setCurrentIndex(self.language.findData(self.session.settings.text("report_language")))
 
     def open_repeats(self) -> None:
         """Open the window of repeated measurements; it is made when first used."""
@@ -222,6 +228,8 @@ class ReportPage(Page):
 
     def export(self, kind: str) -> None:
         """Ask for a file and export a document or geometry to it."""
+        if self.session.refuse_during_job():
+            return
         words, ending = FORMATS[kind]
         name = safe_file_name(self.session.project_name or "measurement", f".{ending}")
         chosen = choose_new(self, words, name, "exports", f"*.{ending}")

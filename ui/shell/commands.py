@@ -191,6 +191,8 @@ def _exports(window: CommandedWindow) -> tuple[Action, ...]:
     def reason(kind: str) -> str:
         if window.session.measurement is None:
             return "No part has been measured."
+        if busy := _no_job(window.session)():
+            return busy
         return "" if window.controllers.documents.can_export(kind) else "The measurement has nothing of this kind."
 
     return tuple(
@@ -212,7 +214,7 @@ def _plan_keys(window: CommandedWindow) -> tuple[Action, ...]:
 
     listed = (
         ("undo", "Undo the change of the plan", lambda: page().undo_last(), "Ctrl+Z"),
-        ("redo", "Redo the change of the plan", window.controllers.planning.redo, "Ctrl+Shift+Z"),
+        ("redo", "Redo the change of the plan", window.controllers.planning.redo, "Ctrl+Y"),
         ("open", "Open a scan plan…", press(lambda plan: plan.open_file), "Ctrl+Shift+O"),
         ("copy", "Duplicate the viewpoints", press(lambda plan: plan.tools.copy), "Ctrl+D"),
         ("up", "Move the viewpoints up", press(lambda plan: plan.tools.up), "Alt+Up"),

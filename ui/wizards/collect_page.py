@@ -63,7 +63,7 @@ class CollectPage(QWidget):
         self.count = label("", "caption")
         self.remove = Button("Remove", look, "remove", "quiet", "Remove the chosen view (Delete)")
         self.undo = Button("Undo", look, "undo", "quiet", "Undo the last change (Ctrl+Z)")
-        self.redo = Button("Redo", look, "redo", "quiet", "Redo the change (Ctrl+Shift+Z)")
+        self.redo = Button("Redo", look, "redo", "quiet", "Redo the change (Ctrl+Y)")
         self.remove.clicked.connect(self.remove_chosen)
         self.undo.clicked.connect(collecting.undo)
         self.redo.clicked.connect(collecting.redo)

@@ -9,6 +9,7 @@ from PySide6.QtGui import QCloseEvent, QKeySequence, QShortcut
 from PySide6.QtWidgets import QDialog, QStackedWidget, QWidget
 
 from measureapp.calibrate.cameras.projector_sightings import PROJECTOR
+from ui.actions.actions import REDO_KEYS
 from ui.controllers.calibrating import CalibratingController
 from ui.controllers.result import Result
 from ui.look.language.words import later, tr, translated
@@ -83,7 +84,7 @@ class CalibrationWizard(QDialog):
         for keys, action in (
             (QKeySequence.StandardKey.Delete, self.collect.remove_chosen),
             (QKeySequence.StandardKey.Undo, collecting.undo),
-            (QKeySequence.StandardKey.Redo, collecting.redo),
+            *((key, collecting.redo) for key in REDO_KEYS),
             (QKeySequence.StandardKey.HelpContents, self._show_help),
         ):
             QShortcut(QKeySequence(keys), self, action)

@@ -101,3 +101,20 @@ def test_a_part_that_was_chosen_stays_while_other_pages_are_shown_and_a_nominal_
     page.planning.part.choose(tmp_path / "none.stl")
     qtbot.waitUntil(lambda: "none.stl" in said(page), timeout=10_000)
     assert page.planning.part.prepared is prepared
+
+
+def test_while_a_job_runs_plans_are_read_and_saved_and_what_would_wait_is_refused(page, application, working, on_impeller, tmp_path, qtbot):
+    planning, queue = page.planning, application.controllers.jobs.queue
+    write_plan(tmp_path / "other.json", SAMPLE)
+    working()
+    for act in (lambda: planning.generate(4, 0.9), planning.shorten, planning.use):
+        page.session.tell("Something else.", "")
+        before = planning.plan
+        act()
+        assert said(page) == "Recomputing is still running." and not queue._waiting
+        assert planning.plan is before and page.session.plan is None
+    planning.open(tmp_path / "other.json")
+    qtbot.waitUntil(lambda: planning.plan == SAMPLE, timeout=10_000)
+    planning.save(tmp_path / "saved.toml")
+    qtbot.waitUntil((tmp_path / "saved.toml").exists, timeout=10_000)
+    assert page.session.busy_with == "Recomputing"

@@ -7,6 +7,7 @@ import itertools
 import numpy as np
 import pytest
 from PySide6.QtCore import Qt
+from PySide6.QtTest import QTest
 
 from measureapp.data.fringe import AxisReadback
 from measureapp.data.plan import ScanPlan
@@ -67,6 +68,18 @@ def test_each_tool_edits_the_selected_rows_and_can_be_undone(page, button, selec
     page.tools.undo.click()
     assert names(page) == before
     page.tools.redo.click()
+    assert page.planning.plan == after
+
+
+@pytest.mark.parametrize("shift", [False, True], ids=["ctrl-y", "ctrl-shift-z"])
+def test_both_usual_keys_redo(page, shift):
+    page.tree.select(("hub-01",))
+    page.tools.copy.click()
+    after = page.planning.plan
+    page.planning.undo()
+    assert page.planning.plan != after
+    control = Qt.KeyboardModifier.ControlModifier
+    QTest.keyClick(page.tree, *((Qt.Key.Key_Z, control | Qt.KeyboardModifier.ShiftModifier) if shift else (Qt.Key.Key_Y, control)))
     assert page.planning.plan == after
 
 

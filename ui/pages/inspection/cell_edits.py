@@ -9,9 +9,8 @@ from typing import TYPE_CHECKING
 from measureapp.errors import InputError
 from ui.controllers.program_rows import DimensionRow
 from ui.look.language.words import tr
-from ui.look.wording import sentence
+from ui.look.wording import dimension_words, sentence
 from ui.pages.inspection.dimension_model import CellEdit, Column
-from ui.pages.inspection.dimension_rows import dimension_words
 
 if TYPE_CHECKING:
     from measureapp.data.inspection_program import InspectionProgram

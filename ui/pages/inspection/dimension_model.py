@@ -15,8 +15,8 @@ from measureapp.data.datum_letters import common_datums
 from measureapp.data.dimension import of_other_versions
 from ui.controllers.program_rows import STATUS_WORDS, DimensionRow
 from ui.look.language.words import tr, translated
-from ui.look.wording import NOTHING, quantity, sentence_case
-from ui.pages.inspection.dimension_rows import datum_words, dimension_words, tolerance
+from ui.look.wording import NOTHING, dimension_words, quantity, sentence_case
+from ui.pages.inspection.dimension_rows import datum_words, tolerance
 from ui.widgets.data_table import SIGN_ROLE, VERDICT_WORDS, Index
 
 ROW_ROLE = Qt.ItemDataRole.UserRole + 1  # the DimensionRow

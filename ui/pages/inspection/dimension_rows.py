@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from measureapp.data.dimension import CONTRIBUTION_DIGITS
 from ui.look.language.words import later, tr, translated
-from ui.look.wording import counted, millimetres, percent, quantity, sentence, sentence_case, several
+from ui.look.wording import counted, dimension_words, millimetres, percent, quantity, sentence, sentence_case, several
 from ui.widgets.properties_panel import Group, Properties
 
 if TYPE_CHECKING:
@@ -40,11 +40,6 @@ NONE_MADE: Mapping[str, Construction] = MappingProxyType({})
 def unit_of(dimension: Dimension) -> str:
     """Return the unit as it is printed."""
     return "°" if dimension.unit == "deg" else dimension.unit
-
-
-def dimension_words(name: str) -> str:
-    """Return the name of a dimension as words; single letters are unchanged."""
-    return name if len(name) == 1 else sentence_case(name)
 
 
 def removal_words(entries: ProgramEntries) -> str:

@@ -24,6 +24,7 @@ STATUS_WIDTH, LEAST_NAME_WIDTH, WIDEST_NAME = 24, 96, 176
 # In this order, where there is little room, as the properties show them: the deviation first, which nominal and value state, too.
 LEFT_OUT = (Column.DEVIATION, Column.TOLERANCE, Column.ALIGNMENT, Column.NOMINAL)
 CELL_ROOM, SIGN_ROOM, SORT_ROOM = 16, 28, 26  # px beside the text: margins, sign of the verdict, arrow of the order
+NAME_SHARE = 3  # of what names have beyond the least, one part is given up before a column that is edited is left out
 WIDEST_TOLERANCE = "−0.000 / +0.000 2768-m"  # a longer one is elided, its tip states it: it would take the room of the other columns
 EDIT_KEYS = QAbstractItemView.EditTrigger.EditKeyPressed | QAbstractItemView.EditTrigger.AnyKeyPressed
 NONE = -1
@@ -141,8 +142,10 @@ class DimensionTable(QTableView):
         names = min(max(self._needs.get(Column.NAME, 0), LEAST_NAME_WIDTH), WIDEST_NAME)
         excess = sum(map(self._width_for, shown)) - (self.viewport().width() - STATUS_WIDTH - names)
         for column in offered:
-            self.setColumnHidden(column, excess > 0)
-            excess -= self._width_for(column) if excess > 0 else 0
+            spare = max(names - LEAST_NAME_WIDTH, 0) // NAME_SHARE if column in EDITABLE else 0
+            is_left_out = excess > spare
+            self.setColumnHidden(column, is_left_out)
+            excess -= self._width_for(column) if is_left_out else 0
 
     def _width_for(self, column: Column) -> int:
         return self._needs.get(column, 0) if self.isColumnHidden(column) else self.columnWidth(column)

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from ui.look.language.words import tr
-from ui.look.wording import millimetres, quantity
-from ui.pages.inspection.dimension_rows import dimension_words, features_of, tolerance, unit_of
+from ui.look.wording import dimension_words, millimetres, quantity
+from ui.pages.inspection.dimension_rows import features_of, tolerance, unit_of
 from ui.pages.inspection.outlines import outline
 from ui.pages.inspection.section_lines import Whiskers
 from ui.viewport.overlay.flag import Flag

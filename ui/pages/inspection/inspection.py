@@ -9,6 +9,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtGui import QGuiApplication, QKeySequence, QShortcut, QShowEvent
 from PySide6.QtWidgets import QHBoxLayout
 
+from ui.actions.actions import REDO_KEYS
 from ui.controllers.controllers import Controllers
 from ui.controllers.program_rows import ProgramEntries
 from ui.look.language.words import tr, translated
@@ -77,7 +78,7 @@ class InspectionPage(ViewportPage):
         programming = self.controllers.programming
         for key, act in (
             (QKeySequence.StandardKey.Save, programming.save),
-            (QKeySequence("Ctrl+Y"), programming.redo),
+            *((QKeySequence(key), programming.redo) for key in REDO_KEYS),
             (QKeySequence.StandardKey.Find, self.side.filter.search.setFocus),
         ):
             QShortcut(key, self, act, context=Qt.ShortcutContext.WidgetWithChildrenShortcut)
@@ -235,6 +236,8 @@ class InspectionPage(ViewportPage):
 
     def _show_undo(self) -> None:
         self.undo.setVisible(self.clicking.can_undo or self.program.programming.can_undo)
+        words = "" if self.clicking.can_undo else self.program.programming.stack.undoText()
+        self.undo.setToolTip(tr("Undo: {undotext}", undotext=words) if words else tr(UNDO))
         self.program.show_state()
         self.side.deviation.allow_storing(self.program.programming.can_change)
         self.grow.button.setVisible(self.program.is_offered)

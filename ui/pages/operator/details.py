@@ -14,8 +14,8 @@ from ui.controllers.controllers import Controllers
 from ui.look.language.words import translated
 from ui.look.look import Look
 from ui.look.verdict_words import loud
-from ui.look.wording import quantity
-from ui.pages.inspection.dimension_rows import dimension_words, tolerance, unit_of
+from ui.look.wording import dimension_words, quantity
+from ui.pages.inspection.dimension_rows import tolerance, unit_of
 from ui.pages.operator.big import BigButton, big_card, big_label
 from ui.session import Session
 from ui.widgets.basic import clear, column, row, scrolled

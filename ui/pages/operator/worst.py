@@ -11,8 +11,8 @@ import numpy as np
 from measureapp.data.verdicts import worst_first
 from ui.look.language.words import tr, translated
 from ui.look.theme import Theme
-from ui.look.wording import NOTHING, quantity
-from ui.pages.inspection.dimension_rows import dimension_words, features_of, unit_of
+from ui.look.wording import NOTHING, dimension_words, quantity
+from ui.pages.inspection.dimension_rows import features_of, unit_of
 from ui.pages.inspection.feature_lines import feature_lines, verdict_rgb
 from ui.pages.inspection.part_picture import GREYS
 from ui.pages.layers import mesh_layer, points_layer, rgb

@@ -9,6 +9,7 @@ from PySide6.QtCore import QSignalBlocker, Qt, Slot
 from PySide6.QtGui import QHideEvent, QKeySequence, QResizeEvent, QShortcut, QShowEvent
 from PySide6.QtWidgets import QSplitter, QWidget
 
+from ui.actions.actions import REDO_KEYS
 from ui.controllers.controllers import Controllers
 from ui.look.language.words import tr, translated
 from ui.look.look import Look
@@ -121,9 +122,9 @@ class PlanPage(ViewportPage):
         self.follow(session.rigChanged, self._show)
         self.follow(session.busyChanged, self._show_actions, self._show_busy)
         self.follow(session.cellChanged, self.tools.show_state)
-        keys = ((QKeySequence.StandardKey.Redo, planning.redo), (QKeySequence("Ctrl+Shift+O"), self._choose_file))
+        keys = (*((key, planning.redo) for key in REDO_KEYS), ("Ctrl+Shift+O", self._choose_file))
         for key, action in keys:
-            QShortcut(key, self, action, context=Qt.ShortcutContext.WidgetWithChildrenShortcut)
+            QShortcut(QKeySequence(key), self, action, context=Qt.ShortcutContext.WidgetWithChildrenShortcut)
 
     # showing
 
