@@ -35,12 +35,11 @@ class Blur(NamedTuple):
 
     phase: Any  # float32
     sigma: Any  # float32
-    grey: Any  # uint16
+    grey: Any  # uint16, of the projector's light
     state: Any  # uint8, 0 valid
     variance: Any  # float32, px²
     interpolation: Any  # float32, variance of the interpolation between pixels, relative to it
     max_step: Any  # float32, largest phase step between neighbours of one surface
-    ambient: Any  # float32, grey level without the light of the projector
     height: int
     width: int
 
@@ -131,7 +130,7 @@ def correct_blur(blur: Blur, row_start: int, row_stop: int, phase: Any, sigma: A
             phase[at], sigma[at] = blur.phase[at], blur.sigma[at]
         for at in range(row + FAR, row + width - FAR if inner else 0):
             own, noise = read(blur.phase, at), read(blur.sigma, at)
-            per_light = PER_LIGHT / max(light_at(blur.grey, at) - blur.ambient, ONE)
+            per_light = PER_LIGHT / max(light_at(blur.grey, at), ONE)
             slope_x, slope_x_variance = slope_term(blur, at, 1, per_light)
             slope_y, slope_y_variance = slope_term(blur, at, width, per_light)
             curvature_x, curvature_x_variance = curvature_term(blur, at, 1, noise)

@@ -73,7 +73,7 @@ def _slope_term(blur: Blur, dy: int, dx: int, rows: slice) -> tuple[FloatArray, 
     run = np.where(one_sided, 3 * inner - further, inner)
     slope = np.where(np.abs(run) < blur.max_step * 2 * SLOPE_REACH, run / (2 * SLOPE_REACH), 0)
     fourth_order = (8 * (at(grey, 1) - at(grey, -1)) - (at(grey, 2) - at(grey, -2))) / 12
-    light = fourth_order / np.maximum(grey[rows] - blur.ambient, 1)
+    light = fourth_order / np.maximum(grey[rows], 1)
     taken = np.clip(light, -MAX_LIGHT_SLOPE, MAX_LIGHT_SLOPE)
     unknown = one_sided | at(missing, -NEAR) | at(missing, NEAR) | (np.abs(light) > MAX_LIGHT_SLOPE)
     doubt = np.minimum(np.abs(light), 1) - SURE_OF_SLOPE * np.abs(taken) + HORIZON_CURVATURE / 2 * (1 + blur.interpolation)
