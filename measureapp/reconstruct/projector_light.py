@@ -22,12 +22,13 @@ SLOPE_PX = 2  # distance over which the slope of the phase is taken
 MAX_SLOPE = 1.5  # rad/px: beyond, blur leaves less than half of the modulation
 MIN_SAMPLES = 500
 DARKEST_PERCENT = 1.0  # of the pixels: the least of thousands is one of noise
-MIN_SPREAD = 0.05  # of the modulation: an evenly bright image does not determine the line
+MIN_SPREAD = 0.02  # of differences of the modulation, relative to it: an evenly bright image does not determine the line
 ITERATIONS = 5
 CAUCHY = 1.5  # in units of the median residual: pixels at edges mix fringes out of phase
 TINY = 1e-9
 MEDIAN = 5  # places
-NEAR, FAR = 5, 15  # places over which the level of one without a phase is taken
+NEAR, FAR = 5, 15  # places over which means are taken
+APART = 8  # places
 LEAST_KNOWN = 0.05  # of the near places, or one or two of the far ones
 MOST_AMBIENT = 0.9  # of a grey level: where more of it is ambient light there is hardly a fringe
 
@@ -45,8 +46,8 @@ class _Samples(NamedTuple):
     inside: BoolArray  # (h, w) on one surface, its phase not too steep
 
 
-def projector_light(phase_map: PhaseMap, variance_px2: float) -> IntArray:
-    """Return the mean grey level (H, W) uint16 of the projector's light, scaled as `PhaseMap.grey` is.
+def projector_light(phase_map: PhaseMap, variance_px2: float) -> FloatArray:
+    """Return the mean grey level (H, W) float32 of the projector's light, scaled as `PhaseMap.grey` is.
 
     Ambient light is taken at every step-th pixel as the grey level less the light that the modulation shows, and its median over places
     around. An error of `LightLine.per_modulation` changes the result by the same factor everywhere, and its relative slope not at all. Where
@@ -66,31 +67,43 @@ def projector_light(phase_map: PhaseMap, variance_px2: float) -> IntArray:
     flags = cv2.INTER_LINEAR | cv2.WARP_INVERSE_MAP
     enlarged = cv2.warpAffine(ambient, to_samples, (width, height), flags=flags, borderMode=cv2.BORDER_REPLICATE)
     grey = phase_map.grey.astype(np.float32)
-    return np.rint(grey - np.minimum(enlarged, MOST_AMBIENT * grey)).astype(np.uint16)
+    return np.asarray(grey - np.minimum(enlarged, np.float32(MOST_AMBIENT) * grey))
 
 
 def fit_light_line(phase_map: PhaseMap, variance_px2: float) -> LightLine:
     """Fit the mean grey level as a linear function of the modulation; without ambient light where the image does not determine it.
 
-    Blur takes exp(-s² |∇φ|² / 2) of the modulation, but nothing of the mean: steep fringes, as of dim oblique walls, would bend the line.
+    Differences between places near each other tell how one grows with the other: there ambient light is nearly the same, over the whole
+    image it is not. Blur takes exp(-s² |∇φ|² / 2) of the modulation, but nothing of the mean: steep fringes, as of dim oblique walls, would
+    bend the line.
     """
     return _fit_line(_sample(phase_map, variance_px2, _step_px(phase_map)))
 
 
 def _fit_line(samples: _Samples) -> LightLine:
-    some = np.s_[::2, ::2]  # a quarter of the places determines a hundredth of the light
-    inside = samples.inside[some]
-    grey, modulation = samples.grey[some][inside].astype(float), samples.modulation[some][inside].astype(float)
-    if len(grey) < MIN_SAMPLES or modulation.std() < MIN_SPREAD * modulation.mean():
+    grey, modulation = samples.grey[samples.inside], samples.modulation[samples.inside]
+    if len(grey) < MIN_SAMPLES:
         return LightLine(1.0, 0.0)
-    columns = np.column_stack([modulation, np.ones(len(grey))])
-    weight: FloatArray = np.ones(len(grey))
-    line: FloatArray = np.zeros(2)
+    grey_rise, modulation_rise = (_differences(values, samples.inside) for values in (samples.grey, samples.modulation))
+    if len(grey_rise) < MIN_SAMPLES or modulation_rise.std() < MIN_SPREAD * modulation.mean():
+        return LightLine(1.0, 0.0)
+    weight: FloatArray = np.ones(len(grey_rise), np.float32)
+    slope = 1.0
     for _ in range(ITERATIONS):
-        line = np.linalg.solve((columns * weight[:, None]).T @ columns, (columns * weight[:, None]).T @ grey)
-        residual = grey - columns @ line
+        weighted = weight * modulation_rise
+        slope = float(weighted @ grey_rise / (weighted @ modulation_rise))
+        residual = grey_rise - np.float32(slope) * modulation_rise
         weight = 1 / (1 + (residual / (CAUCHY * np.median(np.abs(residual)) + TINY)) ** 2)
-    return LightLine(float(line[0]), float(np.clip(line[1], 0.0, np.percentile(grey, DARKEST_PERCENT))))
+    ambient = float(np.median(grey - np.float32(slope) * modulation))
+    return LightLine(slope, float(np.clip(ambient, 0.0, np.percentile(grey, DARKEST_PERCENT))))
+
+
+def _differences(values: FloatArray, known: BoolArray) -> FloatArray:
+    """Return differences (N,) between means around known places APART from each other, in both directions."""
+    there, values = known.astype(np.float32), np.where(known, values, np.float32(0))
+    means = cv2.blur(values, (NEAR, NEAR)) / np.maximum(cv2.blur(there, (NEAR, NEAR)), np.float32(TINY))
+    across, down = known[:, APART:] & known[:, :-APART], known[APART:] & known[:-APART]
+    return np.concatenate([(means[:, APART:] - means[:, :-APART])[across], (means[APART:] - means[:-APART])[down]])
 
 
 def _step_px(phase_map: PhaseMap) -> int:

@@ -43,7 +43,7 @@ def seen(light: FloatArray, true_phase: FloatArray = PHASE) -> PhaseMap:
     ("light", "left"),
     [
         (2000 * np.exp(0.02 * COLUMNS), 0.02),  # of the shift: what is blurred by the fringes' own slope is of the second order
-        (2000 * np.exp(-0.03 * ROWS), 0.02),
+        (2000 * np.exp(-0.03 * ROWS), 0.03),
         (2000 * np.exp(0.02 * COLUMNS - 0.02 * ROWS), 0.02),
         (3000 * (1 + 0.5 * np.tanh((COLUMNS - 40) / 4)), 0.03),  # a printed edge 8 px wide
         (np.where(COLUMNS >= 40, 3600.0, 2000.0), 0.13),  # one as sharp as the blur leaves it, of which differences of pixels lose a part
@@ -185,6 +185,7 @@ def test_evenly_lit_fringes_a_sharp_camera_and_one_of_unknown_blur_change_nothin
     assert correct_blur({"other": steep}, camera(BLUR_PX), STEP_RAD)["other"] is steep
 
 
+@pytest.mark.usefixtures("all_light_from_projector")
 def test_pixels_without_a_phase_stay_so_and_do_not_reach_their_neighbours() -> None:
     steep = seen(2000 * np.exp(0.02 * COLUMNS))
     state, phase = np.array(steep.state), np.array(steep.phase_rad)
@@ -205,14 +206,20 @@ def test_horizontal_fringes_of_the_same_images_follow() -> None:
     np.testing.assert_array_equal(made.orthogonal.phase_rad, made.phase_rad)
 
 
+@pytest.fixture
+def all_light_from_projector(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Ambient light is found from places all over an image, by which parts of it would differ."""
+    monkeypatch.setattr(blur, "projector_light", lambda phase_map, _: phase_map.grey)
+
+
 def columns_of(whole: PhaseMap, width: int) -> PhaseMap:
     names = ("phase_rad", "sigma_rad", "modulation", "grey", "state", "exposure_index")
     return replace(whole, **{name: np.ascontiguousarray(getattr(whole, name)[:, :width]) for name in names})
 
 
+@pytest.mark.usefixtures("all_light_from_projector")
 @pytest.mark.parametrize("width", [28, 29, 43, 45])
-def test_columns_beyond_the_last_whole_vector_are_corrected_like_all_others(width: int, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(blur, "projector_light", lambda phase_map, _: phase_map.grey)  # of which places far away determine a part
+def test_columns_beyond_the_last_whole_vector_are_corrected_like_all_others(width: int) -> None:
     whole = seen(2000 * np.exp(0.02 * COLUMNS), PHASE + 0.004 * COLUMNS**2 + 0.003 * ROWS**2)
     part = columns_of(whole, width)
     wide, narrow = (correct_blur({"one": each}, camera(BLUR_PX), STEP_RAD)["one"] for each in (whole, part))

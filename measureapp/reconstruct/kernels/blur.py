@@ -35,19 +35,13 @@ class Blur(NamedTuple):
 
     phase: Any  # float32
     sigma: Any  # float32
-    grey: Any  # uint16, of the projector's light
+    light: Any  # float32, grey level of the projector's light
     state: Any  # uint8, 0 valid
     variance: Any  # float32, px²
     interpolation: Any  # float32, variance of the interpolation between pixels, relative to it
     max_step: Any  # float32, largest phase step between neighbours of one surface
     height: int
     width: int
-
-
-@njit(**INLINE)
-def light_at(grey: Any, at: int) -> Any:
-    """Return a grey level as float32."""
-    return np.float32(read(grey, at))
 
 
 @njit(**INLINE)
@@ -80,8 +74,8 @@ def slope_term(blur: Blur, at: int, along: int, per_light: Any) -> Any:
     one_sided = no_before | no_after
     first, second = before + after, (ZERO if no_before else second_before) + (ZERO if no_after else second_after)
     run = THREE * first - second if one_sided else first
-    near = light_at(blur.grey, at + along) - light_at(blur.grey, at - along)
-    far = light_at(blur.grey, at + 2 * along) - light_at(blur.grey, at - 2 * along)
+    near = read(blur.light, at + along) - read(blur.light, at - along)
+    far = read(blur.light, at + 2 * along) - read(blur.light, at - 2 * along)
     light = (EIGHT * near - far) * per_light
     slope = PER_SLOPE * run if abs(run) < blur.max_step * np.float32(2 * SLOPE_REACH) else ZERO
     beside_hole, too_fast = one_sided | no_near_before | no_near_after, abs(light) > MAX_LIGHT_SLOPE
@@ -130,7 +124,7 @@ def correct_blur(blur: Blur, row_start: int, row_stop: int, phase: Any, sigma: A
             phase[at], sigma[at] = blur.phase[at], blur.sigma[at]
         for at in range(row + FAR, row + width - FAR if inner else 0):
             own, noise = read(blur.phase, at), read(blur.sigma, at)
-            per_light = PER_LIGHT / max(light_at(blur.grey, at), ONE)
+            per_light = PER_LIGHT / max(read(blur.light, at), ONE)
             slope_x, slope_x_variance = slope_term(blur, at, 1, per_light)
             slope_y, slope_y_variance = slope_term(blur, at, width, per_light)
             curvature_x, curvature_x_variance = curvature_term(blur, at, 1, noise)

@@ -61,7 +61,7 @@ def _slope_term(blur: Blur, dy: int, dx: int, rows: slice) -> tuple[FloatArray, 
     def at(image: Any, distance: int) -> Any:
         return shifted(image, distance * dy, distance * dx, FAR, rows)
 
-    missing, grey = blur.state != 0, blur.grey.astype(np.float32)
+    missing = blur.state != 0
     runs, holes = [], []
     for side in (-SLOPE_REACH, SLOPE_REACH):
         first, second = at(blur.phase, side) - blur.phase[rows], at(blur.phase, 2 * side) - at(blur.phase, side)
@@ -72,8 +72,8 @@ def _slope_term(blur: Blur, dy: int, dx: int, rows: slice) -> tuple[FloatArray, 
     inner, further = (runs[0][order] + runs[1][order] for order in range(2))
     run = np.where(one_sided, 3 * inner - further, inner)
     slope = np.where(np.abs(run) < blur.max_step * 2 * SLOPE_REACH, run / (2 * SLOPE_REACH), 0)
-    fourth_order = (8 * (at(grey, 1) - at(grey, -1)) - (at(grey, 2) - at(grey, -2))) / 12
-    light = fourth_order / np.maximum(grey[rows], 1)
+    fourth_order = (8 * (at(blur.light, 1) - at(blur.light, -1)) - (at(blur.light, 2) - at(blur.light, -2))) / 12
+    light = fourth_order / np.maximum(blur.light[rows], 1)
     taken = np.clip(light, -MAX_LIGHT_SLOPE, MAX_LIGHT_SLOPE)
     unknown = one_sided | at(missing, -NEAR) | at(missing, NEAR) | (np.abs(light) > MAX_LIGHT_SLOPE)
     doubt = np.minimum(np.abs(light), 1) - SURE_OF_SLOPE * np.abs(taken) + HORIZON_CURVATURE / 2 * (1 + blur.interpolation)
