@@ -63,7 +63,7 @@ def _correct(phase_map: PhaseMap, blur_px: float, step_rad: float, memory: Buffe
     blur = Blur(
         read_only(phase_map.phase_rad, np.float32).reshape(-1),
         read_only(phase_map.sigma_rad, np.float32).reshape(-1),
-        read_only(projector_light(phase_map, variance), np.float32).reshape(-1),
+        read_only(projector_light(phase_map, variance, memory), np.float32).reshape(-1),
         read_only(phase_map.state, np.uint8).reshape(-1),
         np.float32(variance),
         np.float32(INTERPOLATION_PX2 / variance if interpolated else 0.0),

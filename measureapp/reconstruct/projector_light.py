@@ -13,7 +13,8 @@ from typing import NamedTuple
 import cv2
 import numpy as np
 
-from measureapp.arrays import BoolArray, FloatArray, IntArray
+from measureapp.arrays import BoolArray, FloatArray, IntArray, in_bands
+from measureapp.compiled.buffer_pool import BufferPool
 from measureapp.data.phase import PhaseMap
 
 PLACES = 80_000  # over the image: light from neighbours changes over millimetres, and many pixels give a level free of noise
@@ -27,6 +28,7 @@ ITERATIONS = 5
 CAUCHY = 1.5  # in units of the median residual: pixels at edges mix fringes out of phase
 TINY = 1e-9
 MEDIAN = 5  # places
+BAND_ROWS = 64  # which stay in the cache
 NEAR, FAR = 5, 15  # places over which means are taken
 APART = 8  # places
 LEAST_KNOWN = 0.05  # of the near places, or one or two of the far ones
@@ -46,28 +48,35 @@ class _Samples(NamedTuple):
     inside: BoolArray  # (h, w) on one surface, its phase not too steep
 
 
-def projector_light(phase_map: PhaseMap, variance_px2: float) -> FloatArray:
+def projector_light(phase_map: PhaseMap, variance_px2: float, memory: BufferPool | None = None) -> FloatArray:
     """Return the mean grey level (H, W) float32 of the projector's light, scaled as `PhaseMap.grey` is.
 
     Ambient light is taken at every step-th pixel as the grey level less the light that the modulation shows, and its median over places
-    around. An error of `LightLine.per_modulation` changes the result by the same factor everywhere, and its relative slope not at all. Where
-    no phase tells, as at edges, ambient light is that of places around, or the mean of the image.
+    around. An error of `LightLine.per_modulation` changes the result by the same factor everywhere, and its relative slope hardly. Where no
+    phase tells, as at edges, ambient light is that of places around, or the mean of the image.
 
     Parameters
     ----------
     variance_px2 : variance of the camera's blur, which takes exp(-s² |∇φ|² / 2) of the modulation
+    memory : pool that the result is taken from
     """
-    height, width = phase_map.state.shape
     step = _step_px(phase_map)
     samples = _sample(phase_map, variance_px2, step)
     line = _fit_line(samples)
     ambient = np.where(samples.inside, samples.grey - np.float32(line.per_modulation) * samples.modulation, np.float32(0))
     ambient = cv2.medianBlur(_filled(ambient, samples.inside, line.ambient), MEDIAN)
-    to_samples = np.array([[1 / step, 0, 0], [0, 1 / step, 0]])
-    flags = cv2.INTER_LINEAR | cv2.WARP_INVERSE_MAP
-    enlarged = cv2.warpAffine(ambient, to_samples, (width, height), flags=flags, borderMode=cv2.BORDER_REPLICATE)
-    grey = phase_map.grey.astype(np.float32)
-    return np.asarray(grey - np.minimum(enlarged, np.float32(MOST_AMBIENT) * grey))
+    light = (memory or BufferPool()).empty(phase_map.state.shape, np.float32)
+
+    def subtract(start: int, stop: int) -> None:
+        to_places = np.array([[1 / step, 0, 0], [0, 1 / step, start / step]])
+        size, flags = (light.shape[1], stop - start), cv2.INTER_LINEAR | cv2.WARP_INVERSE_MAP
+        enlarged = cv2.warpAffine(ambient, to_places, size, flags=flags, borderMode=cv2.BORDER_REPLICATE)
+        grey = phase_map.grey[start:stop].astype(np.float32)
+        np.minimum(enlarged, np.float32(MOST_AMBIENT) * grey, out=enlarged)
+        np.subtract(grey, enlarged, out=light[start:stop])
+
+    in_bands(subtract, len(light), -(-len(light) // BAND_ROWS))
+    return light
 
 
 def fit_light_line(phase_map: PhaseMap, variance_px2: float) -> LightLine:

@@ -209,7 +209,7 @@ def test_horizontal_fringes_of_the_same_images_follow() -> None:
 @pytest.fixture
 def all_light_from_projector(monkeypatch: pytest.MonkeyPatch) -> None:
     """Ambient light is found from places all over an image, by which parts of it would differ."""
-    monkeypatch.setattr(blur, "projector_light", lambda phase_map, _: phase_map.grey)
+    monkeypatch.setattr(blur, "projector_light", lambda phase_map, *_: phase_map.grey)
 
 
 def columns_of(whole: PhaseMap, width: int) -> PhaseMap:

@@ -40,7 +40,7 @@ def shifted(image: FloatArray | IntArray | BoolArray, dy: int, dx: int, margin: 
 def correct_blur(blur: Blur, row_start: int, row_stop: int, phase: FloatArray, sigma: FloatArray) -> None:
     """Correct the phase of some rows for blur; FAR pixels at every border stay."""
     rows, shape = slice(row_start, row_stop), (blur.height, blur.width)
-    blur = blur._replace(**{name: getattr(blur, name).reshape(shape) for name in ("phase", "sigma", "grey", "state")})
+    blur = blur._replace(**{name: getattr(blur, name).reshape(shape) for name in ("phase", "sigma", "light", "state")})
     phase, sigma = phase.reshape(shape), sigma.reshape(shape)
     phase[rows], sigma[rows] = blur.phase[rows], blur.sigma[rows]
     height, width = shape
