@@ -44,13 +44,15 @@ def field_words(identification: Identification, name: str) -> str:
 def calibration_age(measurement: Measurement) -> str:
     """Return how long before the measurement the rig was calibrated.
 
-    In hours up to two days, then in days.
+    In minutes up to two hours, in hours up to two days, then in days.
     """
     try:
         calibrated = datetime.fromisoformat(measurement.calibration.provenance.created)
         hours = (datetime.fromisoformat(measurement.measured_at) - calibrated).total_seconds() / 3600
     except (ValueError, TypeError):
         return NONE
+    if abs(hours) < 2:
+        return f"{number(hours * 60, 0)} min"
     return f"{number(hours, 0)} h" if abs(hours) < 48 else f"{number(hours / 24, 0)} days"
 
 

@@ -13352,6 +13352,10 @@ alignment = "{v2}"
       <translation>{v1} 不是报告能显示的徽标。</translation>
     </message>
     <message>
+      <source>{v1} min</source>
+      <translation>{v1} 分钟</translation>
+    </message>
+    <message>
       <source>{v1} mm and {v2}° (expected: {v3} mm)</source>
       <translation>{v1} mm 和 {v2}°（预期：{v3} mm）</translation>
     </message>
@@ -22072,6 +22076,14 @@ in danger use the emergency stop.</source>
       <translation>Ctrl+{value}</translation>
     </message>
     <message>
+      <source>Delete the selected dimensions</source>
+      <translation>删除所选尺寸</translation>
+    </message>
+    <message>
+      <source>Delete the viewpoints</source>
+      <translation>删除视点</translation>
+    </message>
+    <message>
       <source>Dimensions with tolerance, uncertainty and verdict, the worst first, and the deviation from the CAD model in colours.</source>
       <translation>带公差、不确定度和判定的尺寸，最差的在前，以及以颜色显示的与 CAD 模型的偏差。</translation>
     </message>
@@ -22082,6 +22094,10 @@ in danger use the emergency stop.</source>
     <message>
       <source>Drop one file or folder at a time.</source>
       <translation>一次只拖放一个文件或文件夹。</translation>
+    </message>
+    <message>
+      <source>Duplicate the selected dimensions</source>
+      <translation>复制所选尺寸</translation>
     </message>
     <message>
       <source>Duplicate the viewpoints</source>
@@ -22102,6 +22118,14 @@ in danger use the emergency stop.</source>
     <message>
       <source>Free space at {folder}</source>
       <translation>{folder} 的可用空间</translation>
+    </message>
+    <message>
+      <source>Go to the page Clouds first.</source>
+      <translation>请先到“点云”页。</translation>
+    </message>
+    <message>
+      <source>Go to the page Inspect first.</source>
+      <translation>请先到“检测”页。</translation>
     </message>
     <message>
       <source>Go to the page Plan first.</source>
@@ -22126,6 +22150,14 @@ in danger use the emergency stop.</source>
     <message>
       <source>Messages</source>
       <translation>消息</translation>
+    </message>
+    <message>
+      <source>Move the selected dimensions down</source>
+      <translation>下移所选尺寸</translation>
+    </message>
+    <message>
+      <source>Move the selected dimensions up</source>
+      <translation>上移所选尺寸</translation>
     </message>
     <message>
       <source>Move the viewpoints down</source>
@@ -22208,6 +22240,14 @@ in danger use the emergency stop.</source>
       <translation>重做计划更改</translation>
     </message>
     <message>
+      <source>Redo the change of the program</source>
+      <translation>重做对程序的更改</translation>
+    </message>
+    <message>
+      <source>Rename the selected feature…</source>
+      <translation>重命名所选特征…</translation>
+    </message>
+    <message>
       <source>Save a copy as…</source>
       <translation>另存副本…</translation>
     </message>
@@ -22224,8 +22264,24 @@ in danger use the emergency stop.</source>
       <translation>保存支持日志…</translation>
     </message>
     <message>
+      <source>Save program with results and report</source>
+      <translation>保存程序、结果和报告</translation>
+    </message>
+    <message>
       <source>Save the project as a template</source>
       <translation>将项目保存为模板</translation>
+    </message>
+    <message>
+      <source>Search the dimensions</source>
+      <translation>搜索尺寸</translation>
+    </message>
+    <message>
+      <source>Select dimensions in the table first.</source>
+      <translation>请先在表格中选择尺寸。</translation>
+    </message>
+    <message>
+      <source>Select one feature in the table first.</source>
+      <translation>请先在表格中选择一个特征。</translation>
     </message>
     <message>
       <source>Settings…</source>
@@ -22316,6 +22372,14 @@ in danger use the emergency stop.</source>
       <translation>撤销计划更改</translation>
     </message>
     <message>
+      <source>Undo the change of the program</source>
+      <translation>撤销对程序的更改</translation>
+    </message>
+    <message>
+      <source>Undo the last choice or filter</source>
+      <translation>撤销上一次选择或滤波</translation>
+    </message>
+    <message>
       <source>Welcome to MeasureApp</source>
       <translation>欢迎使用 MeasureApp</translation>
     </message>
@@ -22330,6 +22394,10 @@ in danger use the emergency stop.</source>
     <message>
       <source>create make folder</source>
       <translation>新建 创建 文件夹</translation>
+    </message>
+    <message>
+      <source>dimension feature program</source>
+      <translation>尺寸 特征 程序</translation>
     </message>
     <message>
       <source>example project learn</source>
@@ -22442,6 +22510,10 @@ in danger use the emergency stop.</source>
     <message>
       <source>theme night dark light colours appearance</source>
       <translation>主题 夜间 深色 浅色 颜色 外观</translation>
+    </message>
+    <message>
+      <source>view exclude</source>
+      <translation>视图 排除</translation>
     </message>
     <message>
       <source>virtual rig sample example</source>

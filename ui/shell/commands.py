@@ -13,12 +13,11 @@ from ui.look.language.words import tr
 from ui.messages import CANCEL
 from ui.pages.page import Page
 from ui.pages.pages import Pages
-from ui.pages.plan.page import PlanPage
 from ui.pages.report import ReportPage
 from ui.session import Session
+from ui.shell.page_keys import page_keys
 from ui.shell.project_menu import SAMPLES, ProjectMenu
 from ui.shell.tour import Tour
-from ui.widgets.basic import Button
 from ui.widgets.properties_panel import PropertiesPanel
 
 
@@ -100,7 +99,7 @@ def register_commands(actions: Actions, window: CommandedWindow) -> None:
     actions.register(
         Action("demo", "Run the demo", window.controllers.demo.run, "virtual rig sample example", "rig", why_not=_no_job(session))
     )
-    actions.register(*_plan_keys(window), *_exports(window))
+    actions.register(*page_keys(window), *_exports(window))
     for name, words in SAMPLES.items():
         actions.register(
             Action(
@@ -199,29 +198,3 @@ def _exports(window: CommandedWindow) -> tuple[Action, ...]:
         Action(f"report.{kind}", f"{words}…", partial(export, kind), EXPORT_KEYWORDS, "report", why_not=partial(reason, kind))
         for kind, (words, *_) in FORMATS.items()
     )
-
-
-def _plan_keys(window: CommandedWindow) -> tuple[Action, ...]:
-    """Return what the Plan page does by keys of its own."""
-
-    def page() -> PlanPage:
-        found = window.pages["plan"]
-        assert isinstance(found, PlanPage)
-        return found
-
-    def press(button: Callable[[PlanPage], Button]) -> Callable[[], None]:
-        return lambda: button(page()).click()
-
-    listed = (
-        ("undo", "Undo the change of the plan", lambda: page().undo_last(), "Ctrl+Z"),
-        ("redo", "Redo the change of the plan", window.controllers.planning.redo, "Ctrl+Y"),
-        ("open", "Open a scan plan…", press(lambda plan: plan.open_file), "Ctrl+Shift+O"),
-        ("copy", "Duplicate the viewpoints", press(lambda plan: plan.tools.copy), "Ctrl+D"),
-        ("up", "Move the viewpoints up", press(lambda plan: plan.tools.up), "Alt+Up"),
-        ("down", "Move the viewpoints down", press(lambda plan: plan.tools.down), "Alt+Down"),
-    )
-
-    def reason() -> str:
-        return "" if window.page.name == "plan" else "Go to the page Plan first."
-
-    return tuple(Action(f"plan.{name}", words, run, "viewpoint", "plan", keys, reason, bound=False) for name, words, run, keys in listed)

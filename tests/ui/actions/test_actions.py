@@ -107,7 +107,7 @@ def test_the_palette_lists_the_buttons_of_the_page(window, qtbot):
         ("language", "Settings…"),
         ("theme", "Change between light and dark"),
         ("tolerance", "Go to Inspect"),
-        ("delete", "Go to Inspect"),
+        ("delete", "Delete the selected dimensions"),
         ("export pdf", "PDF report…"),
         ("pdf export", "PDF report…"),
         ("report", "Go to Report"),
@@ -117,6 +117,21 @@ def test_the_palette_lists_the_buttons_of_the_page(window, qtbot):
 )
 def test_what_people_call_things_is_found_on_every_page(window, typed, expected):
     assert expected in [action.text for action in window.actions_.find(typed)][:3]
+
+
+def test_what_needs_a_selection_on_inspect_says_so(window):
+    refused = []
+    window.actions_.refused.connect(lambda words, reason: refused.append((words, reason)))
+    window.show_page("clouds")
+    window.actions_.perform("inspection.copy")
+    window.show_page("inspection")
+    window.actions_.perform("inspection.copy")
+    window.actions_.perform("inspection.rename")
+    assert refused == [
+        ("Duplicate the selected dimensions", "Go to the page Inspect first."),
+        ("Duplicate the selected dimensions", "Select dimensions in the table first."),
+        ("Rename the selected feature…", "Select one feature in the table first."),
+    ]
 
 
 def test_an_export_from_the_palette_needs_a_measurement(window):
@@ -161,6 +176,8 @@ def test_every_shortcut_is_listed_and_every_action_has_words(window):
     window.actions_.perform("keys")
     listed = {row[0] for row in window.shortcuts.table.texts()}
     assert {"Ctrl+K", "F1", "Ctrl+N", "Ctrl+O", "?", "Esc", "Ctrl+1", "Ctrl+7"} <= listed
+    here = {row[0] for row in window.shortcuts.table.texts() if row[2] == "Inspect"}
+    assert {"Ctrl+Z", "Ctrl+Y", "Ctrl+S", "Ctrl+F", "F2", "Ctrl+D", "Del", "Alt+Up", "Alt+Down"} <= here
     for action in window.actions_.all():
         assert action.text and not action.text[0].islower() and not action.text.endswith(".")
         assert not action.shortcut or not QKeySequence(action.shortcut).isEmpty()
