@@ -18,6 +18,7 @@ Shade = Literal["light", "dark"]
 TOKENS = Path("themes") / "tokens.toml"
 FAMILIES = ["Inter", "Segoe UI Variable", "Segoe UI", "SF Pro Text", "Cantarell", "Roboto", "Noto Sans"]
 SHIPPED = ("fonts/NotoSans-Regular.ttf", "fonts/NotoSans-Bold.ttf")  # the last family, also where it is not installed
+CHINESE = ("fonts/NotoSansCJKsc-Regular.otf", "fonts/NotoSansCJKsc-Bold.otf")
 
 
 @dataclass(frozen=True)
@@ -60,11 +61,15 @@ def font(size_px: int, *, bold: bool = False) -> QFont:
     return made
 
 
-def provide_font() -> None:
-    """Load the font that comes with the program where the computer has none of the window's families; needs an application."""
-    if not set(FAMILIES) & set(QFontDatabase.families()):
-        for file in SHIPPED:
-            QFontDatabase.addApplicationFont(str(resource(file)))
+def provide_fonts() -> None:
+    """Load the fonts that come with the program; needs an application.
+
+    Latin letters only where the computer has none of the window's families. Qt takes Chinese letters, which the window's font lacks, from the
+    others: parts, programs and languages have such names in an English window, too.
+    """
+    has_family = bool(set(FAMILIES) & set(QFontDatabase.families()))
+    for file in CHINESE if has_family else (*SHIPPED, *CHINESE):
+        QFontDatabase.addApplicationFont(str(resource(file)))
 
 
 def preferred_shade(application: QApplication) -> Shade:

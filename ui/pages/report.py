@@ -12,7 +12,6 @@ from measureapp.language.languages import LANGUAGES
 from measureapp.project.file_names import safe_file_name
 from ui.controllers.controllers import Controllers
 from ui.controllers.documents import FORMATS
-from ui.look.language.language import load_fonts
 from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.look.wording import part_words, sentence_case, when
@@ -63,8 +62,7 @@ class ReportPage(Page):
         controllers.documents.headerReady.connect(self._edit_header)
         self.language = CalmComboBox()
         self.language.setAccessibleName(tr("Language of the report"))
-        for name, words in LANGUAGE_CHOICES.items():  # languages are named in their own letters
-            load_fonts(name)
+        for name, words in LANGUAGE_CHOICES.items():
             self.language.addItem(translated(words), name)
         self._show_language()
         self.language.activated.connect(self._choose_language)

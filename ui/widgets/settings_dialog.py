@@ -5,7 +5,6 @@ from __future__ import annotations
 from PySide6.QtWidgets import QDialog, QWidget
 
 from measureapp.language.languages import LANGUAGES
-from ui.look.language.language import load_fonts
 from ui.look.language.words import tr
 from ui.look.look import Look
 from ui.settings.settings import AS_SYSTEM, Settings
@@ -24,8 +23,6 @@ class SettingsDialog(QDialog):
         self.setWindowTitle(tr("Settings"))
         self.setMinimumWidth(560)
         self._settings = settings
-        for name in LANGUAGE_CHOICES:  # which are named in their own letters
-            load_fonts(name)
         self.theme = Segments(THEMES, name="Theme")
         self.language = Segments(LANGUAGE_CHOICES, name="Language")
         self.forget = Button("Forget sizes", look, "again", "normal", "Give window and panels their first sizes at the next start")

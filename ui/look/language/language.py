@@ -2,32 +2,20 @@
 
 from __future__ import annotations
 
-from functools import cache
-
 from PySide6.QtCore import QLibraryInfo, QLocale, QObject, QTranslator, Signal
-from PySide6.QtGui import QFontDatabase
 from PySide6.QtWidgets import QApplication
 
 from measureapp.language.languages import LANGUAGES, catalogue_of
-from measureapp.resources import resource
 from ui.look.language.retranslating import Retranslation
 from ui.look.language.words import TRANSLATOR
 
 SYSTEM = "system"
-FONTS = {"zh_CN": ("NotoSansCJKsc-Regular.otf", "NotoSansCJKsc-Bold.otf")}
 
 
 def system_language() -> str:
     """Return the language of the operating system if the window has it, else English."""
     name = QLocale.system().name()
     return next((one for one in LANGUAGES if name.startswith(one.split("_")[0]) and one != "en"), "en")
-
-
-@cache
-def load_fonts(name: str) -> None:
-    """Load the fonts of a language: Qt takes letters from them that the window's font lacks."""
-    for font in FONTS.get(name, ()):
-        QFontDatabase.addApplicationFont(str(resource(f"fonts/{font}")))
 
 
 class QtTexts(QTranslator):
@@ -71,4 +59,3 @@ class Language(QObject):
             return
         if self._translator.load(f"qtbase_{self.name}", QLibraryInfo.path(QLibraryInfo.LibraryPath.TranslationsPath)):
             application.installTranslator(self._translator)
-        load_fonts(self.name)

@@ -6,7 +6,7 @@ from PySide6.QtWidgets import QApplication, QToolTip
 
 from ui.look.style.palette import palette_of
 from ui.look.style.window_style import WindowStyle
-from ui.look.theme import Theme, font, provide_font
+from ui.look.theme import Theme, font, provide_fonts
 
 
 def apply(application: QApplication, theme: Theme) -> None:
@@ -18,7 +18,7 @@ def apply(application: QApplication, theme: Theme) -> None:
         style.set_theme(theme)
     else:
         application.setStyle(WindowStyle(theme))
-        provide_font()
+        provide_fonts()
         application.setFont(font(theme.sizes["body"]))
     palette = palette_of(theme)
     QToolTip.setPalette(palette)
