@@ -5,6 +5,7 @@ from __future__ import annotations
 import io
 from dataclasses import replace
 
+import cv2
 import numpy as np
 import pytest
 from PIL import Image
@@ -13,7 +14,7 @@ from measureapp.data.identification import Identification
 from measureapp.data.report_template import ReportTemplate
 from measureapp.report.compose import compose
 from measureapp.report.fonts import covered, missing_letters, spell_out
-from measureapp.report.model import Details, DimensionPicture, Fact, Section
+from measureapp.report.model import Details, DimensionPicture, Fact, Flag, Section
 from measureapp.report.pdf import page_images, pdf_bytes
 from measureapp.report.template import Template
 
@@ -74,6 +75,36 @@ def test_a_page_with_pictures_of_failing_dimensions_goes_on_with_the_deviation(f
     page = np.asarray(Image.open(io.BytesIO(page_images(replace(model, failing=drawn), ppi=40)[1])).convert("L"))
     text_mm = np.flatnonzero((page < 200).any(axis=1)) / page.shape[0] * 297
     assert text_mm[text_mm < 275].max() > 225  # above the footer
+
+
+def test_a_long_name_leaves_the_columns_of_the_budget_their_width(measured) -> None:
+    one = measured().inspection.dimensions[0]
+    template = Template(ReportTemplate(pages=("uncertainty",)))
+
+    def height_mm(name: str) -> float:
+        dimensions = (replace(one, name=name), *(replace(one, name=f"size {place}") for place in range(5)))
+        model = compose(measured(dimensions), details=Details(template=template, created_at=AT), pictures=False)
+        pages = page_images(replace(model, sections=()), ppi=40)
+        page = np.asarray(Image.open(io.BytesIO(pages[-1])).convert("L"))
+        text_mm = np.flatnonzero((page < 200).any(axis=1)) / page.shape[0] * 297
+        return float(text_mm[text_mm < 275].max())
+
+    assert height_mm("outer width over all of the rib on the far side, measured from the datums A, B and C") < height_mm("width") + 25
+
+
+@pytest.mark.parametrize("at", [(0.97, 0.06), (0.05, 0.1), (0.9, 0.95)])
+def test_the_label_of_a_flag_covers_no_place(at: tuple[float, float], measured, block) -> None:
+    model = compose(measured(), block, details=Details(created_at=AT))
+    assert model.deviation is not None
+    flags = tuple(Flag(one, ("Minimum", "-0.2 mm"), "#FF0000") for one in (at, (0.55, 0.5)))
+    pictures = (replace(model.deviation.pictures[0], flags=flags),)
+    pages = page_images(replace(model, deviation=replace(model.deviation, pictures=pictures)), ppi=100)
+    dots = 0
+    for page in pages:
+        red, green, _ = np.moveaxis(np.asarray(Image.open(io.BytesIO(page)).convert("RGB")).astype(int), -1, 0)
+        filled = cv2.erode(((red > 200) & (green < 60)).astype(np.uint8), np.ones((5, 5), np.uint8))
+        dots += cv2.connectedComponents(filled)[0] - 1
+    assert dots == 2
 
 
 def test_no_row_of_a_table_of_facts_is_alone_on_a_page(measured) -> None:
