@@ -46,11 +46,12 @@ def label(text: str = "", role: TextRole = "body", *, wrap: bool = False) -> QLa
 class ElidedLabel(QLabel):
     """A label that is elided when there is too little space."""
 
-    def __init__(self, text: str, role: TextRole) -> None:
+    def __init__(self, text: str, role: TextRole | None = None, elide: Qt.TextElideMode = Qt.TextElideMode.ElideRight) -> None:
         super().__init__(translated(text))
         self.setTextFormat(Qt.TextFormat.PlainText)
-        self.setProperty("role", role)
-        self.words = translated(text)
+        if role is not None:
+            self.setProperty("role", role)
+        self.words, self._elide = translated(text), elide
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         remember(self)
 
@@ -66,7 +67,7 @@ class ElidedLabel(QLabel):
         self._fit()
 
     def _fit(self) -> None:
-        self.setText(self.fontMetrics().elidedText(self.words, Qt.TextElideMode.ElideRight, max(40, self.width() - 2)))
+        self.setText(self.fontMetrics().elidedText(self.words, self._elide, max(40, self.width() - 2)))
 
 
 class TailLabel(QLabel):

@@ -9,6 +9,7 @@ import pytest
 from PySide6.QtGui import QImage
 from PySide6.QtWidgets import QLabel
 
+from ui.pages.operator.verdict import WorstCard
 from ui.pages.operator.worst import seen_from
 
 
@@ -39,6 +40,27 @@ def test_each_verdict_says_what_to_do_next(workshop, verdicts, advice):
     assert shown.text().startswith(advice) and shown.isVisible() == bool(advice) == bool(shown.text())
     workshop.screens.verdict.call.click()
     assert f"The verdict is {workshop.screens.verdict.band.word.text()}." in workshop.screens.call.words.text()
+
+
+def test_long_names_are_shortened_and_nothing_is_cut(workshop, qtbot):
+    workshop.window.resize(1280, 720)
+    inspection = workshop.measurement.inspection
+    long = tuple(
+        replace(one, name=f"{one.name} over all of the rib on the far side, from the datums A, B and C") for one in inspection.dimensions
+    )
+    workshop.measurement = replace(workshop.measurement, inspection=replace(inspection, dimensions=long))
+    workshop.verdicts = ("not proven",) * 3
+    workshop.begin(f"GC-{'0123456789-' * 8}END")
+    workshop.wait(lambda: workshop.operator.filed is not None)
+    screen = workshop.screens.verdict
+    qtbot.wait(50)
+    assert screen.band.part.text().endswith("END") and "…" in screen.band.part.text()
+    cards = screen.findChildren(WorstCard)
+    assert len(cards) == 3
+    for card in cards:
+        assert card.name.text().endswith("…") and card.name.toolTip().endswith("A, B and C")
+    for one in (*(label for card in cards for label in card.findChildren(QLabel)), screen.band.part, screen.band.summary, screen.filed):
+        assert one.height() >= one.heightForWidth(one.width()), one.text()
 
 
 def test_a_part_is_not_shown_from_below_where_nothing_was_measured(inspection):

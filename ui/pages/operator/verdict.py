@@ -17,10 +17,10 @@ from ui.pages.operator.part_view import PartView
 from ui.pages.operator.style import letters_on
 from ui.pages.operator.worst import drawn, part_composer, seen_from, shown_dimensions, words_of
 from ui.session import Session
-from ui.widgets.basic import clear, column, row
+from ui.widgets.basic import ElidedLabel, clear, column, row
 
 SIGN_PX, WORD_PX = 96, 96
-SIDE_WIDTH = 520
+SIDE_WIDTH, PREFIX_WIDTH = 600, 160  # the latter of what stands before the name of a report
 NEXT = {  # what an operator can do about a verdict
     "fail": "Put the part aside. If it was dirty or clamped wrongly, mend that and press Repeat.",
     "not proven": "Too close to a limit to decide. Clean the part and press Repeat, or put it aside and call the engineer.",
@@ -39,10 +39,10 @@ class VerdictBand(QFrame):
         self.verdict = "not measured"
         self._icons = IconSet(lambda verdict: QColor(letters_on(verdict)))
         self.sign, self.word = QLabel(), QLabel()
-        self.part, self.summary = QLabel(), QLabel()
+        self.part, self.summary = ElidedLabel("", elide=Qt.TextElideMode.ElideMiddle), QLabel()
+        self.summary.setTextFormat(Qt.TextFormat.PlainText)
+        self.summary.setWordWrap(True)
         for label in (self.part, self.summary):
-            label.setTextFormat(Qt.TextFormat.PlainText)
-            label.setWordWrap(True)
             label.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
         layout = row(self.sign, self.word, column(0, self.part, self.summary, 0, spacing=4), spacing=32)
         layout.setContentsMargins(40, 8, 24, 8)
@@ -61,7 +61,7 @@ class VerdictBand(QFrame):
         self.word.setStyleSheet(f"color: {letters}; font-size: {WORD_PX}px; font-weight: 800;")
         self.sign.setPixmap(self._icons.icon(verdict, verdict).pixmap(QSize(SIGN_PX, SIGN_PX)))
         self.word.setText(loud(verdict))
-        self.part.setText(translated(part))
+        self.part.set_words(part)
         self.summary.setText(translated(summary))
         self.setAccessibleName(f"{loud(verdict)}. {part}. {summary}")
 
@@ -74,7 +74,11 @@ class WorstCard(QFrame):
         self.setObjectName("operator-card")
         sign = QLabel()
         sign.setPixmap(look.icon(verdict, "verdict_" + verdict.replace(" ", "_")).pixmap(QSize(40, 40)))
-        top = row(sign, big_label(name, "heading"), 0, big_label(value, "value"))
+        self.name = ElidedLabel("")
+        self.name.setProperty("op", "heading")
+        self.name.set_words(name)
+        top = row(sign, self.name, big_label(value, "value"))
+        top.setStretch(1, 1)
         below = big_label(tr("{verdict}: {limit}", verdict=loud(verdict), limit=limit), "body", wrap=True)
         layout = column(top, below, spacing=0)
         layout.setContentsMargins(16, 6, 16, 8)
@@ -178,8 +182,10 @@ class VerdictScreen(QWidget):
         self.problem.setVisible(bool(problems))
         words = "The result is being filed…"
         if filed is not None:
-            name = {"name": "" if filed.report is None else filed.report.name}
-            words = tr("Report filed: {name}", **name) if filed.report is not None else ""
+            name = "" if filed.report is None else filed.report.name
+            shown = self.filed.fontMetrics().elidedText(name, Qt.TextElideMode.ElideMiddle, SIDE_WIDTH - PREFIX_WIDTH)
+            words = tr("Report filed: {name}", name=shown) if name else ""
+            self.filed.setToolTip(name)
             if filed.run is not None and not self._operator.counts():
                 words += "\nThe first run of this part counts."
         self.filed.setText(translated(words))
