@@ -60,6 +60,16 @@ class ElidedLabel(QLabel):
         self.words = translated(words)
         self.setToolTip(self.words)
         self._fit()
+        self.updateGeometry()
+
+    def sizeHint(self) -> QSize:
+        """Return the room that the whole text needs."""
+        self.ensurePolished()  # in its final letters
+        return QSize(self.fontMetrics().horizontalAdvance(self.words) + 6, super().sizeHint().height())
+
+    def minimumSizeHint(self) -> QSize:
+        """Return the room for a few letters."""
+        return QSize(40, super().minimumSizeHint().height())
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         """Elide the text to the new width."""

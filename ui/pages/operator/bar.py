@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QApplication, QFrame
 from ui.controllers.operator_nouns import Step
 from ui.look.language.words import tr, translated
 from ui.look.look import Look
-from ui.pages.operator.big import BigButton, big_label
+from ui.pages.operator.big import BigButton, big_label, short_label
 from ui.session import Session
 from ui.widgets.basic import row
 
@@ -31,7 +31,7 @@ class OperatorBar(QFrame):
         self.setObjectName("operator-bar")
         self.setFixedHeight(HEIGHT)
         self._look, self._session = look, session
-        self.home, self.part = BigButton("Part programs", look, "home", "quiet"), big_label("", "strong")
+        self.home, self.part = BigButton("Part programs", look, "home", "quiet"), short_label("", "strong")
         self._steps = {step: big_label(words, "soft") for step, words in STEPS.items()}
         self.rig = big_label("", "soft")
         self.engineer = BigButton("Engineer…", look, "person", "quiet")
@@ -54,7 +54,7 @@ class OperatorBar(QFrame):
         for name, shown in self._steps.items():
             shown.setProperty("op", "strong" if name == step else "soft")
             shown.style().polish(shown)
-        self.part.setText(translated(part))
+        self.part.set_words(part)
         self.home.setEnabled(step not in ("home", "run"))
 
     def _show_rig(self) -> None:

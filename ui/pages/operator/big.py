@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QFrame, QLabel, QLayout, QPushButton, QSizePolicy,
 
 from ui.look.language.words import translated
 from ui.look.look import Look
-from ui.widgets.basic import column
+from ui.widgets.basic import ElidedLabel, column
 
 SECOND_PRESS_MS = 500
 HOLD_MS = 1000
@@ -28,6 +28,15 @@ def big_label(text: str = "", role: BigText = "body", *, wrap: bool = False) -> 
     made.setTextFormat(Qt.TextFormat.PlainText)
     if wrap:
         made.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Minimum)
+    return made
+
+
+def short_label(text: str = "", role: BigText = "body") -> ElidedLabel:
+    """Return a label of one line, elided where it is longer than there is room."""
+    made = ElidedLabel("")
+    made.setProperty("op", role)
+    made.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
+    made.set_words(text)
     return made
 
 

@@ -14,7 +14,7 @@ from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.look.verdict_words import loud
 from ui.look.wording import rough_duration
-from ui.pages.operator.big import BigButton, big_label
+from ui.pages.operator.big import BigButton, big_label, short_label
 from ui.pages.operator.style import CARD_PX
 from ui.widgets.basic import clear, row, scrolled
 
@@ -38,6 +38,7 @@ class CardButton(BigButton):
         self.setFixedSize(*CARD_PX)
         self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
         self.setAccessibleName(translated(card.name))
+        self.setToolTip(translated(card.name))
         layout = QVBoxLayout(self)
         layout.setContentsMargins(16, 16, 16, 12)
         layout.setSpacing(4)
@@ -57,11 +58,11 @@ class CardButton(BigButton):
             picture.setPixmap(look.icon("file", "faint").pixmap(QSize(96, 96)))
         else:
             picture.setPixmap(_fitted(card.program.picture, self.devicePixelRatioF()))
-        words: list[QWidget] = [picture, big_label(facts.name, "heading")]
+        words: list[QWidget] = [picture, short_label(facts.name, "heading")]
         drawing = facts.identification.drawing
         released = tr("Release {revision}", revision=facts.revision) if facts.revision else ""
         numbers = " · ".join(filter(None, (facts.part_number, drawing and _drawing(drawing, facts.identification.revision), released)))
-        words.append(big_label(numbers, "soft"))
+        words.append(short_label(numbers, "soft"))
         words.append(self._last(look))
         words.append(big_label("" if card.seconds is None else tr("About {seconds}", seconds=rough_duration(card.seconds)), "soft"))
         return words
@@ -81,7 +82,7 @@ class CardButton(BigButton):
         sign.setPixmap(look.icon("error", "verdict_fail").pixmap(QSize(56, 56)))
         problem = big_label(self.card.problem, "body", wrap=True)
         problem.setAlignment(Qt.AlignmentFlag.AlignTop)
-        return [sign, big_label(self.card.name, "strong"), big_label("This file cannot be used.", "error"), problem]
+        return [sign, short_label(self.card.name, "strong"), big_label("This file cannot be used.", "error"), problem]
 
 
 def _drawing(drawing: str, revision: str) -> str:

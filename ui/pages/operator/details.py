@@ -16,7 +16,7 @@ from ui.look.look import Look
 from ui.look.verdict_words import loud
 from ui.look.wording import dimension_words, quantity
 from ui.pages.inspection.dimension_rows import tolerance, unit_of
-from ui.pages.operator.big import BigButton, big_card, big_label
+from ui.pages.operator.big import BigButton, big_card, big_label, short_label
 from ui.session import Session
 from ui.widgets.basic import clear, column, row, scrolled
 
@@ -85,7 +85,7 @@ class DetailsScreen(ReadScreen):
         sign = QLabel()
         sign.setPixmap(self._look.icon(verdict, "verdict_" + verdict.replace(" ", "_")).pixmap(QSize(28, 28)))
         words = (
-            big_label(dimension_words(one.name), "strong"),
+            short_label(dimension_words(one.name), "strong"),
             big_label(quantity(one.measured, unit), "strong"),
             big_label(quantity(one.nominal, unit)),
             big_label(tolerance(one.lower_tolerance, one.upper_tolerance, unit)),

@@ -12,7 +12,7 @@ from ui.look.icons import IconSet
 from ui.look.language.words import tr, translated
 from ui.look.look import Look
 from ui.look.verdict_words import loud, summary_words
-from ui.pages.operator.big import BigButton, big_card, big_label
+from ui.pages.operator.big import BigButton, big_card, big_label, short_label
 from ui.pages.operator.part_view import PartView
 from ui.pages.operator.style import letters_on
 from ui.pages.operator.worst import drawn, part_composer, seen_from, shown_dimensions, words_of
@@ -74,11 +74,8 @@ class WorstCard(QFrame):
         self.setObjectName("operator-card")
         sign = QLabel()
         sign.setPixmap(look.icon(verdict, "verdict_" + verdict.replace(" ", "_")).pixmap(QSize(40, 40)))
-        self.name = ElidedLabel("")
-        self.name.setProperty("op", "heading")
-        self.name.set_words(name)
-        top = row(sign, self.name, big_label(value, "value"))
-        top.setStretch(1, 1)
+        self.name = short_label(name, "heading")
+        top = row(sign, self.name, 0, big_label(value, "value"))
         below = big_label(tr("{verdict}: {limit}", verdict=loud(verdict), limit=limit), "body", wrap=True)
         layout = column(top, below, spacing=0)
         layout.setContentsMargins(16, 6, 16, 8)
