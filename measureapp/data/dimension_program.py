@@ -41,6 +41,7 @@ ONE_DATUM = ("concentricity", "coaxiality", "circular_runout", "total_runout")
 PROFILES = ("line_profile", "surface_profile")
 SAME = 1e-9  # mm or degrees
 LIMITS = ("lower_tolerance", "upper_tolerance")
+SIGNED = "step"  # the only size with a sign
 __all__ = ["BLADE_KINDS", "FORMS", "PAIRS", "PROFILES", "ZONES", "Criterion", "DimensionKind", "DimensionProgram", "Section"]
 
 
@@ -132,6 +133,8 @@ class DimensionProgram(Model):
             raise ValueError("`{k}` needs `count`, the number of copies")
         if self.kind not in ZONES and "nominal" not in self.model_fields_set:
             raise ValueError(f"kind {self.kind!r} needs `nominal`")
+        if self.kind in get_args(SizeKind) and self.kind != SIGNED and self.nominal < 0:
+            raise ValueError(f"`nominal` of a {self.kind} cannot be negative: only a {SIGNED} has a sign")
         if self.kind in ZONES and (self.nominal != 0 or self.upper_tolerance <= 0):
             raise ValueError(f"a {self.kind} is the width of a tolerance zone: its nominal is 0, `upper_tolerance` the width allowed")
         return self

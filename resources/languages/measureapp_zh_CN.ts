@@ -5128,6 +5128,10 @@
       <translation>`nominal` 必须是证书长度，大于 0 mm</translation>
     </message>
     <message>
+      <source>`nominal` of a {v1} cannot be negative: only a {v2} has a sign</source>
+      <translation>{v1} 的 `nominal` 不能为负：只有 {v2} 带符号</translation>
+    </message>
+    <message>
       <source>`normal` has length 0</source>
       <translation>`normal` 的长度为 0</translation>
     </message>

@@ -234,6 +234,7 @@ def test_a_datum_that_was_not_found_is_the_reason(without_noise):
         ({"kind": "flatness", "features": ["shelf"], "nominal": 1}, "its nominal is 0"),
         ({"kind": "flatness", "features": ["shelf"], "upper_tolerance": 0}, "the width allowed"),
         ({"kind": "diameter", "features": ["shaft"]}, "needs `nominal`"),
+        ({"kind": "distance", "features": ["shelf", "base"], "nominal": -5}, "cannot be negative"),
         ({"kind": "coaxiality", "features": ["bore"], "datums": ["shaft", "base"]}, "has one datum"),
         ({"kind": "line_profile", "features": ["bore"]}, "needs `section`"),
         ({"kind": "position", "features": ["bore"], "datums": ["nothing"]}, "needs feature 'nothing'"),
