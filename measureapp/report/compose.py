@@ -302,7 +302,7 @@ def _length_facts(dimensions: Sequence[Dimension], lengths: Sequence[str]) -> tu
     added = added_to_lengths(dimensions)
     titles = ("Length reference", "Temperature of the part")
     stated = [Fact(title, sentence) for title, sentence in zip(titles, lengths or _lengths_before(dimensions), strict=False)]
-    return (*((Fact("Adds to a length (k = 2)", added),) if added else ()), *stated)
+    return (*((Fact("Share of calibration and length scale in U", added),) if added else ()), *stated)
 
 
 def _lengths_before(dimensions: Sequence[Dimension]) -> tuple[str]:

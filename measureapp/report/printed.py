@@ -31,7 +31,7 @@ from measureapp.report.words import (
 
 SCALE_STOPS = 81
 MOST_WORST = 10
-BASIS = ("Alignment to the nominal", "Residual of the alignment", "Calibration age", "Adds to a length (k = 2)")
+BASIS = ("Alignment to the nominal", "Residual of the alignment", "Calibration age", "Share of calibration and length scale in U")
 KINDS = {"step": "Height of a step", "pitch": "Pitch of blades"}  # of dimensions, where the word has another meaning in the window
 SIGNATURES = {  # of the roles of the built-in template
     "Measured": "Measured: name, date, signature",

@@ -12644,10 +12644,6 @@ alignment = "{v2}"
       <translation>请添加已测项目：measureapp series add PROJECT。</translation>
     </message>
     <message>
-      <source>Adds to a length (k = 2)</source>
-      <translation>对长度的贡献 (k = 2)</translation>
-    </message>
-    <message>
       <source>Alignment to the nominal</source>
       <translation>与名义模型的对齐</translation>
     </message>
@@ -13086,6 +13082,10 @@ alignment = "{v2}"
     <message>
       <source>Section at {v1} = {v2} mm: nominal in black, deviation enlarged {v3} times</source>
       <translation>{v1} = {v2} mm 处的截面：黑色为名义轮廓，偏差放大 {v3} 倍</translation>
+    </message>
+    <message>
+      <source>Share of calibration and length scale in U</source>
+      <translation>标定与长度比例在 U 中的份额</translation>
     </message>
     <message>
       <source>Shift and rotation: correction of the kinematic position by registration. Residual: rms distance from neighbouring views after registration.</source>
