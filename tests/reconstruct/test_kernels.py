@@ -100,7 +100,7 @@ def test_normals_are_those_of_planes_through_the_points_left_in_the_window(scene
     settings = ReconstructSettings(min_island_px=1)
     lens = Lens(rays, PixelJacobian.of(rays), 1 / focal)
     grid = clean_grid(depth, sigma, np.zeros(depth.shape, np.uint8), state, lens, [], settings)
-    pixel, normals = gather_normals(grid)
+    pixel, normals = gather_normals(grid, 0)
     left = np.where(grid.state == 0, depth, 0).astype(float)
     assert (left[OUTLIER] == 0) == (scene == "an outlier" or depth[OUTLIER] == 0)
     places = (-4, -2, 0, 2, 4)
@@ -115,6 +115,23 @@ def test_normals_are_those_of_planes_through_the_points_left_in_the_window(scene
         a, b, c = np.linalg.lstsq(model, np.array([1 / left[place] for place in near]), rcond=None)[0]
         expected = -np.array([a, b, c]) / np.linalg.norm([a, b, c])
         assert np.degrees(np.arccos(np.clip(expected @ normals[k], -1, 1))) < 0.1
+
+
+def test_normals_of_points_that_several_cameras_see_are_gathered_within_all_arrays(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Run as plain Python, whose arrays refuse what lies outside of them; a compiled kernel reads on."""
+    v, u = np.indices((8, 24), float)
+    rays = np.stack([(u - 12) / 500, (v - 4) / 500], axis=-1).astype(np.float32)
+    depth, sigma = np.full(u.shape, 550, np.float32), np.full(u.shape, 0.02, np.float32)
+    others = np.full(u.shape, 3, np.uint8)  # both of the other cameras
+    centres = [np.array([100.0, 0, 0]), np.array([-100.0, 0, 0])]
+    settings = ReconstructSettings(min_island_px=1)
+    grid = clean_grid(depth, sigma, others, np.zeros(u.shape, np.uint8), Lens(rays, PixelJacobian.of(rays), 1 / 500), centres, settings)
+    expected = gather_normals(grid, len(centres))
+    assert len(expected[0]) == u.size
+    monkeypatch.setattr(kernels, "gather_points", kernels.gather_points.py_func)
+    pixel, normals = gather_normals(grid, len(centres))
+    np.testing.assert_array_equal(pixel, expected[0])
+    np.testing.assert_allclose(normals, expected[1], atol=FLOAT32)
 
 
 @pytest.mark.parametrize("sampled", [0, 1])

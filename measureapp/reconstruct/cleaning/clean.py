@@ -79,7 +79,7 @@ def clean(
     state = np.where(depth > 0, PointState.VALID, PointState.NO_PHASE).astype(np.uint8)
     lens = Lens(rays, PixelJacobian.of(rays), spacing)
     grid = clean_grid(depth, sigma, others, state, lens, [partner.centre_mm for partner in partners], settings)
-    pixel, normals = gather_normals(grid)
+    pixel, normals = gather_normals(grid, len(partners))
     dense = np.zeros((*depth.shape, 3), np.float32)
     dense[..., 2] = -1
     dense[pixel[:, 0], pixel[:, 1]] = normals

@@ -54,8 +54,8 @@ def gather(grid: DepthGrid, first: int, grey: Grey, bits: tuple[int, ...], refer
     )
 
 
-def gather_normals(grid: DepthGrid) -> tuple[IntArray, FloatArray]:
-    """Return the pixels (N, 2) and normals (N, 3) of the points left."""
+def gather_normals(grid: DepthGrid, partners: int) -> tuple[IntArray, FloatArray]:
+    """Return the pixels (N, 2) and normals (N, 3) of the points left of a depth map with this many other cameras."""
     cloud = make_cloud_arrays(int(grid.per_row.sum()), BufferPool())
-    gather(grid, 0, Grey(grid.depth_mm, 1.0), (1,), np.eye(4), cloud)
+    gather(grid, 0, Grey(grid.depth_mm, 1.0), (1,) * (1 + partners), np.eye(4), cloud)  # which cameras see a point is not asked here
     return cloud.pixel, cloud.normals
