@@ -30,6 +30,7 @@ WARM_UP = (
     *("measureapp.fringe.patterns.check", "measureapp.planning.edit", "measureapp.planning.frusta"),  # the first click on the page Plan
     *("measureapp.pipeline.plan_check", "measureapp.pipeline.plan_coverage", "measureapp.project.calibration.certificate_file"),  # a wizard
     *("measureapp.planning.coverage.head", "measureapp.acquire.control", "measureapp.acquire.time_left", "ui.charts.plotting"),
+    *("measureapp.inspection.programming.edits", "ui.wizards.wizard"),  # the first edit of a dimension; the first wizard
 )
 IMPORTED_SHARE = 0.3
 LONGEST_YIELD_S, YIELD_S = 20.0, 0.05
