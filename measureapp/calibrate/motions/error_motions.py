@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -18,9 +17,9 @@ from measureapp.data.calibration import RotationAxis
 POSE = 6
 KINDS = ((0, 1), (2, 3), (4,), (5, 6, 7), (8, 9, 10))  # components with one scale: tilt, radial, axial; turns and shifts of the slide
 LARGEST_FACTOR = 30.0  # by which the data may change a scale
+SCALES, SWEEPS = 41, 3  # tried of each kind over its range, one kind after the other
 RMS_OF_SINE = np.sqrt(0.5)
 TINY = 1e-300
-CURVATURE_STEP, LEAST_CURVATURE = 0.05, 0.5  # of the logarithms of scales
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -167,7 +166,8 @@ def refine_scales(model: MotionModel, precision: FloatArray, pull: FloatArray, s
     """Return the model with the scales of its motions as the data have them: the rms over their posterior (empirical Bayes) [1]_.
 
     The coefficients are integrated out; the logarithm of each scale has a normal prior about the stated one with standard deviation ``spread``.
-    What the poses of the calibration do not show keeps the stated scale, with the spread of its prior in it.
+    What the poses of the calibration do not show keeps the stated scale, with the spread of its prior in it. The posterior can have several
+    maxima, where the sightings contradict the chain otherwise: each scale is looked for over its whole range, and never leaves it.
 
     Parameters
     ----------
@@ -177,43 +177,29 @@ def refine_scales(model: MotionModel, precision: FloatArray, pull: FloatArray, s
     ----------
     .. [1] C. M. Bishop, Pattern Recognition and Machine Learning, 2006, section 3.5.
     """
-    from scipy.optimize import minimize
-
-    kinds = [np.isin(model.components, kind) for kind in KINDS]
-    kinds = [kind for kind in kinds if kind.any()]
-    stated = model.prior_sigma
-    limit = float(np.log(LARGEST_FACTOR))
-
-    def scaled(logs: FloatArray) -> FloatArray:
-        return stated * np.exp(sum((log * kind for log, kind in zip(logs, kinds, strict=True)), np.zeros(len(stated))))
+    present = [kind for kind in KINDS if np.isin(model.components, kind).any()]
+    rows = [np.isin(model.components, kind) for kind in present]
+    stated, range_ = model.prior_sigma, np.linspace(-1.0, 1.0, SCALES) * np.log(LARGEST_FACTOR)
 
     def cost(logs: FloatArray) -> float:
-        sigma = scaled(logs)
+        sigma = stated * np.exp(sum((log * row for log, row in zip(logs, rows, strict=True)), np.zeros(len(stated))))
         inner = np.eye(len(sigma)) + sigma[:, None] * precision * sigma
         root = np.linalg.cholesky(inner)
         explained = solve_triangular(root, sigma * pull, lower=True, check_finite=False)
         return float(np.sum(np.log(np.diag(root))) - 0.5 * explained @ explained + 0.5 * np.sum((logs / spread) ** 2))
 
-    found = minimize(cost, np.zeros(len(kinds)), method="L-BFGS-B", bounds=[(-limit, limit)] * len(kinds)).x
-    # rms of a scale over its posterior, log-normal about the maximum: of few visible coefficients a scale follows only roughly
-    found = found + np.diag(np.linalg.inv(_curvature(cost, found)))
+    likeliest, costs = np.zeros(len(rows)), np.zeros((len(rows), SCALES))
+    for _ in range(SWEEPS):
+        for place in range(len(rows)):
+            others = np.arange(len(rows)) != place
+            costs[place] = [cost(np.where(others, likeliest, log)) for log in range_]
+            likeliest[place] = range_[np.argmin(costs[place])]
+    weights = np.exp(costs.min(axis=1, keepdims=True) - costs)
+    factors = np.sqrt(weights @ np.exp(2 * range_) / weights.sum(axis=1))
     sigma = model.sigma.copy()
-    present = [kind for kind in KINDS if np.isin(model.components, kind).any()]
-    for log, kind in zip(found, present, strict=True):
-        sigma[list(kind)] *= np.exp(log)
+    for factor, kind in zip(factors, present, strict=True):
+        sigma[list(kind)] *= factor
     return replace(model, sigma=sigma)
-
-
-def _curvature(cost: Callable[[FloatArray], float], at: FloatArray) -> FloatArray:
-    """Return the second derivatives (K, K) of ``cost``, by differences, kept positive definite."""
-    steps = CURVATURE_STEP * np.eye(len(at))
-    second = np.zeros((len(at), len(at)))
-    for row, column in zip(*np.triu_indices(len(at)), strict=True):
-        a, b = steps[row], steps[column]
-        second[row, column] = cost(at + a + b) - cost(at + a - b) - cost(at - a + b) + cost(at - a - b)
-    second = (second + np.triu(second, 1).T) / (4 * CURVATURE_STEP**2)
-    values, vectors = np.linalg.eigh(second)
-    return np.asarray((vectors * np.maximum(values, LEAST_CURVATURE)) @ vectors.T)
 
 
 def evidence_of(

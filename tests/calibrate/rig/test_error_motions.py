@@ -117,6 +117,19 @@ def test_the_scale_of_a_motion_follows_the_data_and_stays_where_they_tell_nothin
     assert 2.0 < found[4] / sigma[4] < 6.5
 
 
+@pytest.mark.parametrize(("seen_well", "contradicting", "far", "deviations"), [(3, 4, 100.0, 6.0), (6, 2, 30.0, 5.0)])
+def test_a_contradiction_that_the_poses_hardly_show_does_not_blow_up_a_scale(seen_well, contradicting, far, deviations) -> None:
+    """As from a robot that grew warm: some coefficients, seen ``far`` times worse than they are stated to be large, are off by several standard deviations."""
+    stated = np.array([0.0, 0.0, 0.002, 0.002] + [0.0] * 7)
+    model = MotionModel(np.zeros(3), np.eye(3), np.array([0.0, 1.0]), stated)
+    sigma, well, off = model.prior_sigma, slice(seen_well), slice(seen_well, seen_well + contradicting)
+    precision, true = np.zeros(model.size), np.zeros(model.size)
+    precision[well], true[well] = (0.3 * sigma[well]) ** -2.0, 3.0 * sigma[well]
+    precision[off], true[off] = (far * sigma[off]) ** -2.0, deviations * far * sigma[off]
+    found = refine_scales(model, np.diag(precision), precision * true, np.log(3.0)).sigma
+    assert 2.0 < found[2] / stated[2] < 6.0  # 3 times what is stated, by what is seen
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("effects", ["issue", "good", "usual", "bad"])
 def test_gaps_between_views_all_around_lie_within_u(effects, record_property) -> None:
