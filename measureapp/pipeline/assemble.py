@@ -131,7 +131,7 @@ def assemble(
         stitched=joined.stitched,
         mesh=mesh,
         inspection=inspection,
-        settings=_with_surroundings(_settings(project) if revision is None else revision.former.settings, joined.surroundings),
+        settings=_with_surroundings(_settings(project, good) if revision is None else revision.former.settings, joined.surroundings),
         timings_s=dict(watch.seconds),
         validity=validity,
         consistency=joined.consistency,
@@ -305,7 +305,7 @@ def inspect_stitched(
     return inspect(stitched, read_program(project.program), nominal, settings, progress=progress)
 
 
-def _settings(project: ProjectFolder) -> dict[str, Any]:
+def _settings(project: ProjectFolder, views: Sequence[ViewResult]) -> dict[str, Any]:
     plan = project.plan()
     if plan is None:
         return {}
@@ -314,5 +314,5 @@ def _settings(project: ProjectFolder) -> dict[str, Any]:
         "patterns": plan.patterns.name,
         "exposures_us": sorted({exposure_us for viewpoint in plan for exposure_us in plan.exposures_of(viewpoint)}, reverse=True),
         "exposure rule": "all unsaturated exposures, weighted by inverse variance",
-        "noise": describe_noise(project),
+        "noise": describe_noise(project, views),
     }

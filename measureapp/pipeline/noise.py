@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from statistics import median
+
 from measureapp.acquire.engine import run_once
 from measureapp.acquire.tasks.uniform import UniformImages, UniformTask
+from measureapp.data.measurement import ViewResult
 from measureapp.data.plan import Viewpoint
 from measureapp.devices.rig import Rig
 from measureapp.fringe.noise.photon_transfer import NoiseEstimate, estimate_noise
@@ -13,6 +17,7 @@ from measureapp.project.folder import ProjectFolder
 from measureapp.project.fringes.decode_limits_file import read_decode_limits
 
 MEASURED = "measured: full well {full_well} e, read noise {read_noise} e"
+FROM_IMAGES = "from the fringe images: full well {full_well} e, read noise {read_noise} e"
 ASSUMED = "assumed: full well {full_well} e, read noise {read_noise} e"
 
 
@@ -49,12 +54,21 @@ def decode_settings_of(project: ProjectFolder) -> DecodeSettings:
     return DecodeSettings(camera_noise=project.noise()).limited(limits.min_modulation, limits.max_phase_sigma_rad)
 
 
-def describe_noise(project: ProjectFolder) -> dict[str, str]:
-    """Describe the noise model of every camera of a project, and whether it was measured. Raises InputError."""
+def describe_noise(project: ProjectFolder, views: Sequence[ViewResult]) -> dict[str, str]:
+    """Describe the noise model with which every camera was decoded, and where it comes from; of fringe images the median over the views.
+
+    Raises InputError.
+    """
     settings = decode_settings_of(project)
     words = {}
     for camera in project.rig().cameras:
-        model = settings.noise_of(camera.name)
-        said = MEASURED if camera.name in settings.camera_noise else ASSUMED
-        words[camera.name] = said.format(full_well=f"{model.full_well_e:.0f}", read_noise=f"{model.read_noise_e:.1f}")
+        model, said = settings.noise_of(camera.name), ASSUMED
+        full_well_e, read_noise_e = model.full_well_e, model.read_noise_e
+        seen = [noise for view in views if (noise := view.decode.get(camera.name, {}).get("noise")) and noise["from_images"]]
+        if camera.name in settings.camera_noise:
+            said = MEASURED
+        elif seen:
+            said = FROM_IMAGES
+            full_well_e, read_noise_e = (median(noise[name] for noise in seen) for name in ("full_well_e", "read_noise_e"))
+        words[camera.name] = said.format(full_well=f"{full_well_e:.0f}", read_noise=f"{read_noise_e:.1f}")
     return words

@@ -8807,6 +8807,10 @@
       <translation>对 {v1} mm²：{v2}</translation>
     </message>
     <message>
+      <source>from the fringe images: full well {full_well} e, read noise {read_noise} e</source>
+      <translation>由条纹图像得出：满阱容量 {full_well} e，读出噪声 {read_noise} e</translation>
+    </message>
+    <message>
       <source>holes explained</source>
       <translation>空洞已说明</translation>
     </message>
