@@ -18,7 +18,9 @@ from measureapp.project.fringes.decode_limits_file import read_decode_limits
 
 MEASURED = "measured: full well {full_well} e, read noise {read_noise} e"
 FROM_IMAGES = "from the fringe images: full well {full_well} e, read noise {read_noise} e"
+FROM_COARSE_IMAGES = "from the fringe images: full well {full_well} e, read noise less than their grey levels show"
 ASSUMED = "assumed: full well {full_well} e, read noise {read_noise} e"
+LEAST_SHOWN_E = 0.05  # of the read noise, as it is rounded
 
 
 def measure_noise(
@@ -62,13 +64,11 @@ def describe_noise(project: ProjectFolder, views: Sequence[ViewResult]) -> dict[
     settings = decode_settings_of(project)
     words = {}
     for camera in project.rig().cameras:
-        model, said = settings.noise_of(camera.name), ASSUMED
+        model, said = settings.noise_of(camera.name), MEASURED if camera.name in settings.camera_noise else ASSUMED
         full_well_e, read_noise_e = model.full_well_e, model.read_noise_e
         seen = [noise for view in views if (noise := view.decode.get(camera.name, {}).get("noise")) and noise["from_images"]]
-        if camera.name in settings.camera_noise:
-            said = MEASURED
-        elif seen:
-            said = FROM_IMAGES
+        if said is ASSUMED and seen:
             full_well_e, read_noise_e = (median(noise[name] for noise in seen) for name in ("full_well_e", "read_noise_e"))
+            said = FROM_IMAGES if read_noise_e >= LEAST_SHOWN_E else FROM_COARSE_IMAGES
         words[camera.name] = said.format(full_well=f"{full_well_e:.0f}", read_noise=f"{read_noise_e:.1f}")
     return words

@@ -8807,6 +8807,10 @@
       <translation>对 {v1} mm²：{v2}</translation>
     </message>
     <message>
+      <source>from the fringe images: full well {full_well} e, read noise less than their grey levels show</source>
+      <translation>由条纹图像得出：满阱容量 {full_well} e，读出噪声小于其灰度级所能显示的值</translation>
+    </message>
+    <message>
       <source>from the fringe images: full well {full_well} e, read noise {read_noise} e</source>
       <translation>由条纹图像得出：满阱容量 {full_well} e，读出噪声 {read_noise} e</translation>
     </message>

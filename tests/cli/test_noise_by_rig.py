@@ -64,8 +64,8 @@ def test_a_project_is_decoded_with_the_noise_its_rig_measured(demo: Demo, rig: P
     done(capsys, "scan", plan, "--rig", rig, "--project", project, "--calibration", demo.folder)
     before = median_sigma_mm(project)
     assert all(
-        re.fullmatch(r"from the fringe images: full well 1[3-7]\d\d e, read noise \d\.\d e", noise_in_report(project)[name])
-        for name in CAMERAS
+        re.fullmatch(r"from the fringe images: full well 1[3-7]\d\d e, read noise (\d\.\d e|less than their grey levels show)", said)
+        for said in noise_in_report(project).values()
     )
     found = done(capsys, "noise", "--rig", rig, "--plan", plan, "--project", project, "--out", tmp_path / "noise.json")["cameras"]
     for camera in CAMERAS:

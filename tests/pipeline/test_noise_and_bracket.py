@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
+from demo_fixture import Demo
 
 from measureapp.acquire.engine import run_once
 from measureapp.acquire.session import RigSession
@@ -19,7 +22,7 @@ from measureapp.fringe.exposures.bracket import BracketLimits
 from measureapp.fringe.patterns.draw import pattern_images
 from measureapp.fringe.settings import DecodeSettings
 from measureapp.pipeline.bracket import propose_bracket
-from measureapp.pipeline.noise import measure_noise
+from measureapp.pipeline.noise import describe_noise, measure_noise
 from measureapp.planning.viewpoints import LookAt, viewpoint_looking_at
 from measureapp.progress import NoProgress
 from measureapp.project.rig_file import read_rig
@@ -34,6 +37,19 @@ def rig_with(part: str, world: dict[str, object] | None = None) -> tuple[Rig, Vi
     rig.place_on_table("part")
     target = np.add(description.table.centre_in_guide_mm, [0.0, 0.0, 30.0])
     return rig, viewpoint_looking_at(description, "view", target, LookAt(10.0, 50.0, description.standoff_mm), guide_mm=0.0, table_deg=0.0)
+
+
+def test_the_noise_of_a_project_is_that_of_its_fringe_images_where_they_show_it(demo: Demo) -> None:
+    measurement = demo.project.measurement()
+    assert measurement is not None
+    shown = {"full_well_e": 9000.0, "read_noise_e": 3.04, "from_images": True}
+    coarse = {**shown, "read_noise_e": 0.0}
+    decoded = {"left": {"noise": shown}, "right": {"noise": coarse}, "upper": {"noise": {**shown, "from_images": False}}}
+    assert describe_noise(demo.project, [replace(measurement.views[0], decode=decoded)]) == {
+        "left": "from the fringe images: full well 9000 e, read noise 3.0 e",
+        "right": "from the fringe images: full well 9000 e, read noise less than their grey levels show",
+        "upper": "assumed: full well 6000 e, read noise 7.0 e",
+    }
 
 
 def test_the_noise_of_the_virtual_cameras_is_found() -> None:
