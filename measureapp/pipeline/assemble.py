@@ -104,6 +104,7 @@ def assemble(
         on_event(ValidityKnown(validity))
     choices = (None if revision is None else revision.choices) or project.view_choices()
     made_from = stitched_made_from(project, calibrated, views, choices, _approaches(project, views))
+    progress.check()
     joined = kept_stitched(offered, made_from)
     if joined is None:
         views = without_contradictions(views, calibrated) if revision is None else views
@@ -112,6 +113,7 @@ def assemble(
         on_event(ResultKept("stitched"))
     good = _require_usable(joined.views, choices, validity)
     validity = replace(validity, axes=joined.stitched.axis_doubt)
+    progress.check()
     on_event(StitchReady(joined.stitched))
     with SurfaceBeside(joined.stitched, joined.mesh) as surface:
         with watch.stage("inspection"):
@@ -174,6 +176,7 @@ def _stitched(
             view.cloud.give_up_pages()
     with watch.stage("stitching"):
         stitched = _stitch(project, calibrated, part, choices, progress, registration_cache)
+    progress.check()
     with watch.stage("checks"):
         consistency = check_consistency(part, stitched)
         stitched = add_refused(with_unexplained(stitched, consistency), views, choices)

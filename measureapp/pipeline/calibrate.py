@@ -58,11 +58,13 @@ def solve_views(
     observed = observe(positions, board, None, PartOf(progress, 0.0, 0.5), threads)
     sizes = {name: sizes_px[name] for name in names}
     observed, solved = solve_observed(observed, setup, sizes, PartOf(progress, 0.5, 1.0))
+    progress.check()
     solution: RigSolution = solved.solution
     calibration = solution.calibration
     provenance = views_provenance(calibration.provenance.method, rig, views)
     own = replace(provenance, method=calibration.cameras.provenance.method)
     cameras = replace(_with_lenses(calibration.cameras, lenses), provenance=own)
+    progress.check()
     verdict = evaluate(replace(observed.draft(setup, sizes), solved=solved))
     complete = replace(solution, calibration=replace(calibration, cameras=cameras, provenance=provenance))
     return SolvedViews(complete, verdict, observed.refused)

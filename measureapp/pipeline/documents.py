@@ -8,6 +8,7 @@ from typing import Any
 
 from measureapp.data.measurement import Measurement, ViewResult
 from measureapp.language.languages import ENGLISH
+from measureapp.progress import NoProgress, Progress
 from measureapp.project.atomic import write_json, write_text
 from measureapp.project.documents import loop_closure_document
 from measureapp.project.folder import ProjectFolder
@@ -18,9 +19,15 @@ from measureapp.report.pdf import write_pdf
 from measureapp.report.project import compose_project
 
 
-def write_reports(project: ProjectFolder, measurement: Measurement, language: str = ENGLISH) -> dict[str, Path]:
+def write_reports(
+    project: ProjectFolder,
+    measurement: Measurement,
+    language: str = ENGLISH,
+    progress: Progress = NoProgress(),  # noqa: B008 - stateless
+) -> dict[str, Path]:
     """Write the report as PDF in ``language``, CSV and JSON, and return all files of the measurement."""
-    model = compose_project(project, measurement, language=language)
+    model = compose_project(project, measurement, language=language, progress=progress)
+    progress.check()
     write_pdf(model, project.report_pdf)
     write_text(project.report_csv, csv_text(model))
     write_json(project.report_json, report_document(model))

@@ -133,11 +133,13 @@ def compute_cloud(
         result = reconstruct_view_with_projector(maps, calibration.cameras, rectifier=rectifier).reconstruction
     else:
         result = reconstruct(maps, calibration.cameras, progress=PartOf(progress, 0.5, 1.0), rectifier=rectifier, memory=memory)
+    progress.check()
     findings = diagnose(maps, calibration.cameras) if _is_suspicious(result, maps) else ()
     for finding in findings:
         if finding.severity == "error":
             raise finding.error()
     blurred = blur_findings(result.blur_px, calibration.cameras)
+    progress.check()
     quality = assess_cloud(result.cloud, completeness=_completeness(maps, result.cloud.pixel))
     return ViewResult(
         viewpoint_id=stack.viewpoint_id,

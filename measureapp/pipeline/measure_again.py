@@ -74,7 +74,7 @@ def measure_again(
         project.save_program(text)
         measured = replace(measurement, inspection=found)
         project.update_inspection(measured)
-        return finish(project, measured, watch, language)
+        return finish(project, measured, watch, language, PartOf(progress, 0.85, 1.0))
 
 
 def store_program(project: ProjectFolder, measurement: Measurement, program: str, language: str = ENGLISH) -> Outcome:

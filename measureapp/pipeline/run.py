@@ -42,7 +42,7 @@ from measureapp.pipeline.validity import check_stored_images
 from measureapp.pipeline.watch import Stopwatch
 from measureapp.pipeline.worker import Worker
 from measureapp.planning.collision.build import PartSolid
-from measureapp.progress import PartOf, Progress
+from measureapp.progress import Cancelled, NoProgress, PartOf, Progress
 from measureapp.project.folder import DEFAULT_BOARD, ProjectFolder, ProjectSettings
 from measureapp.project.geometry.files import read_mesh
 from measureapp.project.identification_file import read_identification, save_identification
@@ -136,8 +136,8 @@ def scan_into_project(
             views = scan(rig, project, calibration, on_event, scanning, watch, options, registration_cache)
         if calibration is None:
             return None
-        measurement = assemble(project, calibration, views, on_event, PartOf(progress, 0.8, 1.0), watch, registration_cache)
-    return finish(project, measurement, watch, request.language)
+        measurement = assemble(project, calibration, views, on_event, PartOf(progress, 0.8, 0.95), watch, registration_cache)
+    return finish(project, measurement, watch, request.language, PartOf(progress, 0.95, 1.0))
 
 
 def _fill(project: ProjectFolder, request: ScanRequest, calibrated: ProjectFolder, calibration: RigCalibration | None) -> None:
@@ -230,8 +230,8 @@ def process_project(
             kept = kept_views(project, calibration, decode_settings_of(project))
         views = compute_clouds(project, calibration, on_event, PartOf(progress, 0.2, 0.7), watch, kept)
         former = None if kept.former is None else Revision(kept.former)
-        measurement = assemble(project, calibration, views, on_event, PartOf(progress, 0.7, 1.0), watch, revision=former)
-        return finish(project, measurement, watch, language)
+        measurement = assemble(project, calibration, views, on_event, PartOf(progress, 0.7, 0.95), watch, revision=former)
+        return finish(project, measurement, watch, language, PartOf(progress, 0.95, 1.0))
 
 
 def process(project: ProjectFolder, on_event: OnEvent, progress: Progress) -> Measurement:
@@ -265,9 +265,23 @@ def calibrate_stored(
     return calibration
 
 
-def finish(project: ProjectFolder, measurement: Measurement, watch: Stopwatch, language: str = ENGLISH) -> Outcome:
-    """Write the reports in a language, and the JSON document of a measurement."""
+def finish(
+    project: ProjectFolder,
+    measurement: Measurement,
+    watch: Stopwatch,
+    language: str = ENGLISH,
+    progress: Progress = NoProgress(),  # noqa: B008 - stateless
+) -> Outcome:
+    """Write the reports in a language, and the JSON document of a measurement.
+
+    Cancelled meanwhile, no report is left: that of the results before would contradict those that are stored now.
+    """
     with watch.stage("report"):
-        files = {"project": project.path, **write_reports(project, measurement, language)}
+        try:
+            files = {"project": project.path, **write_reports(project, measurement, language, progress)}
+        except Cancelled:
+            for report in (project.report_pdf, project.report_csv, project.report_json):
+                report.unlink(missing_ok=True)
+            raise
     document = outcome_document(measurement, files, watch.seconds)
     return Outcome(measurement, document, files, project.filters(measurement.stitched))

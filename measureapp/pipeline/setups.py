@@ -317,9 +317,9 @@ def _complete(
         setups=joined.setups,
     )
     with watch.stage("saving"):
-        project.save_measurement(measurement, PartOf(progress, 0.8, 1.0))
-    progress.report(1.0, 1.0, "joined")
-    return finish(project, measurement, watch, language)
+        project.save_measurement(measurement, PartOf(progress, 0.8, 0.95))
+    progress.report(0.95, 1.0, "joined")
+    return finish(project, measurement, watch, language, PartOf(progress, 0.95, 1.0))
 
 
 def _view_of(setup: str, view: ViewResult, part_from_setup: RigidTransform) -> ViewResult:

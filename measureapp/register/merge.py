@@ -74,8 +74,12 @@ def merge(
     progress = progress or NoProgress()
     numbers = list(views) if views is not None else list(range(len(clouds)))
     places: Sequence[RigidTransform | None] = poses or [None] * len(clouds)
-    merged = _merge_layers(_sum_clouds(list(zip(clouds, places, origins_mm, strict=True)), voxel_mm, progress), numbers, voxel_mm)
-    merged = merged.where(_not_sparse(merged.points_mm)) if len(merged.points_mm) > 10 else merged
+    summed = _sum_clouds(list(zip(clouds, places, origins_mm, strict=True)), voxel_mm, progress)
+    progress.check()
+    merged = _merge_layers(summed, numbers, voxel_mm)
+    progress.check()
+    merged = merged.where(_not_sparse(merged.points_mm, progress)) if len(merged.points_mm) > 10 else merged
+    progress.check()
     merged = merged.where(in_large_components(merged.points_mm, voxel_mm, island_mm2)) if island_mm2 > 0 else merged
     progress.report(1, 1, "merged")
     return merged
@@ -204,10 +208,11 @@ def _heaviest(weight: FloatArray, first: IntArray) -> IntArray:
     return np.asarray(np.maximum.reduceat(rows, first))
 
 
-def _not_sparse(points_mm: FloatArray) -> BoolArray:
+def _not_sparse(points_mm: FloatArray, progress: Progress) -> BoolArray:
     """Return which points have a mean neighbour distance of at most three times the median."""
     tree, mean = cKDTree(points_mm, copy_data=False), np.empty(len(points_mm))
     for start in range(0, len(points_mm), QUERIED_AT_ONCE):
+        progress.check()
         part = slice(start, start + QUERIED_AT_ONCE)
         distances, _ = tree.query(points_mm[part], 7, workers=-1)
         mean[part] = distances[:, 1:].mean(axis=1)

@@ -83,7 +83,7 @@ def compose(
     if deviation is not None and nominal is not None:
         summary_of_it = summarise_deviation(nominal, deviation, placed_mesh(measurement), scale=details.deviation_scale)
         compared = Compared(nominal, deviation, summary_of_it)
-    drawn = parts.pictures(Drawing(measurement, compared)) if pictures else Pictures()
+    drawn = parts.pictures(Drawing(measurement, compared), progress) if pictures else Pictures()
     return ReportModel(
         measurement=measurement,
         title=details.identification.part_name or measurement.part,

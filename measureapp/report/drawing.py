@@ -9,6 +9,7 @@ from measureapp.data.measurement import Measurement
 from measureapp.data.mesh import Mesh
 from measureapp.inspection.surface.deviation import Deviation
 from measureapp.inspection.surface.statistics import DeviationStatistics
+from measureapp.progress import NoProgress, Progress
 from measureapp.project.documents import inspection_document
 from measureapp.project.kept_arrays import hash_of
 from measureapp.report.cross_sections import render_sections
@@ -33,15 +34,19 @@ class Drawing:
     measurement: Measurement
     compared: Compared | None = None  # None without a nominal
 
-    def draw(self) -> Pictures:
-        """Draw all pictures, which takes seconds."""
+    def draw(self, progress: Progress = NoProgress()) -> Pictures:  # noqa: B008 - stateless
+        """Draw all pictures, which takes seconds; can be cancelled between them."""
         scene, compared = scene_of(self.measurement), self.compared
-        return Pictures(
-            part=render_part(self.measurement, scene),
-            failing=render_failing(self.measurement, scene),
-            deviation=() if compared is None else render_deviation(compared.nominal, compared.deviation, compared.summary),
-            cross_sections=() if compared is None else render_sections(compared.nominal, compared.deviation, compared.summary.scale),
-        )
+        progress.check()
+        part = render_part(self.measurement, scene)
+        progress.check()
+        failing = render_failing(self.measurement, scene)
+        if compared is None:
+            return Pictures(part=part, failing=failing)
+        progress.check()
+        deviation = render_deviation(compared.nominal, compared.deviation, compared.summary)
+        progress.check()
+        return Pictures(part, failing, deviation, render_sections(compared.nominal, compared.deviation, compared.summary.scale))
 
     def made_from(self) -> str:
         """Return a hash of everything that is drawn, the program included."""

@@ -31,9 +31,9 @@ class Afresh:
         """Return the deviation of a cloud from its nominal. Raises InspectionError."""
         return compute_deviation(stitched, nominal, alignment, progress=progress)
 
-    def pictures(self, drawing: Drawing) -> Pictures:
+    def pictures(self, drawing: Drawing, progress: Progress) -> Pictures:
         """Return the pictures."""
-        return drawing.draw()
+        return drawing.draw(progress)
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,13 +46,13 @@ class KeptIn(Afresh):
         """Return the deviation of a cloud from its nominal. Raises InspectionError."""
         return deviation_of(self.project, stitched, nominal, alignment, progress=progress)
 
-    def pictures(self, drawing: Drawing) -> Pictures:
+    def pictures(self, drawing: Drawing, progress: Progress) -> Pictures:
         """Return the pictures."""
         path, made_from = self.project.results / PICTURES, drawing.made_from()
         kept = read_kept(path, self.project.journal, made_from, pictures_from)
         if kept is not None:
             return kept
-        made = drawing.draw()
+        made = drawing.draw(progress)
         keep(path, made_from, arrays_of(made))
         return made
 

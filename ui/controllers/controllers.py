@@ -117,7 +117,7 @@ class Controllers(QObject):
         self.planning.prediction.stop()
         self.roles.end()
         for runner in self.runners:
-            runner.queue.cancel_all()
+            runner.queue.close()
         clock = QElapsedTimer()
         clock.start()
         ended = all(runner.queue.wait(max(0, timeout_ms - clock.elapsed())) for runner in self.runners)

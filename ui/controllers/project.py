@@ -167,7 +167,7 @@ class ProjectController(QObject):
             return
         if self._session.refuse_during_job():
             return
-        self._runner.run("Recomputing", self._work(folder), self._show_recomputed, on_event=self._events.apply)
+        self._runner.run("Recomputing", self._work(folder), self._show_recomputed, on_event=self._events.apply, on_stopped=self._read_again)
 
     def _work(self, folder: Path) -> Any:
         events = self._events
@@ -198,6 +198,23 @@ class ProjectController(QObject):
             session.tell(read.lost.message, read.lost.hint, "warning")
         if read.holder is not None:
             session.tell(tr("{name} is open read-only: it is in use by {holder}.", name=read.name, holder=read.holder), IN_USE, "warning")
+
+    @Slot()
+    def _read_again(self) -> None:
+        """Show what is stored: a run that was stopped has shown some of its results, and may have stored some."""
+        folder = self._session.folder
+        if folder is not None:
+            self._runner.run("Reading the project", lambda job: read_project(folder, job), self._show_stored, quiet=True)
+
+    @Slot(object)
+    def _show_stored(self, read: ReadProject) -> None:
+        session = self._session
+        if session.folder != read.folder:
+            return
+        session.set_stored(read.stored)
+        session.set_calibration(read.calibration)
+        if read.measurement is not None:
+            session.set_measurement(read.measurement, read.files, read.filters)
 
     @Slot(object)
     def _show_recomputed(self, outcome: Outcome) -> None:

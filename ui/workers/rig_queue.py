@@ -20,6 +20,7 @@ class RigQueue(QObject):
         super().__init__(parent)
         self._waiting: deque[Job] = deque()
         self._running: Job | None = None
+        self._closed = False
 
     @property
     def running(self) -> Job | None:
@@ -32,8 +33,10 @@ class RigQueue(QObject):
         return self._running is not None or bool(self._waiting)
 
     def submit(self, job: Job) -> None:
-        """Run ``job`` as soon as the previous ones have ended."""
+        """Run ``job`` as soon as the previous ones have ended; never, once the queue is closed."""
         job.setParent(self)
+        if self._closed:
+            return
         job.finished.connect(self._on_finished)
         self._waiting.append(job)
         self._start_next()
@@ -44,6 +47,11 @@ class RigQueue(QObject):
             job.cancel()
         if self._running is not None:
             self._running.cancel()
+
+    def close(self) -> None:
+        """Cancel all jobs and start no other: one that ends may ask for the next."""
+        self._closed = True
+        self.cancel_all()
 
     def wait(self, timeout_ms: int) -> bool:
         """Wait for the running job's thread; return whether it ended in time."""

@@ -79,7 +79,7 @@ def best_fit(
     surface = nominal if isinstance(nominal, NominalSurface) else NominalSurface(nominal)
     check_size(points.points_mm, surface.vertices_mm)
     best, ambiguous = _search(points, surface, settings, progress)
-    fine = register(points.thin(settings.fine_points), surface, best.matrix, settings)
+    fine = register(points.thin(settings.fine_points), surface, best.matrix, settings, progress=progress)
     _refuse_another_part(fine, surface, settings)
     transform = RigidTransform(orthonormalise(fine.matrix), "nominal", frame)
     return Alignment(BOTH_WAYS if ambiguous else "best fit", transform, fine.rms_mm, fine.overlap, fine.undetermined)
@@ -94,7 +94,7 @@ def _search(points: MeasuredPoints, surface: NominalSurface, settings: Alignment
 
     def finished(starts: list[FloatArray], part: Progress) -> list[_Candidate]:
         improved = _improve_starts(sample, surface, starts, settings, part)
-        return [_finish(finer, surface, candidate, settings) for candidate in _select_finalists(improved)]
+        return [_finish(finer, surface, candidate, settings, part) for candidate in _select_finalists(improved)]
 
     finalists = finished(upright_starts(sample.points_mm, surface), PartOf(progress, 0.0, 0.2)) if settings.upright else []
     upright_cost = min((candidate.cost for candidate in finalists), default=np.inf)
@@ -137,8 +137,10 @@ def _differ(one: FloatArray, other: FloatArray) -> bool:
     return bool(turn > np.radians(3.0) or np.linalg.norm(one[:3, 3] - other[:3, 3]) > 5.0)
 
 
-def _finish(sample: MeasuredPoints, surface: NominalSurface, candidate: _Candidate, settings: AlignmentSettings) -> _Candidate:
-    matrix = register(sample, surface, candidate.matrix, settings).matrix
+def _finish(
+    sample: MeasuredPoints, surface: NominalSurface, candidate: _Candidate, settings: AlignmentSettings, progress: Progress
+) -> _Candidate:
+    matrix = register(sample, surface, candidate.matrix, settings, progress=progress).matrix
     return _Candidate(matrix, cost(sample, surface, matrix, 0.005 * surface.diagonal_mm, settings))
 
 

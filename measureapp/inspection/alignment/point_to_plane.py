@@ -11,6 +11,7 @@ from measureapp.arrays import BoolArray, FloatArray, IntArray
 from measureapp.inspection.measured_points import MeasuredPoints
 from measureapp.inspection.settings import AlignmentSettings
 from measureapp.inspection.surface.nominal import Closest, NominalSurface
+from measureapp.progress import NoProgress, Progress
 
 ROBUST_SIGMA = 1.4826  # median absolute deviation of a normal distribution to its σ
 TUKEY = 4.685
@@ -38,6 +39,7 @@ def register(
     *,
     iterations: int | None = None,
     reach_mm: float | None = None,
+    progress: Progress = NoProgress(),  # noqa: B008 - stateless
 ) -> Registration:
     """Point-to-plane ICP of ``points`` to ``surface`` from ``start``, by Gauss-Newton steps with Tukey weights.
 
@@ -47,6 +49,7 @@ def register(
     Parameters
     ----------
     reach_mm : initial limit of the distances; by default 5 % of the nominal's diagonal
+    progress : where it can be cancelled, at every step
     """
     matrix = np.array(start, float)
     reach = 0.05 * surface.diagonal_mm if reach_mm is None else reach_mm
@@ -54,6 +57,7 @@ def register(
     undetermined: tuple[str, ...] = ()
     near: IntArray | None = None
     for _ in range(settings.iterations if iterations is None else iterations):
+        progress.check()
         moved, closest, residual, counts = _match(points, surface, matrix, settings, reach, near)
         near = closest.triangles
         if counts.sum() < 12:

@@ -73,8 +73,8 @@ def process_recording(project: ProjectFolder, on_event: OnEvent, progress: Progr
         whole = None
         if learnt.rig is not None and views:
             try:
-                measurement = assemble(project, learnt.rig, views, on_event, PartOf(progress, 0.7, 1.0), watch)
-                whole = finish(project, measurement, watch, language)
+                measurement = assemble(project, learnt.rig, views, on_event, PartOf(progress, 0.7, 0.95), watch)
+                whole = finish(project, measurement, watch, language, PartOf(progress, 0.95, 1.0))
             except RegistrationError as error:
                 failed["stitch"] = str(error)
         elif failed and "stitch" not in missing:

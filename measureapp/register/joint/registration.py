@@ -134,11 +134,14 @@ class Registration:
         if self.settings.fine and pairs:
             poses, contradictions = self._register_jointly(pairs)
         excluded = self._excluded_views(contradictions)
+        self.progress.check()
         measured = self._measure_pairs(poses, pairs)
         fitted = [edge for edge in measured if self.settings.fine and not excluded & {edge.target, edge.source}]
         # evaluated at the present poses, without another step: the remaining motion is far below the uncertainty
         known = self._optimise(poses, fitted)
+        self.progress.check()
         errors, shared = self._model_errors(poses, fitted, known)
+        self.progress.check()
         loop_closure = find_worst_loop(
             poses, fitted, self.centres, self.radii, self.kinematic_covariance, [view.cloud.viewpoint_id for view in self.views], shared
         )
@@ -157,7 +160,9 @@ class Registration:
         clouds, sizes = [view.prepared for view in self.views], self._estimate_cloud_sigmas(edges)
         influences = map_in_parallel(lambda edge: PairSensitivity.of(edge, clouds[edge.target], clouds[edge.source]), edges)
         joint = JointSensitivity(linearise_poses(poses, self.kinematic, self.prior, edges, self.centres), influences, clouds, poses)
+        self.progress.check()
         form, systematic = estimate_form_errors(clouds, sizes, poses, self.centres), estimate_systematic_errors(joint, sizes)
+        self.progress.check()
         of_pairs, moved, distortion = joint.propagate_to_pairs(systematic), np.zeros((len(stitching_motions), 0)), None
         if self.calibration is not None:
             distortion = self.calibration.distortion

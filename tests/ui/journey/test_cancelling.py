@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 import time
 from pathlib import Path
 
@@ -51,4 +52,27 @@ def test_a_job_ends_within_a_second_after_cancel(application, window, qtbot, tmp
     start = time.monotonic()
     application.controllers.jobs.cancel()
     qtbot.waitUntil(lambda: not queue.busy, timeout=PATIENCE_MS)
+    assert time.monotonic() - start < LIMIT_S * slowness()
+
+
+@pytest.mark.slow
+@pytest.mark.timed
+@pytest.mark.parametrize("later_ms", [1_000, 8_000, 16_000, 24_000, 32_000])
+def test_recompute_ends_within_a_second_after_cancel(application, window, qtbot, tmp_path, demo, later_ms):
+    """The quarter-size demo, of which nothing is kept; it is cancelled in the calibration, the clouds, the registration and the report."""
+    from tests.demo_fixture import linked_copy
+
+    import_all(NoProgress())
+    project, queue = linked_copy(demo.folder, tmp_path / "p"), application.controllers.jobs.queue
+    shutil.rmtree(project / "results")
+    for calibrated in (project / "calibration").glob("*.json"):
+        calibrated.unlink()
+    application.controllers.project.open(project)
+    qtbot.waitUntil(lambda: application.session.folder == project and not queue.busy, timeout=PATIENCE_MS)
+    application.controllers.project.process()
+    qtbot.wait(later_ms)
+    assert queue.running is not None and queue.running.title == "Recomputing"
+    start, running = time.monotonic(), queue.running
+    application.controllers.jobs.cancel()
+    qtbot.waitUntil(lambda: queue.running is not running, timeout=PATIENCE_MS)
     assert time.monotonic() - start < LIMIT_S * slowness()
