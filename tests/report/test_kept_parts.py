@@ -59,7 +59,7 @@ def made(monkeypatch: pytest.MonkeyPatch) -> Iterator[list[str]]:
         found.append("deviation")
         return compute_deviation(*given, **named)  # type: ignore[arg-type]
 
-    def drawn(drawing: Drawing) -> Pictures:
+    def drawn(drawing: Drawing, _progress: object) -> Pictures:
         found.append("pictures")
         return Pictures((Picture(drawing.made_from(), b"png"),))
 
