@@ -115,7 +115,7 @@ def test_a_report_takes_deviation_and_pictures_from_the_process_before_and_anoth
     monkeypatch.setattr(
         kept_deviation, "compute_deviation", lambda *given, **named: (made.append("deviation"), compute(*given, **named))[1]
     )
-    monkeypatch.setattr(Drawing, "draw", lambda drawing: (made.append("pictures"), draw(drawing))[1])
+    monkeypatch.setattr(Drawing, "draw", lambda drawing, progress: (made.append("pictures"), draw(drawing, progress))[1])
     first = compose_project(project)
     assert made == [] and first.pictures and first.deviation is not None and first.deviation.pictures
     with project.lock():
