@@ -2963,6 +2963,10 @@
       <translation>相机前 {v2} mm 的工作空间中只有 {v1} 个点被两台相机看到。</translation>
     </message>
     <message>
+      <source>Pitch, yaw or roll of the guide</source>
+      <translation>导轨的俯仰、偏摆或滚转</translation>
+    </message>
+    <message>
       <source>Places a point {v1} mm in front of the cameras to {v2} (k = 2) relative to the flange</source>
       <translation>将相机前方 {v1} mm 处的点相对法兰定位到 {v2} (k = 2)</translation>
     </message>
@@ -3131,6 +3135,10 @@
       <translation>再取 {v1} 个机器人{v2}：数量更多可平均机器人自身的误差</translation>
     </message>
     <message>
+      <source>The arcs span only {v1}°, which makes their centres uncertain: turn the table further.</source>
+      <translation>圆弧仅跨 {v1}°，其圆心因此不确定：请让转台转得更远。</translation>
+    </message>
+    <message>
       <source>The board is blurred: its edges are {v1} px wide, {v2} px is the most.</source>
       <translation>标定板模糊：其边缘宽 {v1} px，最多允许 {v2} px。</translation>
     </message>
@@ -3157,6 +3165,10 @@
     <message>
       <source>The board poses put the board {v1} mm from the camera.</source>
       <translation>标定板位姿使其距相机 {v1} mm。</translation>
+    </message>
+    <message>
+      <source>The board seems to turn by up to {v1}°: it moved, or the hand-eye transform is wrong. Take the positions again.</source>
+      <translation>标定板似乎转动了多达 {v1}°：它移动了，或手眼变换有误。请重新采集这些位置。</translation>
     </message>
     <message>
       <source>The board turned by only {v1}° in all.</source>
@@ -3203,8 +3215,16 @@
       <translation>所给相机有 {v1} 个畸变系数，最多提供 {v2} 个。</translation>
     </message>
     <message>
+      <source>The guide runs {v1}° away from every axis of the robot's base: check that the robot poses are base_from_flange, not flange_from_base, and that the hand-eye transform is the one of these cameras.</source>
+      <translation>导轨方向与机器人基座的各轴都相差 {v1}°：请检查机器人位姿是 base_from_flange 而不是 flange_from_base，且手眼变换属于这些相机。</translation>
+    </message>
+    <message>
       <source>The guide travelled {v1} mm, but the board moved 1000 times as far.</source>
       <translation>导轨移动了 {v1} mm，但标定板移动了 1000 倍。</translation>
+    </message>
+    <message>
+      <source>The guide's straightness error</source>
+      <translation>导轨的直线度误差</translation>
     </message>
     <message>
       <source>The image shows {v1} markers that a {v2} does not have (its own are 0 to {v3}).</source>
@@ -3287,8 +3307,24 @@
       <translation>各位姿使相机相互间最多转动 {v1}°。</translation>
     </message>
     <message>
+      <source>The positions contradict each other by {v1} mm, {v2} times the noise of the images: the board moved on the table, or the table wobbles. Fix the board and take the positions again; with five or more the one that moved is found.</source>
+      <translation>各位置相互矛盾 {v1} mm，为图像噪声的 {v2} 倍：标定板在转台上移动了，或转台晃动。请固定标定板并重新采集；有五个或更多位置时可找出移动的那一个。</translation>
+    </message>
+    <message>
+      <source>The positions lie {v1} mm off an even, straight travel: fix the board and take them again, or check the guide.</source>
+      <translation>各位置偏离均匀直线行程 {v1} mm：请固定标定板并重新采集，或检查导轨。</translation>
+    </message>
+    <message>
       <source>The positions of a corner lie on a line, not on an arc.</source>
       <translation>角点的位置成直线，而非圆弧。</translation>
+    </message>
+    <message>
+      <source>The positions span only {v1} mm: spread them over more of the stroke.</source>
+      <translation>各位置仅跨 {v1} mm：请让它们分布到更长的行程上。</translation>
+    </message>
+    <message>
+      <source>The positions span {v1} mm; {v2} mm or more give a better direction.</source>
+      <translation>各位置跨 {v1} mm；{v2} mm 或更长可得到更好的方向。</translation>
     </message>
     <message>
       <source>The previous axis is given in frame {v1}, the new one in {v2}.</source>
@@ -3319,12 +3355,20 @@
       <translation>残差是预期的 {v1} 倍：标定板移动了、机器人不如所述准确，或机器人位姿与图像不对应。请检查标定板是否固定，给出机器人的误差，或重新采集位姿。</translation>
     </message>
     <message>
+      <source>The residuals are {v1} times as large as expected: the robot is less accurate than stated, the board moved, or tables and images do not belong together.</source>
+      <translation>残差是预期的 {v1} 倍：机器人不如所述准确、标定板移动了，或表格与图像不对应。</translation>
+    </message>
+    <message>
       <source>The rest of the rig is not calibrated yet.</source>
       <translation>测量系统其余部分尚未标定。</translation>
     </message>
     <message>
       <source>The robot moved {v1} mm per displayed millimetre of the guide.</source>
       <translation>导轨每显示一毫米，机器人移动 {v1} mm。</translation>
+    </message>
+    <message>
+      <source>The robot moved {v1} mm per displayed millimetre of the guide: check the stated size of the board's squares.</source>
+      <translation>导轨每显示一毫米，机器人移动 {v1} mm：请检查所述的标定板方格尺寸。</translation>
     </message>
     <message>
       <source>The robot poses seem to be flange_from_base (or the board poses board_from_camera).</source>
@@ -3349,6 +3393,22 @@
     <message>
       <source>The stated uncertainty is too small, there are errors other than noise: {v1}; {v2}. Try 8 distortion coefficients, check the board for flatness and the images for blur.</source>
       <translation>所述不确定度过小，存在噪声以外的误差：{v1}；{v2}。请尝试 8 个畸变系数，检查标定板的平面度和图像的模糊。</translation>
+    </message>
+    <message>
+      <source>The table turned by {v1}°; turn it by 30° or more.</source>
+      <translation>转台转动了 {v1}°；请转动 30° 或更多。</translation>
+    </message>
+    <message>
+      <source>The table's axial error motion</source>
+      <translation>转台的轴向误差运动</translation>
+    </message>
+    <message>
+      <source>The table's radial error motion</source>
+      <translation>转台的径向误差运动</translation>
+    </message>
+    <message>
+      <source>The table's tilt error motion</source>
+      <translation>转台的倾斜误差运动</translation>
     </message>
     <message>
       <source>The translations of the {v1} poses are about {v2} times too small for those of the others.</source>
@@ -3723,6 +3783,14 @@
       <translation>迭代 {v1}</translation>
     </message>
     <message>
+      <source>its bearing has play, the robot warmed up during the calibration, or the board moved on the table</source>
+      <translation>其轴承有间隙、机器人在标定过程中升温，或标定板在转台上移动了</translation>
+    </message>
+    <message>
+      <source>its carriage has play, or the robot warmed up during the calibration</source>
+      <translation>其滑座有间隙，或机器人在标定过程中升温</translation>
+    </message>
+    <message>
       <source>its rms of {v1} px is more than {v2} times the median of {v3} px: its corners were found in a wrong place, or the image is blurred</source>
       <translation>其 rms 为 {v1} px，超过中位数 {v3} px 的 {v2} 倍：角点找错了位置，或图像模糊</translation>
     </message>
@@ -4003,6 +4071,18 @@
       <translation>{v1} 不是一种标定。</translation>
     </message>
     <message>
+      <source>{v1} is ± {v2} {v3}, {v4} times what is stated or usual (± {v5} {v6}): {v7}.</source>
+      <translation>{v1}为 ± {v2} {v3}，是所述或通常值（± {v5} {v6}）的 {v4} 倍：{v7}。</translation>
+    </message>
+    <message>
+      <source>{v1} more guide positions are needed.</source>
+      <translation>还需要 {v1} 个导轨位置。</translation>
+    </message>
+    <message>
+      <source>{v1} more table positions are needed.</source>
+      <translation>还需要 {v1} 个转台位置。</translation>
+    </message>
+    <message>
       <source>{v1} more times</source>
       <translation>再 {v1} 次</translation>
     </message>
@@ -4017,6 +4097,10 @@
     <message>
       <source>{v1} of its corners were found in a wrong place</source>
       <translation>其中 {v1} 个角点找错了位置</translation>
+    </message>
+    <message>
+      <source>{v1} of {v2} centres of arcs are uncertain by more than {v3} mm: the worst, of corner {v4} on an arc of {v5} mm, by {v6} mm. Turn the table further, or trust maximum likelihood, which does not need the centres.</source>
+      <translation>{v2} 个圆弧圆心中有 {v1} 个的不确定度超过 {v3} mm：最差的是角点 {v4}，其圆弧为 {v5} mm，不确定度 {v6} mm。请让转台转得更远，或采用不需要圆心的最大似然法。</translation>
     </message>
     <message>
       <source>{v1} of {v2} observations were rejected: examine the reasons and replace them.</source>

@@ -16,6 +16,7 @@ from measureapp.calibrate.motions.chain_state import ChainState
 from measureapp.calibrate.motions.linear_guide import paper_error_mm
 from measureapp.calibrate.motions.propagation import add_camera_covariance, camera_sensitivity, marginal_cost
 from measureapp.calibrate.poses import apply_changes, change_between
+from measureapp.calibrate.rig.doubts import doubts
 from measureapp.calibrate.rig.motion_scales import explained_mm, variance_of
 from measureapp.calibrate.rig.observability import WeakDirection, unobservable, weakest
 from measureapp.calibrate.rig.stages import RigStages
@@ -33,7 +34,6 @@ from measureapp.errors import CalibrationError
 from measureapp.geometry.transform import RigidTransform, orthonormalise
 
 LEAST_SLIDES = 3
-LARGEST_RATIO = 2.0  # of the residuals over what was expected
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -106,6 +106,7 @@ def solution_of(
     deviations = dict(zip(chain.labels, np.sqrt(np.diag(covariance)).tolist(), strict=True))
     change = change_between(chain.camera_from_board, chain.predict(state))
     distances, angles = np.linalg.norm(change[:, 3:], axis=1), np.linalg.norm(change[:, :3], axis=1)
+    motions = None if chain.motions is None else chain.motions.motions(state.motions, explained_mm(chain, state))
     return RigSolution(
         calibration=RigCalibration(
             cameras,
@@ -114,7 +115,7 @@ def solution_of(
             _axis(state, deviations, covariance, chain.labels, distances),
             Provenance(method="joint calibration of the rig"),
             _stations(chain, state),
-            motions=None if chain.motions is None else chain.motions.motions(state.motions, explained_mm(chain, state)),
+            motions=motions,
         ),
         stages=stages,
         residuals=_residuals(names, distances, angles, state.robot_changes[chain.robot_group]),
@@ -132,7 +133,7 @@ def solution_of(
         guide_from_board=RigidTransform(orthonormalise(state.guide_from_board), "guide", "board"),
         weak_directions=weakest(covariance, chain.labels),
         not_observable=not_seen,
-        warnings=_warnings(ratio),
+        warnings=doubts(ratio, motions, chain.noise),
         cameras=None if camera_jacobian is None else camera_prior,
         camera_jacobian=camera_jacobian,
     )
@@ -146,15 +147,6 @@ def _hand_eye(state: ChainState, deviations: dict[str, float], distances: FloatA
         residual_mm=float(np.sqrt(np.mean(distances**2))),
         residual_rad=float(np.sqrt(np.mean(angles**2))),
         method="joint calibration of the rig",
-    )
-
-
-def _warnings(ratio: float) -> tuple[str, ...]:
-    if ratio <= LARGEST_RATIO:
-        return ()
-    return (
-        f"The residuals are {ratio:.1f} times as large as expected: the robot is less accurate than stated, the board moved, or tables and images "
-        "do not belong together.",
     )
 
 

@@ -148,3 +148,12 @@ def test_gaps_between_views_all_around_lie_within_u(effects, record_property) ->
     record_property("inside", float(np.mean(inside)))
     record_property("misfit", float(np.mean(sizes)))
     assert (0.82 if effects == "bad" else 0.90) <= np.mean(inside) <= 0.999
+
+
+def test_motions_far_beyond_what_is_stated_are_named_with_their_size_and_likely_causes(run) -> None:
+    assert not any("error motion" in words for words in run.solution.warnings)
+    sloppy = quick_run(USUAL.model_copy(update={"table_radial_mm": 0.15}), stations=False)
+    warned = [words for words in sloppy.solution.warnings if words.startswith("The table's radial error motion is")]
+    found_mm = sloppy.solution.calibration.motions.amplitudes["radial"]
+    assert len(warned) == 1 and f"± {found_mm:.3f} mm, {found_mm / NOISE.table_radial_mm:.0f} times" in warned[0]
+    assert found_mm == pytest.approx(0.15, rel=0.5)  # which the virtual table spreads over its orders at random

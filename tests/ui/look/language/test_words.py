@@ -80,6 +80,11 @@ def test_a_text_that_became_part_of_a_sentence_is_known_by_its_other_first_lette
         ("datums: minimum zone; associated centre", "基准：最小区域；拟合中心"),
         ("7 constructed features: mid-line.1 … mid-line.7", "7 个构造特征：mid-line.1 … mid-line.7"),
         ("angle", "角度"),
+        (
+            "The table's radial error motion is ± 0.208 mm, 42 times what is stated or usual (± 0.005 mm): its bearing has play, the robot "
+            "warmed up during the calibration, or the board moved on the table.",
+            "转台的径向误差运动为 ± 0.208 mm，是所述或通常值（± 0.005 mm）的 42 倍：其轴承有间隙、机器人在标定过程中升温，或标定板在转台上移动了。",
+        ),
     ],
 )
 def test_results_read_in_chinese_how_they_were_obtained(text, chinese):
