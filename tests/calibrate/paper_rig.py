@@ -142,20 +142,26 @@ def calibrated(
     camera_prior_used: bool = True,
     noise: AxisNoise = NOISE,
     effects: AxisEffects = STRAIGHT,
+    stop_mm: float = 0.0,
     **options: Any,
 ) -> Run:
-    """Calibrate rig ``seed`` from corners with that noise and cameras drawn from their covariance; each may be without error all the same."""
+    """Calibrate rig ``seed`` from corners with that noise and cameras drawn from their covariance; each may be without error all the same.
+
+    Where the cameras stop scatters by ``stop_mm`` in every coordinate.
+    """
     cell = Cell.of(seed, effects)
     true_cameras = cell.truth.calibration.cameras
     placed = cell.placed(planned(stations))
     prior = camera_prior_of(true_cameras, [pose for _, _, pose in placed], corner_sigma_px)
-    generator = np.random.default_rng([seed, 7])
+    generator, scatter = np.random.default_rng([seed, 7]), np.random.default_rng([seed, 8])
     error = np.linalg.cholesky(prior.covariance) @ generator.normal(size=len(prior.parameters)) * camera_errors
     cameras = perturb_cameras(true_cameras, prior.parameters, error)
     observations = []
     approaches = number_approaches([read.base_from_flange for _, read, _ in placed])
     for approach, (name, read, pose) in zip(approaches, placed, strict=True):
-        corners = corners_of(true_cameras, pose, corner_sigma_px * corner_errors, generator)
+        stopped = scatter.normal(scale=stop_mm, size=3) if stop_mm else np.zeros(3)
+        there = RigidTransform.from_vector(np.zeros(3), stopped, pose.to_frame, pose.to_frame) @ pose
+        corners = corners_of(true_cameras, there, corner_sigma_px * corner_errors, generator)
         if corners:
             seen = board_pose(corners, cameras, BOARD, corner_sigma_px)
             camera_jacobian = pose_camera_jacobian(seen, dict.fromkeys(corners), cameras, BOARD, prior.parameters)

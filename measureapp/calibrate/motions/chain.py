@@ -16,6 +16,7 @@ from measureapp.calibrate.motions.axis_noise import AxisNoise
 from measureapp.calibrate.motions.chain_derivatives import derivatives
 from measureapp.calibrate.motions.chain_state import POSE, ChainState
 from measureapp.calibrate.motions.error_motions import MotionModel, MovedAxes
+from measureapp.calibrate.motions.slide_noise import add_place_covariance, stop_covariance
 from measureapp.calibrate.poses import apply_changes, change_between, invert_poses, stack_matrices
 from measureapp.progress import Progress
 
@@ -39,15 +40,21 @@ class Chain:
     guide_mm: FloatArray  # (N,)
     table_rad: FloatArray  # (N,)
     camera_from_board: FloatArray  # (N, 4, 4)
-    roots: FloatArray  # (N, 6, 6), upper triangular roots of the poses' information, the slide's own errors counted
+    roots: FloatArray  # (N, 6, 6), upper triangular roots of the poses' information, the own errors of slide and stops counted
     robot_group: IntArray  # (N,), which approach of the robot; sightings of one approach have its error in common
     table_group: IntArray  # (N,), which table angle
     noise: AxisNoise
     free: Free
     camera_jacobian: FloatArray | None = None  # (N, 6, C), change of the observed poses with the parameters of the cameras
     camera_covariance: FloatArray | None = None  # (C, C), where the cameras are estimated: their covariance before
-    slide: FloatArray | None = None  # (N, 3, 3), the slide's part of the covariance of the poses' places
+    slide: FloatArray | None = None  # (N, 3, 3), the part of slide and stops in the covariance of the poses' places
     motions: MotionModel | None = None  # error motions to estimate; None: none
+
+    def with_stops(self, stop_mm: float) -> Chain:
+        """Return the chain, which is without, with a scatter of every stop."""
+        added = stop_covariance(stop_mm, self.robot_group)
+        slide = added if self.slide is None else self.slide + added
+        return replace(self, roots=add_place_covariance(self.roots, added), slide=slide, noise=replace(self.noise, stop_mm=stop_mm))
 
     @property
     def labels(self) -> tuple[str, ...]:

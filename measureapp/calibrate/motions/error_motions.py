@@ -162,8 +162,10 @@ def _turn_and_shift(design: FloatArray, motion: FloatArray, levers_mm: FloatArra
     return turn, design[:, 3:] - cross_matrices(levers_mm) @ turn
 
 
-def refine_scales(model: MotionModel, precision: FloatArray, pull: FloatArray, spread: float) -> MotionModel:
+def refine_scales(model: MotionModel, precision: FloatArray, pull: FloatArray, spread: float) -> tuple[MotionModel, float]:
     """Return the model with the scales of its motions as the data have them: the rms over their posterior (empirical Bayes) [1]_.
+
+    Also returned is by how much the likeliest scales raise the logarithm of the posterior over that of the stated ones.
 
     The coefficients are integrated out; the logarithm of each scale has a normal prior about the stated one with standard deviation ``spread``.
     What the poses of the calibration do not show keeps the stated scale, with the spread of its prior in it. The posterior can have several
@@ -199,7 +201,7 @@ def refine_scales(model: MotionModel, precision: FloatArray, pull: FloatArray, s
     sigma = model.sigma.copy()
     for factor, kind in zip(factors, present, strict=True):
         sigma[list(kind)] *= factor
-    return replace(model, sigma=sigma)
+    return replace(model, sigma=sigma), cost(np.zeros(len(rows))) - cost(likeliest)
 
 
 def evidence_of(

@@ -1,4 +1,4 @@
-"""Noise of the slide in the board poses, where it moved between sightings and the robot did not."""
+"""Noise of the slide and of every stop in the board poses, where slide or table moved between sightings and the robot did not."""
 
 from __future__ import annotations
 
@@ -32,7 +32,16 @@ def slide_covariance(noise: AxisNoise, approaches: IntArray, slide_mm: FloatArra
     return np.asarray(slid[:, None, None] * added)
 
 
-def add_slide_covariance(roots: FloatArray, added: FloatArray) -> FloatArray:
+def stop_covariance(stop_mm: float, approaches: IntArray) -> FloatArray:
+    """Return the contribution (N, 3, 3) of stops with a scatter ``stop_mm`` to the covariance of the board's positions in the camera.
+
+    Only sightings that share one of the robot's ``approaches`` (N,) with others; elsewhere the scatter is part of the robot's error.
+    """
+    shared = np.bincount(approaches)[approaches] > 1
+    return np.asarray(shared[:, None, None] * stop_mm**2 * np.eye(3))
+
+
+def add_place_covariance(roots: FloatArray, added: FloatArray) -> FloatArray:
     """Return upper triangular roots (N, 6, 6) of the poses' information with ``added`` (N, 3, 3) to the covariance of their places."""
     return _scale_and_add(roots, 1.0, added)
 

@@ -13,7 +13,7 @@ from measureapp.calibrate.motions.axis_noise import SAME_POSE, AxisNoise, number
 from measureapp.calibrate.motions.chain import Chain, Free, groups_of, poses_of, roots_of
 from measureapp.calibrate.motions.chain_state import ChainState
 from measureapp.calibrate.motions.error_motions import motion_model
-from measureapp.calibrate.motions.slide_noise import add_slide_covariance, slide_covariance, travel_in_camera
+from measureapp.calibrate.motions.slide_noise import add_place_covariance, slide_covariance, travel_in_camera
 from measureapp.calibrate.rig.joint_solution import RigSolution, solution_of
 from measureapp.calibrate.rig.motion_scales import refine_motions
 from measureapp.calibrate.rig.stages import RigStages, solve_stages
@@ -153,7 +153,7 @@ def _chain(observations: Sequence[Observation], noise: AxisNoise, stages: RigSta
         guide_mm=slide,
         table_rad=table,
         camera_from_board=poses_of(boards),
-        roots=add_slide_covariance(roots_of(boards), added),
+        roots=add_place_covariance(roots_of(boards), added),
         robot_group=approaches,
         table_group=groups_of(table[:, None], SAME_ANGLE_RAD),
         noise=noise,

@@ -204,6 +204,7 @@ def _sources(rig: RigUncertainty, readbacks: Sequence[AxisReadback], approaches:
         mean[rows] = -np.where(at_station, 0.0, follows @ rig.state.robot_changes[:, part])  # known, but not undone
         if part >= 3:
             rest[np.ix_(rows, rows)] += chain.noise.drift_mm**2 / 3 * chain.noise.correlation(poses, poses)
+            rest[rows, rows] += chain.noise.stop_mm**2
     _table_sources(rig, readbacks, rest, mean)
     return np.asarray(gain @ rig.covariance @ gain.T + rest + np.outer(mean, mean))
 

@@ -71,6 +71,7 @@ def rig_answer(solution: RigSolution) -> dict[str, Any]:
         ],
         "error_motions": None if motions is None else link_document(motions),
         "error_motions_words": [] if motions is None else motions.sentences,
+        "stop_scatter_mm": solution.chain.noise.stop_mm,
         "stations": [{"read": one.read.matrix, "true": one.true.matrix} for one in solution.calibration.stations],
         "sightings": [
             {
@@ -99,6 +100,8 @@ def _lines(document: dict[str, Any], limits: list[str]) -> list[str]:
     lines += [f"  {name:<28} ± {value:.3g}" for name, value in document["standard_deviations"].items()]
     lines += limits
     lines += [f"  {words}" for words in document["error_motions_words"]]
+    if document["stop_scatter_mm"] > 0:
+        lines.append(f"  scatter from stop to stop: {1000 * document['stop_scatter_mm']:.1f} µm in every coordinate")
     lines.append(
         f"  a guide taken to run along +Y with scale 1 would have cost {document['paper_cost_mm']:.3f} mm over the travel of these views"
     )
