@@ -13056,10 +13056,6 @@ alignment = "{v2}"
       <translation>批准：姓名、日期、签名</translation>
     </message>
     <message>
-      <source>Report written {time}.</source>
-      <translation>报告生成于 {time}。</translation>
-    </message>
-    <message>
       <source>Residual mm</source>
       <translation>残差 mm</translation>
     </message>
