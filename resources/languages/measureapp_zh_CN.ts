@@ -13176,6 +13176,10 @@ alignment = "{v2}"
       <translation>生成时间</translation>
     </message>
     <message>
+      <source>Written {time}</source>
+      <translation>生成于 {time}</translation>
+    </message>
+    <message>
       <source>Zone</source>
       <translation>图区</translation>
     </message>
