@@ -13140,10 +13140,6 @@ alignment = "{v2}"
       <translation>批准：姓名、日期、签名</translation>
     </message>
     <message>
-      <source>Report written {time}.</source>
-      <translation>报告生成于 {time}。</translation>
-    </message>
-    <message>
       <source>Residual mm</source>
       <translation>残差 mm</translation>
     </message>
@@ -13262,6 +13258,10 @@ alignment = "{v2}"
     <message>
       <source>Written</source>
       <translation>生成时间</translation>
+    </message>
+    <message>
+      <source>Written {time}</source>
+      <translation>生成于 {time}</translation>
     </message>
     <message>
       <source>Zone</source>
