@@ -96,7 +96,7 @@ def test_a_report_with_everything_becomes_pages_with_pictures(measured, block) -
 
 def test_many_views_run_over_to_further_pages(measured) -> None:
     model = compose(measured(view_count=90), pictures=False)
-    assert len(page_images(model, ppi=20)) == 6
+    assert len(page_images(model, ppi=20)) == 5
 
 
 @pytest.mark.parametrize("mesh", [True, False])
