@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from without_pictures import without_surface_and_pictures
 
 from measureapp.cli import main
 from measureapp.pipeline.setups import SETUPS, JoinOptions, join_projects
@@ -27,10 +28,7 @@ def projects(turned_over: TurnedOver, tmp_path_factory: pytest.TempPathFactory) 
 
 @pytest.fixture(scope="module", autouse=True)
 def _without_surface_and_pictures() -> Iterator[None]:
-    """They take most of the time, and are those of other projects."""
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("measureapp.pipeline.surface.SurfaceBeside.wait", lambda beside, on_event, progress: None)
-        patch.setattr("measureapp.report.drawing.render_part", lambda measurement, scene=None: ())
+    with without_surface_and_pictures():
         yield
 
 
