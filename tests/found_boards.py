@@ -35,7 +35,8 @@ def found_once() -> Iterator[None]:
 
 @contextmanager
 def found_under_fringes_once() -> Iterator[None]:
-    """Let `calibrate projector` take what was found before under the very same fringes, decoded; what was refused is decoded again."""
+    """Let sessions and `calibrate projector` take what was found before under the very same fringes, decoded; what was refused is decoded again."""
+    from measureapp.calibration_session import detection
     from measureapp.pipeline import projector
 
     search, found = projector.detect_under_fringes, dict[tuple[str, ...], Any]()
@@ -48,7 +49,8 @@ def found_under_fringes_once() -> Iterator[None]:
         return found[key]
 
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(projector, "detect_under_fringes", find)
+        for user in (detection, projector):
+            patch.setattr(user, "detect_under_fringes", find)
         yield
 
 

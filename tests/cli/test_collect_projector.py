@@ -6,12 +6,19 @@ import json
 
 import numpy as np
 import pytest
+from found_boards import found_under_fringes_once
 
 from measureapp.cli import main
 from measureapp.project.calibration.camera_file import read_cameras, write_cameras
 from tests.cli.board_fringes import BOARD, POSITIONS, in_sigmas
 
 MOST_SIGMAS = 4.5  # of 12 parameters; noise alone passes it once in 12 000 calibrations
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _boards_are_found_once():
+    with found_under_fringes_once():
+        yield
 
 
 def run(capsys, *arguments):

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import json
 import re
+from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 from demo_fixture import Demo
+from without_pictures import without_surface_and_pictures
 
 from measureapp.cli.main import main
 from measureapp.data.plan import ExposureBracket
@@ -26,6 +28,12 @@ from tests.cli.rig_files import write_binned_rig
 CAMERAS = ("left", "right", "upper")
 FULL_WELL_E, READ_NOISE_E = 1500.0, 3.5  # of the usual model a quarter of the electrons, so twice the noise
 SENSOR = f"world = {{ sensor = {{ full_well_e = {FULL_WELL_E}, read_noise_e = {READ_NOISE_E} }} }}"
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _without_surface_and_pictures() -> Iterator[None]:
+    with without_surface_and_pictures():
+        yield
 
 
 @pytest.fixture

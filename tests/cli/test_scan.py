@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 from demo_fixture import Demo
+from without_pictures import without_surface_and_pictures
 
 from measureapp.cli import main
 from measureapp.data.plan import ExposureBracket, ScanPlan
@@ -14,6 +16,12 @@ from measureapp.project.folder import ProjectFolder
 from tests.cli.rig_files import write_binned_rig
 
 CHINESE = ("--language", "zh_CN")
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _without_surface_and_pictures() -> Iterator[None]:
+    with without_surface_and_pictures():
+        yield
 
 
 @pytest.fixture(scope="module")

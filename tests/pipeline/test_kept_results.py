@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import shutil
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -43,6 +43,7 @@ COMPUTED = {
     "inspection": (assemble, "inspect_stitched"),
 }
 ALL_BUT_CALIBRATION = {"clouds", "stitched cloud", "surface", "inspection"}
+VIEWS = ("view01", "view03", "view05")  # from all sides, so that all is measured as with twice as many
 Change = Callable[[ProjectFolder], None]
 
 
@@ -51,13 +52,38 @@ def project(demo: Demo, tmp_path: Path) -> ProjectFolder:
     return ProjectFolder.open(linked_copy(demo.folder, tmp_path / "p"))
 
 
-@pytest.fixture
-def processed(monkeypatch: pytest.MonkeyPatch) -> Callable[..., tuple[Measurement, set[str], list[Event]]]:
-    """Processes a project without its report, or its inspection where one is given; tells what was computed and the events, too."""
+@dataclass(frozen=True)
+class Made:
+    """A project with its results, and what was computed from its images alone."""
 
-    def process(project: ProjectFolder, inspection: Inspection | None = None) -> tuple[Measurement, set[str], list[Event]]:
-        computed, events = set[str](), list[Event]()
-        monkeypatch.setattr(run, "write_reports", lambda *_: {})
+    folder: Path
+    measurement: Measurement
+    computed: set[str]
+
+
+@pytest.fixture(scope="module", params=[VIEWS, pytest.param(None, marks=pytest.mark.slow)], ids=["three views", "all views"])
+def made(request: pytest.FixtureRequest, demo: Demo, tmp_path_factory: pytest.TempPathFactory) -> Made:
+    """The demo computed from its images; the results of all its views are those of its scan, those of three these."""
+    bare = ProjectFolder.open(linked_copy(demo.folder, tmp_path_factory.mktemp("bare") / "p"))
+    shutil.rmtree(bare.results)
+    chosen = request.param or bare.stored_viewpoints()
+    with bare.lock():
+        for name in set(bare.stored_viewpoints()) - set(chosen):
+            bare.frames.discard(name)
+    measurement, computed, _ = process(ProjectFolder.open(bare.path))
+    return Made(demo.folder if request.param is None else bare.path, measurement, computed)
+
+
+@pytest.fixture
+def copied(made: Made, tmp_path: Path) -> ProjectFolder:
+    return ProjectFolder.open(linked_copy(made.folder, tmp_path / "p"))
+
+
+def process(project: ProjectFolder, inspection: Inspection | None = None) -> tuple[Measurement, set[str], list[Event]]:
+    """Process a project without its report, or its inspection where one is given; return what was computed and the events, too."""
+    computed, events = set[str](), list[Event]()
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(run, "write_reports", lambda *_: {})
         for name, (module, function) in COMPUTED.items():
             whole = getattr(module, function)
 
@@ -65,10 +91,8 @@ def processed(monkeypatch: pytest.MonkeyPatch) -> Callable[..., tuple[Measuremen
                 computed.add(name)
                 return inspection if inspection is not None and name == "inspection" else whole(*given, **named)
 
-            monkeypatch.setattr(module, function, noted)
+            patch.setattr(module, function, noted)
         return process_project(project, events.append, NoProgress()).measurement, computed, events
-
-    return process
 
 
 def assert_equal(one: Measurement, other: Measurement) -> None:
@@ -92,17 +116,15 @@ def assert_equal(one: Measurement, other: Measurement) -> None:
 
 
 def test_without_any_change_all_is_kept_but_the_inspection_and_equals_what_is_computed_from_the_images(
-    project: ProjectFolder, tmp_path: Path, processed: Any
+    made: Made, copied: ProjectFolder
 ) -> None:
-    bare = ProjectFolder.open(linked_copy(project.path, tmp_path / "bare"))
-    shutil.rmtree(bare.results)
-    kept, computed, events = processed(project)
+    kept, computed, events = process(copied)
     assert computed == {"inspection"}
     assert [event.what for event in events if isinstance(event, ResultKept)] == ["calibration", "stitched"]
-    scratch, computed, _ = processed(bare)
-    assert computed == ALL_BUT_CALIBRATION
+    scratch = made.measurement
+    assert made.computed == ALL_BUT_CALIBRATION
     assert_equal(kept, scratch)
-    stored = project.measurement()
+    stored = copied.measurement()
     assert stored is not None
     assert_equal(stored, scratch)
     assert stored.stitched_from == scratch.stitched_from != ""
@@ -125,7 +147,7 @@ def test_a_report_takes_deviation_and_pictures_from_the_process_before_and_anoth
 
 
 @pytest.mark.slow
-def test_a_calibration_that_is_kept_equals_the_one_solved_from_the_images(project: ProjectFolder, processed: Any) -> None:
+def test_a_calibration_that_is_kept_equals_the_one_solved_from_the_images(project: ProjectFolder) -> None:
     kept = kept_calibration(project)
     assert kept is not None
     files = {name: (project.path / "calibration" / name).read_bytes() for name in ("cameras.json", "rig.json", "rig_uncertainty.npz")}
@@ -185,17 +207,17 @@ def test_results_of_a_changed_input_are_stale_at_once(project: ProjectFolder, ch
     ],
 )
 def test_a_changed_input_has_exactly_that_computed_again_which_depends_on_it(
-    project: ProjectFolder, processed: Any, change: Change, expected: set[str]
+    copied: ProjectFolder, change: Change, expected: set[str]
 ) -> None:
-    with project.lock():
-        change(project)
-    measurement, computed, _ = processed(project)
+    with copied.lock():
+        change(copied)
+    measurement, computed, _ = process(copied)
     assert computed == expected
-    assert project.stale_results() == ()
-    stored = project.measurement()
+    assert copied.stale_results() == ()
+    stored = copied.measurement()
     assert stored is not None
     assert_equal(stored, measurement)
-    _, computed, _ = processed(project, measurement.inspection)
+    _, computed, _ = process(copied, measurement.inspection)
     assert computed == {"inspection"}
 
 

@@ -124,7 +124,8 @@ def test_a_check_is_cancelled_between_viewpoints(checker):
         checker.check(SAMPLE, Impatient())
 
 
-def test_coverage_counts_only_viewpoints_that_can_be_scanned(impeller):
+def test_coverage_counts_only_viewpoints_that_can_be_scanned(impeller, monkeypatch):
+    monkeypatch.setattr("measureapp.pipeline.plan_coverage.SAMPLES", 500)  # a share of 0.3 to 0.02
     few = SAMPLE.model_copy(update={"groups": SAMPLE.groups[2:]})
     whole = predict_coverage(few, impeller, RIG, (), NoProgress())
     none = predict_coverage(few, impeller, RIG, {viewpoint.id for viewpoint in few}, NoProgress())

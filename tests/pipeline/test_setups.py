@@ -8,6 +8,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
+from without_pictures import without_surface_and_pictures
 
 from measureapp.cli import main
 from measureapp.pipeline.setups import SETUPS, JoinOptions, join_projects
@@ -16,21 +17,21 @@ from measureapp.project import upkeep
 from measureapp.project.folder import ProjectFolder
 from tests.cli.refusal import refused
 from tests.pipeline.joined_projects import project_of
-from tests.register.setups.conftest import TurnedOver, turned_over  # noqa: F401 - a fixture
+from tests.register.setups.conftest import scan_turned_over
+
+STEP_MM = 1.4  # joining itself is proven with points three times as dense
 
 
 @pytest.fixture(scope="module")
-def projects(turned_over: TurnedOver, tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:  # noqa: F811
+def projects(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, Path]:
+    turned_over = scan_turned_over(STEP_MM)
     folder = tmp_path_factory.mktemp("set-ups")
     return project_of(folder / "up", turned_over.up, mesh=turned_over.mesh), project_of(folder / "down", turned_over.down)
 
 
 @pytest.fixture(scope="module", autouse=True)
 def _without_surface_and_pictures() -> Iterator[None]:
-    """They take most of the time, and are those of other projects."""
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("measureapp.pipeline.surface.SurfaceBeside.wait", lambda beside, on_event, progress: None)
-        patch.setattr("measureapp.report.drawing.render_part", lambda measurement, scene=None: ())
+    with without_surface_and_pictures():
         yield
 
 
@@ -56,6 +57,12 @@ def test_a_dimension_across_set_ups_is_within_its_uncertainty_which_contains_the
     assert height.measured is not None and wall.measured is not None and height.uncertainty and wall.uncertainty
     assert abs(height.measured - 70.0) < height.uncertainty
     assert abs(wall.measured - 40.0) < wall.uncertainty
+    for one, true in (
+        (height, 70.0),
+        (wall, 40.0),
+    ):  # the views are where they are said to be: without their share, 3 standard uncertainties
+        others = [value for name, value in one.budget.items() if name != "stitching"]
+        assert abs(one.measured - true) < 1.5 * sum(value**2 for value in others) ** 0.5
     assert height.budget["setups"] > 1e-4  # the foot is seen in one set-up, the top of the wall in the other
     assert wall.budget["setups"] < 1e-6  # both faces are seen upright
 

@@ -20,7 +20,7 @@ from measureapp.simulate.truth import Truth
 
 ROOT = Path(__file__).resolve().parents[2]
 BLINDFOLDED = """
-import importlib.abc, os, pathlib, sys
+import contextlib, importlib.abc, os, pathlib, sys
 
 HIDDEN = ("measureapp.simulate", "measureapp.demo", "plugins", "_measureapp_plugins")
 FOLDERS = tuple(os.path.join(sys.argv[1], *parts) + os.sep for parts in (("measureapp", "simulate"), ("plugins",)))
@@ -49,18 +49,21 @@ for name in HIDDEN[:2]:
 
 import found_boards
 from measureapp.cli import main
+from without_pictures import without_surface_and_pictures
 
 found_boards.take_found(pathlib.Path(sys.argv[3]))
 found_boards.forget_every(10)  # which are searched here, too
-with found_boards.found_once():
+whole = contextlib.nullcontext() if sys.argv[4] == "whole" else without_surface_and_pictures()
+with found_boards.found_once(), whole:
     sys.exit(main(["process", sys.argv[2], "--json"]))
 """
 NUMBER = re.compile(r"-?\d+\.\d+(?:[eE][-+]?\d+)?")
 
 
-def test_a_program_without_the_simulation_measures_the_same_from_the_stored_images(demo: Demo, raw_copy: Path) -> None:
+@pytest.mark.parametrize("extent", ["points and dimensions", pytest.param("whole", marks=pytest.mark.slow)])
+def test_a_program_without_the_simulation_measures_the_same_from_the_stored_images(demo: Demo, raw_copy: Path, extent: str) -> None:
     done = subprocess.run(
-        [sys.executable, "-c", BLINDFOLDED, str(ROOT), str(raw_copy), str(demo.boards)],
+        [sys.executable, "-c", BLINDFOLDED, str(ROOT), str(raw_copy), str(demo.boards), extent],
         cwd=ROOT,
         env={**os.environ, "PYTHONPATH": os.pathsep.join((str(ROOT), str(ROOT / "tests")))},
         capture_output=True,

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 from demo_fixture import Demo, linked_copy
+from without_pictures import without_pictures
 
 from measureapp.cli.outcome import report_event
 from measureapp.pipeline.events import Event, SurfaceFailed
@@ -21,7 +22,8 @@ def test_points_and_dimensions_do_without_a_surface_and_it_is_told_why(
     project = ProjectFolder.open(linked_copy(demo.folder, tmp_path / "project"))
     before, events = project.measurement(), list[Event]()
     monkeypatch.setattr(closed, "available_bytes", lambda: 1000)
-    made = restitch(project, project.view_choices(), events.append, NoProgress()).measurement
+    with without_pictures():
+        made = restitch(project, project.view_choices(), events.append, NoProgress()).measurement
     assert made.mesh is None
     assert before is not None and before.inspection is not None and made.inspection is not None
     assert [one.measured for one in made.inspection.dimensions] == pytest.approx([one.measured for one in before.inspection.dimensions])

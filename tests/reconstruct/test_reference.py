@@ -110,8 +110,13 @@ def agree(name: str, made: np.ndarray, expected: np.ndarray, tolerance: float) -
     assert np.count_nonzero(off > tolerance) <= DECISIONS * made.size, f"{name}: {np.sort(off)[-5:]}"
 
 
-@pytest.mark.parametrize("names", [("left", "right"), ("left", "right", "upper")])
-@pytest.mark.parametrize("both", [False, True], ids=["vertical", "both directions"])
+PAIR, THREE = ("left", "right"), ("left", "right", "upper")
+
+
+@pytest.mark.parametrize(
+    ("names", "both"),  # every kernel runs in one of the first two
+    [(PAIR, True), (THREE, False), *(pytest.param(*one, marks=pytest.mark.slow) for one in ((PAIR, False), (THREE, True)))],
+)
 def test_the_kernels_of_a_reconstruction_agree_with_their_references(
     scene: Scene, compared: dict[str, int], names: tuple[str, ...], both: bool
 ) -> None:

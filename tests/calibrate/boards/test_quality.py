@@ -30,7 +30,7 @@ def smeared(image, length_px):
 
 
 @every_kind
-@pytest.mark.parametrize("sigma_px", [4, 8, 16])
+@pytest.mark.parametrize("sigma_px", [4, pytest.param(8, marks=pytest.mark.slow), 16])
 def test_a_board_out_of_focus_is_called_blurred(kind, sigma_px):
     image = cv2.GaussianBlur(shot(BOARDS[kind]).image, (0, 0), sigma_px)
     assert any(word in refusal(image, BOARDS[kind]) for word in ("blurred", "nothing in the image is sharp"))

@@ -59,7 +59,7 @@ def observed(seed: int, exposures: tuple[int, ...], brightness: float = 1.0) -> 
     return float(right.mean()), float(np.median(decoded.sigma_rad[decoded.valid]))
 
 
-@pytest.mark.parametrize("seed", [1, 2])
+@pytest.mark.parametrize("seed", [1, pytest.param(2, marks=pytest.mark.slow)])
 @pytest.mark.parametrize("brightness", [0.3, 1.0, 3.0])
 def test_what_is_predicted_is_observed_when_the_bracket_is_taken(seed: int, brightness: float) -> None:
     found = proposal(seed, BracketLimits(PAPER_TIME_S), brightness)
@@ -69,7 +69,7 @@ def test_what_is_predicted_is_observed_when_the_bracket_is_taken(seed: int, brig
         assert sigma == pytest.approx(figures.median_sigma_rad, rel=0.1)
 
 
-@pytest.mark.parametrize("seed", [1, 2, pytest.param(3, marks=pytest.mark.slow)])
+@pytest.mark.parametrize("seed", [1, *(pytest.param(seed, marks=pytest.mark.slow) for seed in (2, 3))])
 @pytest.mark.parametrize("brightness", [0.3, 1.0, 3.0])
 def test_in_the_time_of_the_papers_bracket_it_is_at_least_as_good(seed: int, brightness: float) -> None:
     found = proposal(seed, BracketLimits(PAPER_TIME_S), brightness)

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 
 import pytest
 from made_once import made_once
+from without_pictures import without_pictures
 
 from measureapp.language.catalogue import Catalogue, Entry
-from ui.look.language.sources import core_texts, window_texts
+from tests.ui.look.language.read_sources import ReadSources
 
 NAMES = re.compile(  # of files, devices, views, standards and people stay as they are
     r"demo-gypsum|[Gg]ypsum(-\d+)?|view-\d+|Camera (left|right|upper)|left|right|upper|Basler.*|ABB.*|TOYO.*|DLP.*|Paper rig \(virtual\)\.?|top|equator|Equator"
@@ -21,14 +22,27 @@ NAMES = re.compile(  # of files, devices, views, standards and people stay as th
 )
 
 
+@pytest.fixture(scope="module", autouse=True)
+def _without_pictures() -> Iterator[None]:
+    """The preview of a report is made again with every change of the language; its pictures have no text that is displayed."""
+    with without_pictures():
+        yield
+
+
 @pytest.fixture(scope="session")
-def all_texts(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
-    """Every text of the program and its room; all sources are read for them, which takes ten seconds."""
+def read_sources(tmp_path_factory: pytest.TempPathFactory) -> ReadSources:
+    """What tests need of all sources; to read these takes seconds."""
 
     def read(folder: Path) -> None:
-        (folder / "texts.json").write_text(json.dumps({**core_texts(), **window_texts()}), encoding="utf-8")
+        (folder / "sources.json").write_text(json.dumps(ReadSources.of_program()._asdict()), encoding="utf-8")
 
-    return json.loads((made_once(tmp_path_factory, "all_texts", read) / "texts.json").read_text(encoding="utf-8"))
+    return ReadSources(**json.loads((made_once(tmp_path_factory, "sources", read) / "sources.json").read_text(encoding="utf-8")))
+
+
+@pytest.fixture(scope="session")
+def all_texts(read_sources: ReadSources) -> dict[str, str]:
+    """Every text of the program and its room."""
+    return read_sources.texts
 
 
 @pytest.fixture(scope="session")
