@@ -13,10 +13,15 @@ from measureapp.data.inspection_program import InspectionProgram
 from measureapp.data.mesh import Mesh
 from measureapp.geometry.transform import RigidTransform
 from measureapp.inspection.measured_points import MeasuredPoints, sample_mesh
+from measureapp.inspection.settings import AlignmentSettings, InspectionSettings
 from measureapp.inspection.surface.nominal import NominalSurface
 from measureapp.project.geometry.files import read_mesh
 from measureapp.project.program_file import read_program
 from measureapp.resources import resource
+
+# A fit of a fifth of the points that a user's has: its six unknowns are known √5 times worse, which bounds of ten deviations leave room for.
+THINNED = InspectionSettings(alignment=AlignmentSettings(coarse_points=150, fine_points=4000))
+FITTED = [pytest.param(THINNED, id="thinned"), pytest.param(InspectionSettings(), id="usual", marks=pytest.mark.slow)]
 
 
 @dataclass(frozen=True)

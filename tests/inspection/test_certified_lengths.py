@@ -40,8 +40,11 @@ def measured(points: MeasuredPoints, program: InspectionProgram) -> dict[str, Di
 @pytest.mark.parametrize("made", [with_common(drawn()), with_scale(drawn())], ids=["common", "scale"])
 def test_corrected_lengths_are_as_uncertain_as_stated(made: Drawn, draws: int) -> None:
     program, scores = certifying(uncertainty_mm=1e-6), []  # the pins are as far apart as they are drawn
-    few = {"width", "wall", "pins", "pin diameter"}
-    program = program.model_copy(update={"dimensions": tuple(one for one in program.dimensions if one.name in few)})
+    few, of = {"width", "wall", "pins", "pin diameter"}, {"right", "left", "spot", "back", "pin", "small pin"}
+    dimensions, features = (
+        tuple(one for one in all_of if one.name in kept) for all_of, kept in ((program.dimensions, few), (program.features, of))
+    )
+    program = program.model_copy(update={"dimensions": dimensions, "features": features})
     for seed in range(draws):
         found = measured(made.measured(np.random.default_rng(seed)), program)
         scores.append([2 * one.deviation / one.uncertainty for one in found.values() if one.name != "pins"])

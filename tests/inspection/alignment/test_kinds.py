@@ -13,8 +13,9 @@ from measureapp.errors import InspectionError
 from measureapp.geometry.transform import RigidTransform
 from measureapp.inspection.alignment.align import align
 from measureapp.inspection.measured_points import MeasuredPoints
-from measureapp.inspection.settings import AlignmentSettings, InspectionSettings
+from measureapp.inspection.settings import InspectionSettings
 from measureapp.inspection.surface.nominal import NominalSurface
+from tests.inspection.conftest import FITTED
 from tests.inspection.machined_part import Part, cylinder, plane
 
 NOISE_MM = 0.01
@@ -22,9 +23,7 @@ PLACED = RigidTransform.from_vector([0.002, -0.0015, 0.0025], [0.15, -0.2, 0.1],
 # Planes of 4000 points: 0.01 / sqrt(4000) mm. Surface points of a 5 mm patch: about 90 points and six unknowns, 0.003 mm.
 FEATURE_BOUND_MM = 0.005
 PATCH_BOUND_MM = 0.03
-# With a fifth of the points that a user's fit has, and with all of them.
-THINNED = InspectionSettings(alignment=AlignmentSettings(coarse_points=300, fine_points=4000))
-FITTED = [pytest.param(THINNED, id="thinned"), pytest.param(InspectionSettings(), id="usual", marks=pytest.mark.slow)]
+POINTS = 20_000  # of an impeller: as many as a fit takes at most
 
 
 def block(lifted_mm: float = 0.0, only: str = "") -> MeasuredPoints:
@@ -171,7 +170,7 @@ def test_an_alignment_that_makes_no_sense_is_refused_when_the_program_is_read(al
 def test_a_local_best_fit_is_not_pulled_by_bent_blades(alignment: object, settings: InspectionSettings, samples, scan, on_table) -> None:
     """The blades lean by 0.4 mm at their tops: that pulls the global fit, not one to the plate and the hub."""
     sample, placed = samples("impeller"), on_table(3.0)
-    straight = scan(sample.nominal, RigidTransform.identity("part", "nominal"), count=60_000)
+    straight = scan(sample.nominal, RigidTransform.identity("part", "nominal"), count=POINTS)
     bent = straight.points_mm.copy()
     blades = (bent[:, 2] > 12.5) & (np.hypot(bent[:, 0], bent[:, 1]) > 46)
     bent[blades, 0] += 0.4 * (bent[blades, 2] - 12) / 40
@@ -188,7 +187,7 @@ def test_a_local_best_fit_is_not_pulled_by_bent_blades(alignment: object, settin
 @pytest.mark.parametrize("settings", FITTED)
 def test_the_positions_of_a_true_impeller_are_indistinguishable(settings: InspectionSettings, samples, scan, on_table) -> None:
     impeller = samples("impeller")
-    found = _cyclic(scan(impeller.nominal, on_table(3.0), count=60_000), impeller.surface, settings)
+    found = _cyclic(scan(impeller.nominal, on_table(3.0), count=POINTS), impeller.surface, settings)
     assert found.undetermined == ("which of 7 positions about the axis",)
     assert "All 7 positions about the axis are indistinguishable" in found.notes[0]
     assert found.name == "best fit, 7 positions about the axis"
@@ -200,7 +199,7 @@ def test_a_mark_on_one_blade_distinguishes_the_positions(settings: InspectionSet
     nominal = samples("impeller").nominal
     marked = _with_a_low_blade(nominal)
     placed = RigidTransform.from_vector([0, 0, np.radians(2 * 360 / 7 + 2)], [5, -3, 1], "part", "nominal")
-    found = _cyclic(scan(marked, placed, count=60_000), NominalSurface(marked), settings)
+    found = _cyclic(scan(marked, placed, count=POINTS), NominalSurface(marked), settings)
     assert found.undetermined == ()
     assert "One of 7 positions about the axis fits" in found.notes[0]
     assert np.abs((found.nominal_from_part @ placed).matrix - np.eye(4)).max() < 0.01

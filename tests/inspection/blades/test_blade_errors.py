@@ -11,7 +11,7 @@ from measureapp.data.view_errors import ViewErrors
 from measureapp.geometry.transform import RigidTransform
 from measureapp.inspection.measured_points import MeasuredPoints
 from measureapp.inspection.settings import InspectionSettings
-from tests.inspection.blades.test_blades import COUNT, INNER_MM, SECTIONS, dimension, measured, wheel
+from tests.inspection.blades.test_blades import ALL_LOW, COUNT, INNER_MM, SECTIONS, dimension, measured, wheel
 
 SHIFT_MM, TURN_RAD = 0.03, 3e-4
 # Trials give the scatter, which no value here depends on.
@@ -20,8 +20,8 @@ ASKED = (dimension("pitch", "low.1", "low.2", nominal=90), dimension("stagger", 
 
 
 def in_views() -> MeasuredPoints:
-    """A wheel of which every blade is seen by a view of its own, which errs by itself."""
-    plain = wheel(count=1000)
+    """Two neighbouring blades of a wheel, each seen by a view of its own, which errs by itself."""
+    plain = wheel(count=1000, places=ALL_LOW[:2])
     blade = np.round(np.arctan2(plain.points_mm[:, 1], plain.points_mm[:, 0]) / (2 * np.pi) * COUNT - 0.15).astype(int) % COUNT
     turn = 2 * np.pi / COUNT * blade
     back = np.column_stack([np.cos(turn), np.sin(turn)])
@@ -30,10 +30,10 @@ def in_views() -> MeasuredPoints:
     above = np.sign(side - np.tan(np.radians(20.5)) * radial - 3.0)  # of the mean line, which rises by 6 mm, at most places
     leaning = turn + np.radians(20.5) + np.pi / 2
     normals = above[:, None] * np.column_stack([np.cos(leaning), np.sin(leaning), np.zeros(len(turn))])
-    centres = np.array([plain.points_mm[blade == number].mean(axis=0) for number in range(COUNT)])
-    poses = (RigidTransform.identity("part", "camera"),) * COUNT
-    motions = np.diag(COUNT * ([SHIFT_MM] * 3 + [TURN_RAD] * 3))
-    return MeasuredPoints(plain.points_mm, normals, None, blade, ViewErrors(poses, centres, motions, np.zeros((6 * COUNT, 0))))
+    centres = np.array([plain.points_mm[blade == number].mean(axis=0) for number in range(2)])
+    poses = (RigidTransform.identity("part", "camera"),) * 2
+    motions = np.diag(2 * ([SHIFT_MM] * 3 + [TURN_RAD] * 3))
+    return MeasuredPoints(plain.points_mm, normals, None, blade, ViewErrors(poses, centres, motions, np.zeros((12, 0))))
 
 
 def moved(points: MeasuredPoints, number: int) -> MeasuredPoints:

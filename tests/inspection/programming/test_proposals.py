@@ -131,7 +131,7 @@ def test_a_picked_face_can_be_measured(samples):
 
 
 def test_a_click_on_the_cloud_tries_all_shapes():
-    points = machined_part(count=6000)
+    points = machined_part(count=3000)
     assert shapes_at(points, np.array([0.0, 0.0, 30.0]))[0].shape == "plane"
     assert shapes_at(points, np.array([58.0, 0.0, 15.0]))[0].shape == "cylinder"
     with pytest.raises(InspectionError, match="no measured surface"):

@@ -9,7 +9,7 @@ from scipy.optimize import linprog
 
 from measureapp.data.dimension import Dimension, Verdict
 from measureapp.data.inspection_program import InspectionProgram
-from measureapp.inspection.dimensions import inspect
+from measureapp.inspection.session.session import InspectionSession
 from measureapp.inspection.settings import InspectionSettings, UncertaintySettings
 
 ONLY_NOISE = InspectionSettings(uncertainty=UncertaintySettings(placement_mm=0, systematic_mm=0, systematic_relative=0))
@@ -41,10 +41,21 @@ def part(seed: int, noise_mm: float = NOISE_MM, shaft_tilt_rad: float = 0.0) -> 
     return made
 
 
-def measured(points: Part, *asked: dict) -> list[Dimension]:
+def session_of(points: Part) -> InspectionSession:
+    """A session about the part as it lies, which finds each feature once whatever is asked of it."""
+    return InspectionSession(points.displaced(), settings=ONLY_NOISE)
+
+
+@pytest.fixture(scope="module")
+def without_noise() -> InspectionSession:
+    return session_of(part(0, 0.0))
+
+
+def measured(points: Part | InspectionSession, *asked: dict) -> list[Dimension]:
     dimensions = [{"name": str(number), **one} for number, one in enumerate(asked)]
     document = {"name": "p", "alignment": "none", "features": FEATURES, "dimensions": dimensions}
-    return list(inspect(points.displaced(), InspectionProgram.model_validate(document), settings=ONLY_NOISE).dimensions)
+    session = points if isinstance(points, InspectionSession) else session_of(points)
+    return list(session.measure(InspectionProgram.model_validate(document)).inspection.dimensions)
 
 
 def loose(play_mm: float, datum: str = "shaft", condition: str = "maximum") -> dict:
@@ -64,8 +75,8 @@ def best_of_bore(play_mm: float) -> float:
 
 @pytest.mark.parametrize("play_mm", [0.0, 0.06, 0.12, 0.28])
 @pytest.mark.parametrize("condition", ["maximum", "least"])
-def test_the_part_shifts_to_where_its_bore_lies_best_within_the_play_of_its_shaft(play_mm, condition):
-    (found,) = measured(part(0, 0.0), {**ASKED, **loose(play_mm, condition=condition)})
+def test_the_part_shifts_to_where_its_bore_lies_best_within_the_play_of_its_shaft(play_mm, condition, without_noise):
+    (found,) = measured(without_noise, {**ASKED, **loose(play_mm, condition=condition)})
     assert found.measured == pytest.approx(best_of_bore(play_mm), abs=LOST_MM + 1e-3), found.reason
     assert "datum shift: shaft play " in found.traceability and found.upper_tolerance == 0.5
 
@@ -81,9 +92,9 @@ def best_of_collar(play_mm: float) -> float:
 
 
 @pytest.mark.parametrize("play_mm", [0.01, 0.03, 0.1])
-def test_a_primary_datum_lets_the_part_tilt_too(play_mm):
+def test_a_primary_datum_lets_the_part_tilt_too(play_mm, without_noise):
     (found,) = measured(
-        part(0, 0.0), {"kind": "position", "features": ["collar"], "datums": ["shaft"], "upper_tolerance": 0.5, **loose(play_mm)}
+        without_noise, {"kind": "position", "features": ["collar"], "datums": ["shaft"], "upper_tolerance": 0.5, **loose(play_mm)}
     )
     # a cell less of play counts twice at four times the lever
     assert found.measured == pytest.approx(best_of_collar(play_mm), abs=6 * LOST_MM + 1e-3), found.reason
@@ -124,8 +135,8 @@ def test_what_a_shift_leaves_of_a_position_is_known_within_its_uncertainty(times
         ({"features": ["flank"], **loose(0.1)}, "axes and centres where a datum has a material condition"),
     ],
 )
-def test_features_without_play_are_refused_with_the_reason(change, said):
-    (found,) = measured(part(0, 0.0), {**ASKED, **change})
+def test_features_without_play_are_refused_with_the_reason(change, said, without_noise):
+    (found,) = measured(without_noise, {**ASKED, **change})
     assert found.verdict is Verdict.NOT_MEASURED and said in found.reason
 
 

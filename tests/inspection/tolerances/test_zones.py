@@ -8,7 +8,7 @@ from inspection.machined_part import BALL_MM, BORE_AT, BORE_MM, LENGTH_MM, RADIU
 
 from measureapp.data.dimension import Dimension, Verdict
 from measureapp.data.inspection_program import InspectionProgram
-from measureapp.inspection.dimensions import inspect
+from measureapp.inspection.session.session import InspectionSession
 from measureapp.inspection.settings import InspectionSettings, UncertaintySettings
 
 ONLY_NOISE = InspectionSettings(uncertainty=UncertaintySettings(placement_mm=0, systematic_mm=0, systematic_relative=0))
@@ -94,10 +94,16 @@ CASES: dict[str, tuple[dict, float, float]] = {
 }
 
 
-def measured(points: Part, *asked: dict, settings: InspectionSettings = ONLY_NOISE, features: list[dict] = FEATURES) -> list[Dimension]:
+def session_of(points: Part) -> InspectionSession:
+    """A session about the part as it lies, which finds each feature once whatever is asked of it."""
+    return InspectionSession(points.displaced(), settings=ONLY_NOISE)
+
+
+def measured(points: Part | InspectionSession, *asked: dict, features: list[dict] = FEATURES) -> list[Dimension]:
     dimensions = [{"name": str(number), "upper_tolerance": 0.5, **one} for number, one in enumerate(asked)]
     document = {"name": "p", "alignment": "none", "features": features, "dimensions": dimensions}
-    return list(inspect(points.displaced(), InspectionProgram.model_validate(document), settings=settings).dimensions)
+    session = points if isinstance(points, InspectionSession) else session_of(points)
+    return list(session.measure(InspectionProgram.model_validate(document)).inspection.dimensions)
 
 
 @pytest.fixture(scope="module")
@@ -147,9 +153,9 @@ def test_the_scatter_of_values_from_fits_is_the_predicted_one(name, repeated):
 
 
 def test_a_zone_exceeded_fails_and_one_just_touched_is_not_proven():
-    asked = {"kind": "coaxiality", "features": ["collar"], "datums": ["shaft"]}
+    asked, session = {"kind": "coaxiality", "features": ["collar"], "datums": ["shaft"]}, session_of(part(3))
     for limit, verdict in ((0.05, Verdict.FAIL), (0.1, Verdict.NOT_PROVEN), (0.2, Verdict.PASS)):
-        (found,) = measured(part(3), {**asked, "upper_tolerance": limit})
+        (found,) = measured(session, {**asked, "upper_tolerance": limit})
         assert found.verdict is verdict, limit
         assert (found.lower_tolerance, found.upper_tolerance, found.nominal) == (0.0, limit, 0.0)
 
@@ -193,8 +199,8 @@ def test_values_that_do_not_exist_are_refused_with_the_reason(asked, said, witho
 
 
 @pytest.fixture(scope="module")
-def without_noise() -> Part:
-    return part(0, 0.0)
+def without_noise() -> InspectionSession:
+    return session_of(part(0, 0.0))
 
 
 def test_a_step_has_a_sign_and_a_projection_lies_in_its_plane(without_noise):

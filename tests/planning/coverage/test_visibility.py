@@ -52,24 +52,24 @@ def crossed(origins: np.ndarray, ends: np.ndarray, corners: np.ndarray) -> np.nd
     return hit
 
 
-def expected(viewpoint: Viewpoint, samples: SurfaceSamples, limits: VisibilityLimits) -> np.ndarray:
-    """Whether a viewpoint sees each sample, point by point, from the rig's description alone."""
+def expected(viewpoint: Viewpoint, samples: SurfaceSamples) -> dict[str, np.ndarray]:
+    """Whether a viewpoint sees each sample of a glossy and of a matt surface, point by point, from the rig's description alone."""
     head = part_from_head(viewpoint, RIG)
     table = table_top(RIG)
     part = scene().part
     corners = np.concatenate([mesh.vertices_mm[mesh.triangles] for mesh in (part, table)])
     points, normals = samples.points_mm.astype(float), samples.normals.astype(float)
     depth = head.inverse().apply(points)[:, 2]
-    devices = [(one.head_from_camera, one.focal_px, one.width_px, one.height_px, limits.camera_incidence_deg) for one in RIG.cameras]
+    devices = [(one.head_from_camera, one.focal_px, one.width_px, one.height_px, LIMITS.camera_incidence_deg) for one in RIG.cameras]
     light = RIG.projector
-    devices.append((light.head_from_projector, light.focal_px, light.width_px, light.height_px, limits.projector_incidence_deg))
+    devices.append((light.head_from_projector, light.focal_px, light.width_px, light.height_px, LIMITS.projector_incidence_deg))
     sees, directions = [], []
     for seat, focal_px, width_px, height_px, most_deg in devices:
         part_from_device = head @ seat.transform("head", "device")
         pose = part_from_device.inverse()
         matrix = np.array([[focal_px, 0, width_px / 2], [0, focal_px, height_px / 2], [0, 0, 1]])
         pixels = cv2.projectPoints(points, cv2.Rodrigues(pose.rotation)[0], np.array(pose.translation_mm), matrix, np.zeros(5))[0][:, 0]
-        margin = limits.image_margin_px * width_px / 2592
+        margin = LIMITS.image_margin_px * width_px / 2592
         inside = ((pixels >= margin) & (pixels <= np.array([width_px, height_px]) - margin)).all(axis=1)
         towards = part_from_device.translation_mm - points
         towards /= np.linalg.norm(towards, axis=1)[:, None]
@@ -79,18 +79,25 @@ def expected(viewpoint: Viewpoint, samples: SurfaceSamples, limits: VisibilityLi
         sees.append(inside & (incidence <= most_deg) & ~hidden)
         directions.append(towards)
     mirrored = 2 * np.einsum("ni,ni->n", directions[-1], normals)[:, None] * normals - directions[-1]
-    for number in range(len(RIG.cameras)):
-        off = np.degrees(np.arccos(np.clip(np.einsum("ni,ni->n", mirrored, directions[number]), -1, 1)))
-        sees[number] &= off > limits.mirror_deg
+    off = [np.degrees(np.arccos(np.clip(np.einsum("ni,ni->n", mirrored, direction), -1, 1))) for direction in directions[:-1]]
     near, far = Head.of(RIG).depth_mm
-    return sees[-1] & (np.sum(sees[:-1], axis=0) >= 2) & (depth >= near) & (depth <= far)
+    lit = sees[-1] & (depth >= near) & (depth <= far)
+    matt, glossy = np.array(sees[:-1]), np.array(sees[:-1]) & (np.array(off) > LIMITS.mirror_deg)
+    return {"matt": lit & (matt.sum(axis=0) >= 2), "glossy": lit & (glossy.sum(axis=0) >= 2)}
 
 
-@pytest.mark.parametrize("limits", [LIMITS, MATT], ids=["glossy", "matt"])
-def test_visibility_agrees_with_every_triangle_tried_for_every_line_of_sight(limits: VisibilityLimits) -> None:
+@pytest.fixture(scope="module")
+def sought() -> tuple[SurfaceSamples, list[dict[str, np.ndarray]]]:
+    """Samples of the casting, and what each viewpoint sees of them: every triangle is tried once for both surfaces."""
     samples = sample_surface(scene(), 400)
+    return samples, [expected(one, samples) for one in viewpoints()]
+
+
+@pytest.mark.parametrize(("surface", "limits"), [("glossy", LIMITS), ("matt", MATT)], ids=["glossy", "matt"])
+def test_visibility_agrees_with_every_triangle_tried_for_every_line_of_sight(surface: str, limits: VisibilityLimits, sought) -> None:
+    samples, seen_as = sought
     found = seen_by(viewpoints(), samples, RIG, scene(), limits).seen
-    truth = np.array([expected(one, samples, limits) for one in viewpoints()])
+    truth = np.array([each[surface] for each in seen_as])
     assert 0.1 < truth.mean() < 0.6
     assert (found != truth).sum() == 0
 

@@ -46,7 +46,7 @@ def test_a_turned_part_says_that_only_the_axes_hold_its_turn(scanned) -> None:
     import trimesh
 
     disc = trimesh.util.concatenate([trimesh.creation.cylinder(60, 20, sections=720), trimesh.creation.cylinder(25, 60, sections=360)])
-    scan = scanned(disc, [40.0 * turn for turn in range(9)], [40.0], step_mm=1.0, station_mm=0.2, station_deg=0.01)
+    scan = scanned(disc, [60.0 * turn for turn in range(6)], [40.0], step_mm=1.0, station_mm=0.2, station_deg=0.01)
     for placement in stitch(scan.clouds, scan.kinematic).placements:
         assert len(placement.unconstrained_motions) == 1
         assert placement.unconstrained_motions[0].startswith("rotation about (0.00, 0.00, 1.00) through (")
@@ -54,7 +54,7 @@ def test_a_turned_part_says_that_only_the_axes_hold_its_turn(scanned) -> None:
         assert np.hypot(x, y) < 3.0  # its own axis
 
 
-@pytest.mark.parametrize("seed", [1, 2, 3])
+@pytest.mark.parametrize("seed", [1, *(pytest.param(seed, marks=pytest.mark.slow) for seed in (2, 3))])
 def test_an_impeller_is_constrained_by_its_blades(scanned, impeller_mesh, seed: int) -> None:
     scan = scanned(impeller_mesh, [0.0, 60.0, 120.0, 180.0, 240.0, 300.0], [45.0], step_mm=1.0, seed=seed)
     assert all(not placement.unconstrained_motions for placement in stitch(scan.clouds, scan.kinematic).placements)

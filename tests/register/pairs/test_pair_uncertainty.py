@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import cache
 
 import numpy as np
 import pytest
@@ -26,12 +27,23 @@ def rippled(cloud: PointCloud, length_mm: float, rng: np.random.Generator) -> Po
     return replace(cloud, points_mm=points * (1 + error / np.linalg.norm(points, axis=1))[:, None])
 
 
+@pytest.fixture(scope="module")
+def scans(scanned, request):
+    """The scans of a part, made once for all errors that are put upon them."""
+
+    @cache
+    def scans_of(mesh):
+        part = request.getfixturevalue(mesh)
+        return [scanned(part, [0.0, 25.0, 50.0], [45.0], step_mm=STEP_MM, seed=seed) for seed in SEEDS]
+
+    return scans_of
+
+
 @pytest.mark.parametrize("length_mm", [0.0, 1.8, 3.6])
 @pytest.mark.parametrize("mesh", ["impeller_mesh", "cross_mesh"])
-def test_pairs_are_off_as_far_as_they_say(scanned, request, mesh, length_mm):
-    part, squares, directions = request.getfixturevalue(mesh), 0.0, 0
-    for seed in SEEDS:
-        scan = scanned(part, [0.0, 25.0, 50.0], [45.0], step_mm=STEP_MM, seed=seed)
+def test_pairs_are_off_as_far_as_they_say(scans, mesh, length_mm):
+    squares, directions = 0.0, 0
+    for seed, scan in zip(SEEDS, scans(mesh), strict=True):
         rng = np.random.default_rng(seed)
         views = [prepare(rippled(cloud, length_mm, rng) if length_mm else cloud, VOXEL_MM) for cloud in scan.clouds]
         for i, j in PAIRS:

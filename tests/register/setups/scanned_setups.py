@@ -13,7 +13,7 @@ from measureapp.register.stitch import stitch
 from tests.register.conftest import STANDOFF_MM, _look_at, box, seen
 
 NOISE_MM = 0.03
-STEP_MM = 0.8
+STEP_MM = 1.0
 
 
 def bracket() -> Any:
