@@ -65,11 +65,12 @@ def _align(
                 f"The program {program.name!r} aligns by best fit, but there is no nominal mesh.",
                 'Add one to the program (nominal = "…"), or set alignment = "none".',
             )
+        whole = first_fit or best_fit(points, surface, settings.alignment, frame, progress)
         if requested.fold is not None:
-            return cyclic_fit(points, surface, requested, settings, frame)
+            return cyclic_fit(points, surface, requested, whole, settings)
         if requested.features or requested.regions:
-            return local_fit(points, program, requested, surface, settings, frame)
-        return first_fit or best_fit(points, surface, settings.alignment, frame, progress)
+            return local_fit(points, program, requested, whole, surface, settings, progress)
+        return whole
     start = no_alignment(frame)
     if surface is not None:
         start = first_fit or best_fit(points, surface, settings.alignment, frame, progress)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.spatial.transform import Rotation
@@ -10,8 +10,7 @@ from scipy.spatial.transform import Rotation
 from measureapp.arrays import FloatArray
 from measureapp.data.alignment_program import BestFit
 from measureapp.data.measurement import Alignment
-from measureapp.geometry.transform import RigidTransform, orthonormalise, rotation_about
-from measureapp.inspection.alignment.best_fit import best_fit
+from measureapp.geometry.transform import orthonormalise, rotation_about
 from measureapp.inspection.alignment.point_to_plane import Registration, register
 from measureapp.inspection.measured_points import MeasuredPoints
 from measureapp.inspection.settings import InspectionSettings
@@ -37,7 +36,7 @@ class _Position:
 
 
 def cyclic_fit(
-    measured: MeasuredPoints, surface: NominalSurface, requested: BestFit, settings: InspectionSettings, frame: str = "part"
+    measured: MeasuredPoints, surface: NominalSurface, requested: BestFit, start: Alignment, settings: InspectionSettings
 ) -> Alignment:
     """Fit all ``requested.fold`` positions about the axis, and choose the best among those that are distinguishable.
 
@@ -46,19 +45,17 @@ def cyclic_fit(
     correlated errors), and if the rms of δ exceeds `told_apart_mm`, which errors of the views and mesh facets can cause. Of positions
     that are not distinguishable, the one with the smallest rotation is chosen.
 
-    Raises
-    ------
-    InspectionError
-        As `best_fit`.
+    Parameters
+    ----------
+    start : best fit of the points
     """
     assert requested.fold is not None
-    first = best_fit(measured, surface, settings.alignment, frame)
     sample = measured.thin(settings.alignment.fine_points)
-    positions = [_fit_position(sample, surface, requested, k, first.nominal_from_part.matrix, settings) for k in range(requested.fold)]
+    positions = [_fit_position(sample, surface, requested, k, start.nominal_from_part.matrix, settings) for k in range(requested.fold)]
     best = min(positions, key=lambda position: position.rms_mm)
     equivalent = [one for one in positions if one is best or not _are_distinguishable(best, one, sample.points_mm, settings)]
     chosen = min(equivalent, key=lambda position: position.turn_rad)
-    transform = RigidTransform(orthonormalise(chosen.fit.matrix), "nominal", frame)
+    transform = replace(start.nominal_from_part, matrix=orthonormalise(chosen.fit.matrix))
     open_motions = chosen.fit.undetermined
     if len(equivalent) > 1:
         open_motions += (f"which of {len(equivalent)} positions about the axis",)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from measureapp.arrays import BoolArray, FloatArray
@@ -9,13 +11,13 @@ from measureapp.data.alignment_program import BestFit, Region
 from measureapp.data.inspection_program import InspectionProgram, MeasuredFeature
 from measureapp.data.measurement import Alignment
 from measureapp.errors import InspectionError
-from measureapp.geometry.transform import RigidTransform, orthonormalise
-from measureapp.inspection.alignment.best_fit import best_fit
+from measureapp.geometry.transform import orthonormalise
 from measureapp.inspection.alignment.point_to_plane import register
 from measureapp.inspection.features.cut import cut_points, nominal_features
 from measureapp.inspection.measured_points import MeasuredPoints
 from measureapp.inspection.settings import InspectionSettings
 from measureapp.inspection.surface.nominal import NominalSurface
+from measureapp.progress import NoProgress, Progress
 
 ROUNDS = 3  # the points are selected again after each fit
 
@@ -24,18 +26,19 @@ def local_fit(
     points: MeasuredPoints,
     program: InspectionProgram,
     requested: BestFit,
+    start: Alignment,
     surface: NominalSurface,
     settings: InspectionSettings,
-    frame: str,
+    progress: Progress = NoProgress(),  # noqa: B008 - stateless
 ) -> Alignment:
-    """Best fit of all points, then of those of the chosen features and regions.
+    """Fit the points of the chosen features and regions, beginning at ``start``, the best fit of all points.
 
     Raises
     ------
     InspectionError
-        The cloud does not match the nominal, a feature is constructed, or too few points were selected.
+        A feature is constructed, or too few points were selected.
     """
-    matrix = best_fit(points, surface, settings.alignment, frame).nominal_from_part.matrix
+    placement = start.nominal_from_part
     edges = surface.sharp_edges
     measured = {
         nominal.feature.name: nominal
@@ -48,7 +51,7 @@ def local_fit(
             f"A local best fit cannot use {made[0]}: its points are not cut around a nominal.", "Choose measured features."
         )
     for _ in range(ROUNDS):
-        placed = points.seen_from(RigidTransform(orthonormalise(matrix), "nominal", frame))
+        placed = points.seen_from(placement)
         chosen = np.zeros(len(points), bool)
         for name in requested.features:
             chosen[cut_points(placed, measured[name], edges)] = True
@@ -59,13 +62,11 @@ def local_fit(
                 f"Only {chosen.sum()} points lie in the features and regions of the local best fit, {settings.least_points} are needed.",
                 "Scan these features, or choose others.",
             )
-        fine = register(
-            points.where(chosen).thin(settings.alignment.fine_points), surface, matrix, settings.alignment, reach_mm=_reach(surface)
-        )
-        matrix = fine.matrix
+        thinned = points.where(chosen).thin(settings.alignment.fine_points)
+        fine = register(thinned, surface, placement.matrix, settings.alignment, reach_mm=_reach(surface), progress=progress)
+        placement = replace(placement, matrix=orthonormalise(fine.matrix))
     names = [*requested.features, *([f"{len(requested.regions)} regions"] if requested.regions else [])]
-    transform = RigidTransform(orthonormalise(matrix), "nominal", frame)
-    return Alignment(f"local best fit ({', '.join(names)})", transform, fine.rms_mm, fine.overlap, fine.undetermined)
+    return Alignment(f"local best fit ({', '.join(names)})", placement, fine.rms_mm, fine.overlap, fine.undetermined)
 
 
 def _reach(surface: NominalSurface) -> float:
