@@ -47,9 +47,7 @@ class AxisNoise:
     slide_from_mm: float = 0.0  # limits of the slide
     slide_to_mm: float = 0.0
     motion_spread: float = MOTION_SPREAD  # of the logarithm of these half ranges, by which the sightings may change them; 0: not at all
-    stop_mm: float = (
-        0.0  # scatter of the cameras' place at every stop of any axis, by settling and the like, per coordinate; see `refine_motions`
-    )
+    stop_mm: float = 0.0  # scatter of the cameras' place at every stop of any axis, per coordinate, by settling and the like
     drift_mm: float = 0.0  # largest displacement of the flange between calibration and scan by warming up
 
     def correlation(self, first: FloatArray, second: FloatArray) -> FloatArray:
