@@ -17,6 +17,7 @@ from measureapp.inspection.surface.nominal import NominalSurface
 from tests.inspection.blade_shapes import RoundBlade
 from tests.inspection.blades.test_blades import (
     COUNT,
+    DENSE,
     HEIGHTS,
     INNER_MM,
     NOISE_MM,
@@ -30,6 +31,7 @@ from tests.inspection.blades.test_blades import (
 from tests.inspection.surface.test_deviation import box
 
 HALF = np.array([50.0, 30.0, 20.0])
+EVERYWHERE = tuple((number, height) for number in range(COUNT) for height in HEIGHTS)
 FIT_MM = 3 * NOISE_MM / np.sqrt(10)  # a side of some 1700 points has 9 unknowns: its curve is at least ten times better than a point
 EDGE_MM = 3 * NOISE_MM * np.sqrt(9 / 50)  # an edge has some 50 points for 3 unknowns; at the ends of the half circle they weigh threefold
 
@@ -41,8 +43,9 @@ def program(features: list[dict], dimensions: list[dict]) -> InspectionProgram:
 def of_wheel():
     blade = {"name": "t", "kind": "max_thickness", "features": ["low.1"], "nominal": 1.0}
     surface = box(np.array([200.0, 200.0, 100.0]))
-    found = compute_deviation(wheel(), surface, no_alignment())
-    return find_section_curves(found, NominalSurface(surface), program([wheel_section("low", HEIGHTS[0])], [blade]), QUICK)
+    found = compute_deviation(wheel(count=DENSE, places=EVERYWHERE), surface, no_alignment())
+    settings = QUICK.model_copy(update={"blade_points": DENSE})
+    return find_section_curves(found, NominalSurface(surface), program([wheel_section("low", HEIGHTS[0])], [blade]), settings)
 
 
 def test_outline_mean_line_and_chord_of_every_blade_lie_where_its_form_has_them():

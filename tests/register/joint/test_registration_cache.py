@@ -18,7 +18,7 @@ ANGLES = [0.0, 60.0, 120.0, 180.0, 240.0, 300.0]
 
 @pytest.fixture(scope="module")
 def scan(scanned, impeller_mesh):
-    return scanned(impeller_mesh, ANGLES, [45.0], step_mm=1.5)
+    return scanned(impeller_mesh, ANGLES, [45.0], step_mm=1.0)
 
 
 @pytest.fixture(scope="module")
