@@ -139,6 +139,7 @@ def _alignment(align: str, measured: PlainPoints | Mesh, nominal: Mesh) -> Align
 
 def _cyclic(align: str, measured: PlainPoints | Mesh, nominal: Mesh) -> Alignment:
     from measureapp.data.alignment_program import BestFit
+    from measureapp.inspection.alignment.best_fit import best_fit
     from measureapp.inspection.alignment.cyclic_fit import cyclic_fit
     from measureapp.inspection.measured_points import MeasuredPoints
     from measureapp.inspection.settings import InspectionSettings
@@ -147,7 +148,8 @@ def _cyclic(align: str, measured: PlainPoints | Mesh, nominal: Mesh) -> Alignmen
     count = align.removeprefix("cyclic:")
     if not count.isdigit() or not 2 <= int(count) <= 1000:
         raise InputError(f"--align {align}: the number of positions must be 2 to 1000.", "Example: cyclic:7.")
-    return cyclic_fit(MeasuredPoints.of(measured), NominalSurface(nominal), BestFit(fold=int(count)), InspectionSettings())
+    points, surface, settings = MeasuredPoints.of(measured), NominalSurface(nominal), InspectionSettings()
+    return cyclic_fit(points, surface, BestFit(fold=int(count)), best_fit(points, surface, settings.alignment), settings)
 
 
 def _bands_document(found: Deviation, tolerance: tuple[float, float], lines: list[str]) -> dict[str, Any]:
