@@ -42,8 +42,8 @@ def restitch(
             "Choose the views in the project of their set-up, then compute this one again: measureapp process PROJECT.",
         )
     check_choices(choices, [view.viewpoint_id for view in measurement.views])
-    watch, rest = Stopwatch(), PartOf(progress, 0.1, 0.9)
+    watch, rest = Stopwatch(), PartOf(progress, 0.1, 1.0)
     with project.lock():
         made = assemble(project, measurement.calibration, measurement.views, on_event, rest, watch, revision=Revision(measurement, choices))
         project.save_view_choices(choices)
-        return finish(project, made, watch, language, PartOf(progress, 0.9, 1.0))
+        return finish(project, made, watch, language)  # to its end: what is stored now is what the window will show

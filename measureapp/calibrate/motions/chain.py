@@ -51,7 +51,7 @@ class Chain:
     motions: MotionModel | None = None  # error motions to estimate; None: none
 
     def with_stops(self, stop_mm: float) -> Chain:
-        """Return the chain, which is without, with a scatter of every stop."""
+        """Return this chain, which allows for none yet, with a scatter of every stop."""
         added = stop_covariance(stop_mm, self.robot_group)
         slide = added if self.slide is None else self.slide + added
         return replace(self, roots=add_place_covariance(self.roots, added), slide=slide, noise=replace(self.noise, stop_mm=stop_mm))
